@@ -11,16 +11,13 @@ namespace usacv20 {
 
 namespace {
 
-// Measured on 1200 fits of H, F, E and poses to 8 to 2000 points; doc/constants.md has the effect
-// of halving and doubling each value.
+// Effects of halving or doubling each constant: doc/constants.md.
 
 //! SAMPLES: number of samples whose models are compared by their errors. STARTS: least-squares fits
-//! start from so many of these models, the best ones. Halving either: 6 or 7 of the 1200 fits end
-//! in a minimum that is higher by 0.1 % or more.
+//! start from so many of these models, the best ones.
 constexpr int SAMPLES = 64, STARTS = 4;
 //! PART: number of points with which the initial models are compared and fitted. STEPS: maximum
-//! number of steps of a fit; fits converge earlier. Halving or doubling either does not change the
-//! minima.
+//! number of steps of a fit; fits converge earlier.
 constexpr int PART = 500, STEPS = 100;
 
 //! Converts a list of numbers, one for each point, to CV_64F; empty if none is given.

@@ -16,8 +16,7 @@ namespace usacv20 {
 namespace {
 
 //! Points farther than this many mean absolute deviations from the center do not enlarge the box
-//! Correspondences::lower, upper. Halving or doubling it changes errors by 2 % at most, no more
-//! than the noise of the search.
+//! Correspondences::lower, upper. See doc/constants.md.
 constexpr double FRAME = 5;
 //! Bounds of the threshold of the search: its square and the inverse of that must be neither 0 nor
 //! infinite as float. The mask uses the caller's threshold unchanged.

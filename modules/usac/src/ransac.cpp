@@ -14,28 +14,25 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md has the effect of halving and doubling each of these numbers.
-//! Samples in the largest batch: enough work for several threads. Halving or doubling it changes
-//! little.
+// Effects of halving or doubling each constant: doc/constants.md.
+
+//! Samples in the largest batch: enough work for several threads.
 constexpr int LARGEST_BATCH = 256;
 /** Samples in the first batch, half as many if they are expensive, as for E: all models of this
-batch except the best are optimized late. With half of it: time +3 to +5 %; with double: failures of
-F and E +0.3 to +0.5 percentage points. */
+batch except the best are optimized late. */
 constexpr int FIRST_BATCH = 8;
 //! A sample is expensive if SampleCost::time is above this many point tests: for E (1500), but not
-//! for F (300). With double: failures of E +0.3 percentage points.
+//! for F (300).
 constexpr int EXPENSIVE = 1000;
 //! Batches with less work than this, in point tests (a tenth of a millisecond), are not distributed
 //! over threads. The result does not depend on it.
 constexpr double PARALLEL_WORK = 44800;
 
 //! A model may become a runner-up if its gain (reduction of the cost relative to no model at all)
-//! is at least this fraction of the gain of the best model. With half of it: time +2 to +8 %; with
-//! 0.8: failures of H and E +0.2 percentage points.
+//! is at least this fraction of the gain of the best model.
 constexpr double WORTHWHILE = 0.6;
 //! A runner-up is optimized if more than this fraction of its inliers are points that the best
-//! model does not explain. Halving or doubling it changes no failures; with 0: time of F +4 %, of H
-//! +2 %.
+//! model does not explain.
 constexpr double DIFFERENT = 0.1;
 
 Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
@@ -139,8 +136,8 @@ bool Ransac::run(int pause)
     return ended;
 }
 
-//! State::sampleQuality, which models of samples have to beat, is not set: hardly any reaches the
-//! score of an optimized model, and the initial model may be that of another motion.
+//! State::sampleQuality, which models of samples have to beat, is not set: hardly any of them has
+//! as good a score as an optimized model, and the initial model may be that of another motion.
 void Ransac::begin(const Model& initial)
 {
     Model model = initial;
@@ -182,7 +179,7 @@ void Ransac::forgetSamples()
     explored = Model();
 }
 
-//! Batches grow, so that easy problems waste few samples and hard ones keep the threads busy.
+//! Batches grow, so that easy problems draw few superfluous samples and hard ones use all threads.
 void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;

@@ -92,7 +92,7 @@ private:
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** The best model explains the points whose errors are at most this many
     Context::inlierThreshold: with wide noise, some of its correct matches lie beyond the threshold.
-    With 1: samples +33 %, see doc/constants.md. */
+    See doc/constants.md. */
     static constexpr double EXPLAINED = 1.5;
     //! Draws samples of the points that the best model does not explain; see
     //! ransac_unexplained.cpp. @return false if none was drawn

@@ -34,19 +34,16 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md has the effect of halving and doubling each of these. Failures are those of H
-// and F in scenes with a second motion of nearly the same size (doc/structured.md).
+// Effects of halving or doubling each constant: doc/constants.md.
 
 //! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of those drawn so
-//! far, or LEAST_SAMPLES if this is more. With FIRST_PART 32: CPU instructions for H and E +1 %.
+//! far, or LEAST_SAMPLES if this is more.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
 //! With evidence of a rival, the number of samples is at most 1 / MOST_PART of those drawn so far.
-//! With MOST_PART 1: CPU instructions for H +6 %; with 2: +1 %, and failures of USACV20_FAST fall
-//! from 20 to 15 %.
 constexpr int MOST_PART = 3;
 //! A rival has at least this many inliers that the best model does not explain, as a fraction of
-//! the inliers of the best model. Random wrong matches reach 0.06, matches of a cluster 0.15. With
-//! 0.15, failures of USACV20_FAST rise from 20 to 31 %.
+//! the inliers of the best model. Models of random wrong matches have up to 0.06, those of matches
+//! of a cluster up to 0.15.
 constexpr double RIVAL = 0.1;
 //! The number of samples is computed for a rival with as many inliers as the best model, of which
 //! the best model does not explain this fraction.

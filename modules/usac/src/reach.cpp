@@ -12,17 +12,18 @@ namespace usacv20 {
 
 namespace {
 
-/** Suitable threshold of the search in standard deviations of the noise, about the same as that of
-Params::magsacPlusPlus for a threshold of 2 sigma. The reach grows if the search threshold is less
-than two thirds of it, and shrinks if it is more than 1.4 times as large; too large a reach costs
-time rather than accuracy. With half of it: errors +5 to +9 %; with double: nine tenths of H and a
-fifth of F fail, because a wider threshold shows more noise, and the reach grows again. */
+/** The reach is the ratio of the search threshold to the mask threshold. Suitable threshold of the
+search in standard deviations of the noise, about the same as that of Params::magsacPlusPlus for a
+threshold of 2 sigma. The reach grows if the search threshold is less than two thirds of it, and
+shrinks if it is more than 1.4 times as large; too large a reach costs time rather than accuracy.
+Far too large a value fails: a wider threshold contains larger errors, and the reach grows again.
+See doc/constants.md. */
 constexpr double REACH = 5;
 
 /** Points of another motion, or of a second plane, may look like wide noise. But real noise of that
 width has errors everywhere within the threshold. So the reach does not grow if the errors within
 the threshold fit small noise, with at least this fraction of the inliers found for the wide noise.
-Halving it changes nothing; with double, 8 % of F and 5 % of E with a second motion fail. */
+See doc/constants.md. */
 constexpr double CORE = 1. / 3;
 
 //! Standard deviation of the noise in the errors of the model; 0 if none is significant.

@@ -11,8 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 //! The reach changes if the suitable reach is more than REACH_GROWS times or less than
-//! REACH_SHRINKS times the current one. Errors change by 2 % at most if the former is 1.25 or 2, or
-//! the latter 0.85 or 0.4.
+//! REACH_SHRINKS times the current one. See doc/constants.md.
 constexpr double REACH_GROWS = 1.5, REACH_SHRINKS = 0.7;
 
 //! The reach, see Params::reach, that suits the errors of the best model, between Params::reach and

@@ -11,12 +11,10 @@ namespace usacv20 {
 namespace {
 
 /** A plane with more than this fraction of the inliers is dominant: its second motion is reported,
-as in PlanarMotion. With 0.9, half of the planes with 0.9 of the points are missed; with 0.6, planes
-with 0.7 of the points are detected as well, and the returned motions are the same. */
+as in PlanarMotion. See doc/constants.md. */
 constexpr double DOMINANT = 0.8;
 //! A point is on the plane if it is within this many thresholds of its image under the homography.
-//! With half of it, 134 of 358 planes with noise of up to two thirds of a threshold are missed;
-//! with double, 5 of 180 planes with 0.7 of the points are detected.
+//! See doc/constants.md.
 constexpr double ON_PLANE = 2;
 
 //! The essential matrix of two views and the motion derived from it.

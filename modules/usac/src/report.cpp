@@ -13,7 +13,7 @@ namespace {
 //! Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
 //! describe() says that few inliers are independent (most are at a few places) if there are more
-//! than this many inliers for each independent one. Halving and doubling were not measured.
+//! than this many inliers for each independent one.
 constexpr int FEW = 4;
 
 }  // namespace

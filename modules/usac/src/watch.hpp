@@ -68,7 +68,7 @@ private:
     Report present(int64 now) const;
 
     //! Work between two readings of the clock, in point tests of 2 ns: 0.4 ms; a reading takes 25
-    //! ns. With half of it, runs end equally late, within the noise; double was not measured.
+    //! ns.
     static constexpr double WORK = 2e5;
 
     const bool active;

@@ -9,7 +9,7 @@ namespace cv {
 namespace usacv20 {
 
 //! T_N, the number of samples after which the set has grown to all points @cite chum2005matching.
-//! Halving or doubling it changes errors by at most 3 %, see doc/constants.md.
+//! See doc/constants.md.
 constexpr double UNIFORM_SAMPLES = 200000;
 
 Growth::Growth(int sampleSize, int pointCount)

@@ -10,8 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Numbers of cells of an array: along each axis, and in total. With 4 or 16 along each axis,
-//! errors of the search ordered by density rise by up to 5 %, see doc/constants.md.
+//! Numbers of cells of an array: along each axis, and in total. See doc/constants.md.
 constexpr int CELL_DIVISIONS = 8, CELLS = CELL_DIVISIONS * CELL_DIVISIONS;
 
 //! Finds the cell of each point by its first two coordinates in an array; a single coordinate gives

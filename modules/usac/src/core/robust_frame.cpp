@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// Limits for extreme input. Halving or doubling one changes at most one or two runs of H.
+// Limits for extreme input; effects of halving and doubling: doc/constants.md.
 
 //! Medians of this many values, the first ones, are compared with the means of all values.
 constexpr int SAMPLE = 31;

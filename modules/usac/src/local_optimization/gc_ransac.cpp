@@ -13,7 +13,7 @@ namespace usacv20 {
 namespace {
 
 //! Gauss-Newton steps of a fit, which starts from the model; enough for a sample of several times
-//! the minimal size. With 2 steps, F takes 7 % less time and has 3 % larger errors.
+//! the minimal size. See doc/constants.md.
 constexpr int FIT_STEPS = 3;
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in the paper;

@@ -16,22 +16,17 @@ namespace {
 
 //! Maximum number of points of a fit to the inliers (MAX_FIT), and of a fit to the points within a
 //! shrinking threshold (MAX_SHRINK): while the inliers still change, fits to more points are
-//! slower, not better. Halving or doubling either changes errors by at most 2 %.
+//! slower, not better.
 constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
-//! Gauss-Newton steps of a fit from a model that does not yet fit the inliers well. With 1, time is
-//! 2 to 4 % less, but errors of E under forward motion are 2 % larger.
+//! Gauss-Newton steps of a fit from a model that does not yet fit the inliers well.
 constexpr int SHRINK_STEPS = 2;
-//! Gauss-Newton steps of a fit from a model that already fits the inliers. With 2, time is 2 to 3 %
-//! more, and errors are the same.
+//! Gauss-Newton steps of a fit from a model that already fits the inliers.
 constexpr int FIT_STEPS = 1;
-//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally. PART 1
-//! or 4 changes errors by at most 1 %.
+//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
 constexpr int PART = 2;
-//! The first and widest of the shrinking thresholds, as a multiple of the threshold. With 6, and so
-//! six fits, errors are 2 to 4 % smaller, but time is 9 to 12 % more.
+//! The first and widest of the shrinking thresholds, as a multiple of the threshold.
 constexpr int WIDE = 3;
 //! An iteration is the last one unless it lowers the cost below this part of the previous cost.
-//! 0.985 increases time by 2 to 5 % and changes errors by at most 1 %.
 constexpr double WORTHWHILE = 0.97;
 //! Error, in thresholds, up to which a point without edges is labeled as an inlier: there, K (see
 //! Labeling) is 1 / 2.

@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 //! K (see Labeling) of a point at an error of 3.25 thresholds; smaller K are taken as 0, which
-//! saves the exponential. Halving or doubling changes errors by some thousandths.
+//! saves the exponential.
 constexpr float NEGLIGIBLE = 0.005f;
 //! Work per point to find the edges (without a kd-tree) and to cut the graph, in point tests, the
 //! unit of Watch: 100 ns with a million points. It affects only how late a time limit ends a run.

@@ -11,14 +11,13 @@ namespace usacv20 {
 
 namespace {
 
-//! The first and widest of the shrinking thresholds, as a multiple of the threshold. 2 or 6 change
-//! errors by at most 4 %, see doc/constants.md.
+//! The first and widest of the shrinking thresholds, as a multiple of the threshold. See
+//! doc/constants.md.
 constexpr int WIDE = 3;
 //! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
 constexpr int PART = 2;
 //! Maximum number of points of a fit of FLO-RANSAC, in minimal sample sizes, as in
-//! @cite lebeda2012fixing. With 3, the failure rate of E rises by 1.1 percentage points; with 14, F
-//! takes 8 % more time.
+//! @cite lebeda2012fixing.
 constexpr int FLO_FIT = 7;
 
 /** @brief Local optimization of LO-RANSAC @cite chum2003locally, or its variant in "Fixing the

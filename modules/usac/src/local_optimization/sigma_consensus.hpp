@@ -27,8 +27,7 @@ class SigmaConsensus
 {
 public:
     /** PARTITIONS: number of parts, as in the program of the paper's authors. MAX_FIT: maximum
-    number of points. Halving or doubling one of them changes time by -14 to +31 % and errors by at
-    most 1 %, see doc/constants.md. */
+    number of points. See doc/constants.md. */
     enum { PARTITIONS = 5, MAX_FIT = 500 };
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}

@@ -12,11 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of points of a fit. Halving or doubling changes errors by at most 2 % and time by
-//! at most 4 %.
+//! Maximum number of points of a fit. See doc/constants.md.
 constexpr int MAX_FIT = 500;
-//! Optimization ends after this many fits in a row that are not better. 1 or 4 gives the same
-//! errors.
+//! Optimization ends after this many fits in a row that are not better.
 constexpr int FAILURES = 2;
 
 /** @brief The local optimization of MAGSAC++ @cite barath2020magsac: iteratively re-weighted least

@@ -12,11 +12,9 @@ namespace usacv20 {
 namespace {
 
 //! LAYERS: number of layers, each twice as wide as the previous one. WIDEST: maximum number of
-//! neighbors kept per point, unless the caller asks for more. Halving or doubling LAYERS changes
-//! the results of only some pairs of H, WIDEST none; see doc/constants.md.
+//! neighbors kept per point, unless the caller asks for more. See doc/constants.md.
 constexpr int LAYERS = 4, WIDEST = 512;
-//! Maximum number of edges from a point to its neighbors. With 4: time -18 to -23 %, errors of F
-//! +3 %; with 16: time +8 to +10 %.
+//! Maximum number of edges from a point to its neighbors. See doc/constants.md.
 constexpr int LINKS = 8;
 
 //! Work in point tests, the unit of Watch: to build the tree, per point; to sort the edges, per

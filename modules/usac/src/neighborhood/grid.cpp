@@ -14,9 +14,8 @@ namespace {
 //! 16, 8, 4 and 2 cells per axis as in the program of the authors of @cite barath2019progressive.
 //! MOST_BITS: maximum number of bits per axis, with fewer axes.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
-//! Maximum number of edges from a point to later points in its cell of the second layer. With 6:
-//! time +2 to +5 %. With 1, or with cells of another layer, the finest or the third, errors change
-//! by at most 2 %.
+//! Maximum number of edges from a point to later points in its cell of the second layer. See
+//! doc/constants.md.
 constexpr int LINKS = 3;
 
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite

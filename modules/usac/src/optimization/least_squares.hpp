@@ -125,8 +125,7 @@ private:
         return step.allFinite();
     }
 
-    // Halving or doubling one of these changes errors by some thousandths and time by at most 3 %
-    // (doc/constants.md).
+    // Effects of halving or doubling each constant: doc/constants.md.
 
     //! Number of steps that did not lower the cost and are tried in addition to the iterations.
     enum { RETRIES = 2 };

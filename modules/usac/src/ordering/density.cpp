@@ -13,8 +13,7 @@ namespace usacv20 {
 namespace {
 
 //! BUCKETS: number of ranks. ORDERING_OTHERS: prior number of points that share only one cell.
-//! Halving (ORDERING_OTHERS: to 2) or doubling changes errors of H and F by at most 1 %, of E by at
-//! most 4 %, no more than the noise of the search.
+//! See doc/constants.md.
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 
 /** @brief Local density of the points in the joint space, relative to their density in the images

@@ -33,10 +33,9 @@ on a plane leave the epipole. The gain must be FREE_GAIN or more. It must also b
 more for n points: another epipole changes the direction in which all errors are measured, and the
 difference of two sums of n squares has a standard deviation of at most 2 sqrt(n) noise variances.
 The evidence of the lost inliers (surpriseOf()) must be at most gain / FREE_AGAINST, because only
-inliers off the plane determine the epipole. With GAIN alone, 4 % of F with 95 % of the right
-matches on a plane lose the right matches off the plane. An ambiguous model (E) is not changed if
-parameters are free: fits mix up its two solutions, and led to neither in 10 of 200 scenes with
-nothing off a plane. */
+inliers off the plane determine the epipole. With GAIN alone, an F whose right matches are nearly
+all on a plane may lose those off it. An ambiguous model (E) is not changed if parameters are free:
+fits may end between its two solutions. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! Lower bound of the noise, in thresholds: the accuracy of errors in float.
 constexpr double LEAST_NOISE = 1e-3;

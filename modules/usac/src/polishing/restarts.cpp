@@ -12,30 +12,24 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md. "Failures" are scenes, out of
-// 8400 with few points and a wide threshold, with an error of more than 1.1 times that of least
-// squares; the flag with the most failures is given. Except for RESTARTS, they are for 8 RESTARTS.
+// Effects of halving or doubling each constant: doc/constants.md.
 
 //! Number of samples that fits start from: of the inliers; and, for each tried outlier, of this
-//! outlier and inliers. 8 and 8: 2 failures instead of 0; 4 and 4: 7 failures.
+//! outlier and inliers.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
 //! The threshold is wide if a point is an inlier of a wrong model with at least this probability.
-//! Of 200 H with 25 to 300 points, 3 fail; with half the value 3, with double 7, and if no
-//! threshold counts as wide, 45.
 constexpr double WIDE = 0.2;
-//! The loss of another minimum must be below this part of the model's loss. 0.95: no change; 0.8:
-//! 10 failures instead of 2.
+//! The loss of another minimum must be below this part of the model's loss.
 constexpr double CLEAR = 0.9;
 /** For models that the checks reject, this part must also be so small that the decrease is chance
 with at most this probability, which is the part to the power of half the remaining degrees of
-freedom. Halving or doubling changes nothing. */
+freedom. */
 constexpr double UNLIKELY = 0.1;
-//! For begin(): maximum probability that random points reach as low a loss. Halving or doubling
-//! changes nothing.
+//! For begin(): maximum probability that random points have as low a loss.
 constexpr double CHANCE = 1e-6;
 //! Largest loss that another point may add per component of its error, in units of the inliers'
 //! loss per degree of freedom: one right point in a hundred exceeds 8 if ten degrees of freedom are
-//! left. Half: OpenCV's test EKcase gets 9 of its 10 inliers; double: no change.
+//! left.
 constexpr double GROWN = 8;
 //! Number of points whose errors are computed together. It has no effect on the result.
 constexpr int BLOCK = 1024;

@@ -12,8 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-//! A fit that lowers the loss by less than this part is the last. Halving or doubling does not
-//! change the errors.
+//! A fit that lowers the loss by less than this part is the last.
 constexpr double SETTLED = 1e-5;
 
 /** Iteratively re-weighted least squares over all points within the threshold of the score, with

@@ -15,28 +15,23 @@ namespace {
 // Effects of halving or doubling each constant: doc/constants.md.
 
 /** Support of the biweight in standard deviations of the noise; fits are 1.6 % (F, E) or 2.3 % (H)
-less accurate than least squares under Gaussian noise. On the scenes of doc/structured.md, errors
-are 24 to 61 % larger with half the support; with double, 8 to 9 % larger for F and E, 7 % smaller
-for H. */
+less accurate than least squares under Gaussian noise. */
 constexpr double SUPPORT = 5.3;
 /** All steps except the last two use only the first points: so many that FEW of them, or 1 / PART
-of all points if this is more, are within REACH thresholds. Halving or doubling REACH or FEW changes
-errors by at most 1 % and time by at most 2 %. */
+of all points if this is more, are within REACH thresholds. */
 constexpr int REACH = 3, FEW = 500, PART = 8;
 /** Of more than MANY points only a part has been searched (ProblemData::SEARCHED), and the model is
-further from the minimum in units of the standard error of all points: MORE steps, nearly all of
-them on the first points. Without them, 4 of 40 essential matrices of 80 000 points, 40 % correct,
-have 5 to 20 times the median error with USACV20_FAST; with 4, one; with 6, none. */
+further from the minimum in units of the standard error of all points. Therefore MORE steps are
+added, nearly all of them on the first points. */
 constexpr int MANY = 1 << 15, MORE = 6;
 //! BLOCK points are passed to each call of the kernel; the last fit has LAST steps, enough to
-//! converge. Halving or doubling either does not change the accuracy.
+//! converge.
 constexpr int BLOCK = 256, LAST = 10;
 //! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
-//! point within the support, or if the scale changes by at least the part SAME_SCALE. Halving or
-//! doubling either changes errors by at most 0.4 %.
+//! point within the support, or if the scale changes by at least the part SAME_SCALE.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
 //! The noise is estimated again if the loss has decreased by more than this part of the loss of the
-//! points within the support. Halving or doubling changes errors by at most 0.1 %.
+//! points within the support.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
@@ -46,8 +41,8 @@ under Gaussian noise. Points beyond the support have no influence: a wrong match
 in the images (for example near the epipole) would distort F even with a hundredth of its weight.
 
 It ends when the last step has lowered the loss by less than a tenth of the mean loss of a point
-within the support (which does not depend on the threshold) and the scale of the noise is settled;
-or after Params::polishingSteps steps, of which the last is a fit to convergence. */
+within the support (which does not depend on the threshold) and the scale of the noise no longer
+changes; or after Params::polishingSteps steps, of which the last is a fit to convergence. */
 class RobustPolisher : public Polisher
 {
 public:

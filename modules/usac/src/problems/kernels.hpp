@@ -30,7 +30,7 @@ Kernels avx512Kernels();
 //! The fastest kernels that the processor supports and OPENCV_CPU_DISABLE permits.
 const Kernels& kernels();
 
-namespace {  // because the formulas are
+namespace {  // unnamed, because the formulas are in unnamed namespaces
 
 //! The loops of a formula.
 template <class Error>

@@ -95,7 +95,7 @@ inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 }
 
 //! Upper bound of the scale between two images of a small surface, divided by the ratio of the
-//! image sizes. With 20 instead of 10, 3 of 704 F are wrong instead of 1, see doc/constants.md.
+//! image sizes. See doc/constants.md.
 constexpr int FAR_APART = 10;
 //! Points that are at most NEAR_THRESHOLDS thresholds apart, and at most 1 / NEAR_PART of the
 //! image, may be the same point up to noise.

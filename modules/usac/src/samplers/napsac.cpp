@@ -10,16 +10,14 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of first points tried for a sample. Halving or doubling it changes no benchmark
-//! run.
+//! Maximum number of first points tried for a sample.
 constexpr int TRIES = 100;
 
 /** @brief NAPSAC: a random point and some of its neighbors @cite nasuto2002napsac.
 
 The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the
 graph. Finer layers give more all-inlier samples, but a model of points close to each other is
-inaccurate, and wrong if they lie on a plane: on an office scene, finer layers doubled the number of
-wrong fundamental and essential matrices.
+inaccurate, and an F or E is wrong if they lie on a plane.
 
 A point with fewer neighbors than a sample needs is most likely an outlier. The paper discards the
 sample; here another first point is drawn, which has the same effect without a lost iteration. If

@@ -11,18 +11,16 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md has the effect of halving and doubling each of these numbers.
+// Effects of halving or doubling each constant: doc/constants.md.
 
-//! Numbers of samples, see PNapsacSampler. Halving or doubling one changes errors by at most 1 %,
-//! and for BEFORE_ORDER_CHEAP the CPU instructions of affinities and similarities by -10 to +12 %.
+//! Numbers of samples, see PNapsacSampler.
 constexpr int BEFORE_ORDER = 8, ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
 //! Sample size of H; an affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
 //! One in LOCAL_EVERY non-uniform samples is local if the order is known, and one in
-//! LOCAL_EVERY_GUESS if it is guessed. With LOCAL_EVERY_GUESS 1: errors of F +5 %, of E +3 %.
+//! LOCAL_EVERY_GUESS if it is guessed.
 constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
-//! Minimum size of the first neighborhood of a point, in sample sizes. With 1 or 4, errors change
-//! by at most 1 %.
+//! Minimum size of the first neighborhood of a point, in sample sizes.
 constexpr int FIRST_MEMBERS = 2;
 
 //! True if the order is a guess from the density of the points, not given and not made from scores.
@@ -35,8 +33,8 @@ the others from its neighborhood: the finest layer of the graph in which it has 
 #FIRST_MEMBERS m members. That number doubles each time the point is chosen again; once no layer has
 enough members, the sample is drawn as in PROSAC. Such a local sample is one in #LOCAL_EVERY of the
 non-uniform samples (Params::orderedEvery), or one in #LOCAL_EVERY_GUESS if the order is a guess
-from the density of the points. More local samples found small groups of inliers sooner on some real
-pairs, but on more pairs small groups of consistent outliers (repeated patterns) won.
+from the density of the points. With more local samples, small groups of consistent outliers
+(repeated patterns) are more often taken for the inliers.
 
 If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more,
 and thus neither order nor neighborhood. With #SMALL points per sample (H), the first #ORDERED

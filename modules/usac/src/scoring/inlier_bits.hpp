@@ -15,7 +15,7 @@ namespace usacv20 {
 class InlierBits
 {
 public:
-    //! Maximum number of points. With 512, search failures stay the same within their noise.
+    //! Maximum number of points.
     enum { MOST = 256 };
 
     //! No inliers.

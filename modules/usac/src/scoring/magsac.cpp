@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of cells of the table. Halving or doubling it changes no errors, see doc/constants.md.
+//! Number of cells of the table.
 constexpr int SIZE = 1024;
 
 /** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over a noise level

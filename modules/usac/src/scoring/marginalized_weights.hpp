@@ -61,8 +61,8 @@ linear interpolation. The interpolation error is below 1e-3, relative for the we
 class MarginalizedWeights
 {
 public:
-    //! Number of cells of the tables; below u = 1/SIZE the weight is constant. Halving or doubling
-    //! it changes errors by at most 1 %, see doc/constants.md.
+    //! Number of cells of the tables; below u = 1/SIZE the weight is constant. See
+    //! doc/constants.md.
     enum { SIZE = 2048 };
 
     //! The instance for errors with 1, 2 or 3 degrees of freedom, made at first use.

@@ -10,7 +10,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Expectation maximization takes at most MAX_ITERATIONS steps; it ends when the inlier ratio
-//! changes by less than SETTLED. Halving or doubling them changes no run, see doc/constants.md.
+//! changes by less than SETTLED.
 constexpr int MAX_ITERATIONS = 50;
 constexpr double SETTLED = 1e-4;
 

@@ -13,7 +13,7 @@ namespace usacv20 {
 namespace {
 
 //! Points whose density as inliers is below this multiple of their density as outliers count as
-//! outliers. Halving or doubling it changes no run, see doc/constants.md.
+//! outliers.
 constexpr double NEGLIGIBLE = 1e-6;
 //! Number of densities multiplied before a logarithm is taken: a product of 4 floats does not
 //! overflow a double.

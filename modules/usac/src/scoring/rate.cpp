@@ -12,8 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of points of a block: their errors stay in the L1 cache. Halving or doubling it
-//! changes nothing, see doc/constants.md.
+//! Maximum number of points of a block: their errors stay in the L1 cache.
 constexpr int BLOCK = 256;
 
 /** Evaluates one model on blocks of points: by the fused kernel if score and residual have one,

@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Minimum number of wrong matches per point. 2 or 8 change no benchmark run.
+//! Minimum number of wrong matches per point.
 constexpr int PARTNERS = 4;
 
 /** Makes wrong matches: pairs points of array 1 with points of other matches in array 2. T is

@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-// Halving or doubling these rejects no right model of the benchmark, except one E with 2048 PAIRS.
+// Effects of halving or doubling each constant: doc/constants.md.
 
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
 //! among them. While a test does not decide, the next has MORE times as many points. A test of all

@@ -15,10 +15,10 @@ namespace usacv20 {
 //! Of this many first samples, every second one follows the order; see doc/constants.md.
 constexpr int FIRST_ORDERED = 480;
 //! Minimum evidence for the order, in standard deviations of the rank sum; one random order in 1000
-//! reaches it.
+//! has as much.
 constexpr double CONFIRMED = 3.1;
-//! The order is divided into this many equal parts; the inliers in the last one tell how many are
-//! spread over the whole order.
+//! The order is divided into this many equal parts; from the number of inliers in the last one
+//! follows how many are spread over the whole order.
 constexpr int LATE_PART = 4;
 
 // The other constants decide whether another motion is ruled out, see otherMotionWouldShow().

@@ -10,11 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Number of distinct inliers outside the sample at which r is half of Params::relaxation. Search
-failures of F with 15 to 1000 points, all distinct / each five times: 1.7 / 2.8 % with 30 and
-Params::relaxation 0.5; with relaxation 0.4, 3.9 / 6.0 % with 0 and 0.7 / 1.9 % with 40. Halving or
-doubling it changes almost nothing on real pairs; with USACV20_FAST on scenes of 30 to 300 points,
-60 takes 8 to 19 % more samples, 15 takes 6 to 12 % fewer. */
+/** Number of distinct inliers outside the sample at which r is half of Params::relaxation. See
+doc/constants.md. */
 constexpr int HALF = 30;
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Upper bound of the probability that a support arises by chance, as in @cite chum2005matching.
-//! Halving or doubling it changes no benchmark run. ROUNDING allows for rounding errors of T_n.
+//! ROUNDING allows for rounding errors of T_n.
 constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
 //! Whether the run has to end is checked every PART lengths n. LENGTH_WORK is the work per length
 //! in point tests, the unit of Watch: up to 0.4 us. Both affect only how late a time limit ends a
@@ -63,11 +63,11 @@ chosen. Only the first T'_n* samples count, which come from the n* best points (
 uniform samples of P-NAPSAC). Only for n* = N does the number of samples have no limit.
 - In the paper, each sample counts as much as a uniform one. But the first samples must contain the
 newest of a few points: for any order of the inliers, the first T'_n* samples are worth only T_n*
-uniform ones, and more only by good luck. When each sample counted, two or three samples of the very
-best points ended runs on real pairs with whatever model these samples gave.
+uniform ones. If each sample counted, two or three samples of the very best points could end a run
+with a wrong model.
 - In the paper, 5 % bounds the probability that one wrong model has such a support. But the best of
-thousands of wrong models has it more often than not; in small scenes a tenth of the runs ended with
-a wrong model. Here 5 % bounds the probability for all T'_n* samples together.
+thousands of wrong models has it more often than not. Here 5 % bounds the probability for all T'_n*
+samples together.
 
 Inliers that share a cell of the size of the threshold with a better inlier in either image (see
 markRepeated) do not count for non-randomness, because the best points are often one match found

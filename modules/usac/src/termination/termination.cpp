@@ -9,10 +9,9 @@ namespace cv {
 namespace usacv20 {
 
 //! After exhaustiveSamples(), the probability that a certain sample has not been drawn. It matters
-//! only with a handful of points. Halving or doubling it changes no benchmark run.
+//! only if there are very few points.
 constexpr double MISSED = 1e-6;
-//! Minimum of exhaustiveSamples(); so few samples take almost no time. Halving or doubling it
-//! changes no benchmark run.
+//! Minimum of exhaustiveSamples(); so few samples take almost no time.
 constexpr int LEAST_EXHAUSTIVE = 100;
 
 double keptProbability(const Context& context, double inliers)

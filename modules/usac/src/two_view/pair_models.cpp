@@ -309,7 +309,7 @@ void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, c
     if (report.iterations < params.maxIterations ||
         params.maxIterations >= rules.samples(params, kind.sampleSize, size()))
         return;
-    // Rounded down, so that it never looks like the confidence that was asked for.
+    // Rounded down, so that it is never displayed as large as the requested confidence.
     const double reached = std::floor(1e4 * rules.reached(params, kind.sampleSize, size())) / 1e4;
     limited += format("%s%g for %s", limited.empty() ? "" : ", ", reached, kind.name);
 }

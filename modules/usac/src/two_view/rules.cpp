@@ -18,8 +18,7 @@ more than 12 (40 and 50). For F, H and other presets this was not measured; thei
 1. */
 constexpr double EASY = 15, EASIEST = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
-//! lowest one of TwoViewRules::ratios. With 4 instead of 8, there are up to 25 % fewer samples;
-//! with 16, their number changes by at most 11 %, with 64 by at most 16 %.
+//! lowest one of TwoViewRules::ratios. See doc/constants.md.
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5;
 

@@ -10,8 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-// Halving or doubling one of these changes time by at most 4 % and errors by some thousandths
-// (doc/constants.md).
+// Effects of halving or doubling each constant: doc/constants.md.
 
 //! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, SECOND_BLOCK until
 //! SECOND_BLOCKS_END, then BLOCK.

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_PROGRESS_HPP
 #define OPENCV_USACV20_PROGRESS_HPP
 
-#ifndef OPENCV_BINDING_PARSER  // other languages have their own functions for this
+#ifndef OPENCV_BINDING_PARSER  // not for the bindings, which have functions of their own
 
 #include <functional>
 #include "opencv2/usac/report.hpp"

@@ -176,7 +176,7 @@ CV_EXPORTS_W TwoViewGeometry estimateTwoViewGeometry(const TwoViewPair& pair,
                                                      const Params& params = Params(),
                                                      const TwoViewRules& rules = TwoViewRules());
 
-#ifndef OPENCV_BINDING_PARSER  // other languages have their own functions for this
+#ifndef OPENCV_BINDING_PARSER  // not for the bindings, which have functions of their own
 
 //! @overload
 //! For points of cameras without distortion. An empty camera matrix means that the focal length of

@@ -89,7 +89,7 @@ ArrayMat::ArrayMat(const py::object& given, const char* name)
         matrix = Mat((int)sizes.size(), sizes.data(), type);
         return;
     }
-    // NumPy's strides of dimensions of size 1 may be anything: those that a cv::Mat would have take
+    // NumPy's strides of dimensions of size 1 are arbitrary; those of a cv::Mat are taken in
     // their place.
     size_t step = CV_ELEM_SIZE(type);
     steps.resize(sizes.size(), step);

@@ -27,7 +27,7 @@ public:
     String name() const CV_OVERRIDE { return "essential"; }
     int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }  // measured
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }  // measured times
     //! Two camera motions explain all points of a plane @cite ma2004invitation; only points off the
     //! plane tell which one is right.
     bool ambiguous() const CV_OVERRIDE { return true; }

@@ -16,8 +16,7 @@ namespace usacv20 {
 
 namespace {
 
-// Unless noted otherwise, halving or doubling a constant changes errors and time of F by at most
-// 3 %, see doc/constants.md.
+// Effects of halving or doubling each constant: doc/constants.md.
 
 //! Fits of a plane: maximum number of points in a fit, of fits, and of steps of a fit; minimum
 //! number of points on the plane.
@@ -28,8 +27,7 @@ constexpr double CLEARLY = 1.05;
 //! A plane counts as the known one if more than this share of its points are on the known one, too.
 constexpr double SAME_PLANE = 0.9;
 //! DOMINANT: minimum share of the model's inliers on a dominant plane. ROUGHLY: share of that
-//! minimum that is required before the plane is fitted. With DOMINANT 0.25 the time of F rises by
-//! 8 %, with 0.75 it falls by 6 %, see doc/constants.md.
+//! minimum that is required before the plane is fitted.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! Also, a dominant plane has at least this share w of all points: one sample in 5000 has five of
 //! its seven points on it, 21 w^5; smaller planes arise by chance.

@@ -17,30 +17,22 @@ namespace {
 //! of its points x2 and H x1: an epipole there fits the match anyway, which is no evidence.
 constexpr int NEAR = 2;
 
-/* The following were measured on scenes with 80 to 100 % of the correct matches on a plane, N = 500
-and 1000, 50 to 90 % inliers; see also doc/constants.md. */
+/* Effects of halving or doubling the following: doc/constants.md. */
 
-//! Share of the correct matches whose line leads to the epipole despite their noise. With 1,
-//! failures rise from 3 to 7 % and the time of F falls by 4 %; with 0.3, failures do not change;
-//! with 0.25, the time rises by 9 %.
+//! Share of the correct matches whose line leads to the epipole despite their noise.
 constexpr double GOOD_LINES = 0.5;
 //! An epipole is worth a fit if it has at least this share of votes, relative to the inliers that
-//! the best model has off the plane: even with no more inliers, its cost can be lower. With 0.6
-//! only the time changes; 0.9 saves 2 % of the time of F and misses 2 of 40 epipoles of cameras
-//! that move forward.
+//! the best model has off the plane: even with no more inliers, its cost can be lower.
 constexpr double WORTH_A_FIT = 0.8;
 //! Maximum excess over the lowest cost of the voters, in outliers (each costs 1), at which a fit
 //! continues (GOES_ON) and at which a fitted epipole is scored over all points (WORTH_RATING): the
-//! points on the plane decide between similar epipoles. Halving one of the constants raises errors
-//! of F by at most 2 %, see doc/constants.md.
+//! points on the plane decide between similar epipoles.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
 //! Each step of a fit uses the voters within this many thresholds: the first steps use more,
-//! because a fit starts at the middle of a bin. With 1 for all steps, errors change by at most 1 %,
-//! see doc/constants.md.
+//! because a fit starts at the middle of a bin.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Epipoles (as unit vectors) are the same if the squared sine of the angle between them is
-//! smaller: about two bins. With 0.1, 4 of 432 searches in scenes with planes fail instead of 1,
-//! see also doc/constants.md.
+//! smaller: about two bins.
 constexpr double SAME_EPIPOLE = 1e-3;
 
 //! The middle of the bins first .. last on the line through the orthonormal u and v.

@@ -19,7 +19,7 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
 //! The square of 3: points are on a plane that was found from three points if their error is at
-//! most three thresholds. With six thresholds the time of F rises by 8 %, see doc/constants.md.
+//! most three thresholds. See doc/constants.md.
 constexpr int PLANE_LIMIT = 9;
 inline double planeLimit(const Context& context)
 {
@@ -48,8 +48,7 @@ public:
 
 private:
     //! Number of triples drawn (a plane of half of the inliers is missed once in 14 times); maximum
-    //! number of tested inliers; minimum number of inliers for a search. Halving or doubling one of
-    //! them changes errors by at most 2 % and time by at most 3 %, see doc/constants.md.
+    //! number of tested inliers; minimum number of inliers for a search. See doc/constants.md.
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, LEAST_INLIERS = 8 };
 
     int members[MAX_INLIERS];

@@ -13,8 +13,8 @@ namespace usacv20 {
 namespace {
 
 //! All occurrences of a match count as one inlier if there are at least OFTEN among the
-//! FIRST_POINTS first points and they make up more than 1 / TENTH of all points. With TENTH 20, 4
-//! of 720 searches in scenes with repetitions fail instead of 1, see doc/constants.md.
+//! FIRST_POINTS first points and they make up more than 1 / TENTH of all points. See
+//! doc/constants.md.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, TENTH = 10;
 
 /** @brief Rejects samples in which two matches share a point of array 1 or of array 2.

@@ -16,12 +16,10 @@ namespace {
 // Effects of halving and doubling these constants: doc/constants.md.
 
 //! The quality is lowered only if at least FEW of the LOOKED_AT first points are inliers wherever
-//! one of their ends is. With FEW 16, 14 of 704 F are wrong instead of 1; if the quality is never
-//! lowered, 23.
+//! one of their ends is.
 constexpr int LOOKED_AT = 64, FEW = 8;
 //! Many matches share points if at least SHARED_PAIRS pairs, 3 %, of the FIRST_PAIRS first matches
 //! do. (If each of two targets has a third of the matches, a fifth of the pairs share a point.)
-//! With 64 matches and 64 pairs, 5 of 704 F are wrong instead of 1.
 constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
 //! The size of an image is estimated without 1 / TRIMMED of the first points at each end.
 constexpr int TRIMMED = 10;

@@ -68,7 +68,7 @@ def shown(value: Any) -> str:
 
 
 def isReal(value: Any) -> bool:
-    """True for numbers of Python and of NumPy, and for arrays of one that have no dimension; not for truth values."""
+    """True for numbers of Python and NumPy, and for NumPy arrays without dimensions that contain a number; false for bool."""
     if isinstance(value, (bool, np.bool_)):
         return False
     if isinstance(value, (int, float, np.integer, np.floating)):
@@ -77,17 +77,17 @@ def isReal(value: Any) -> bool:
 
 
 def isInteger(value: Any) -> bool:
-    """The same for integers."""
+    """Like isReal(), but only for integers."""
     return isReal(value) and not isinstance(value, (float, np.floating)) and getattr(value, "dtype", np.dtype(int)).kind in "iu"
 
 
 def isOfAnother(value: Any, enumeration: type) -> bool:
-    """True for an enumerator of another enumeration, which as an integer could mean anything."""
+    """True for an enumerator of another enumeration: its integer value has no meaning in this one."""
     return isinstance(value, enum.Enum) and not isinstance(value, enumeration)
 
 
 def real(value: Any, name: str, default: Optional[float] = None) -> float:
-    """A float; None is the default, as in cv2."""
+    """A float; None is replaced by the default, as in cv2."""
     if value is None and default is not None:
         return default
     if not isReal(value):
@@ -96,7 +96,7 @@ def real(value: Any, name: str, default: Optional[float] = None) -> float:
 
 
 def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT_MIN, high: int = INT_MAX) -> int:
-    """An int of a closed interval; None is the default, as in cv2."""
+    """An int from low to high; None is replaced by the default, as in cv2."""
     if value is None and default is not None:
         return default
     if not isInteger(value):
@@ -108,7 +108,7 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
 
 
 def refuseMasked(value: Any, name: str) -> None:
-    """An array of numpy.ma would lose its mask."""
+    """Raises usacv20.error for an array of numpy.ma with masked elements, whose mask would be lost."""
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise fail("{}: a masked array is not taken, as its mask would be lost: give the rows that it leaves, of all arrays the "
                    "same, or filled(numpy.nan), whose rows are never inliers".format(name))
@@ -147,12 +147,12 @@ def array(value: Any, name: str) -> npt.NDArray[Any]:
 
 
 def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
-    """The same; None for None."""
+    """Like array(), but returns None for None."""
     return None if value is None else array(value, name)
 
 
 def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
-    """The points of a plane as rows of three coordinates, as C++ reads the array; None where there are not three."""
+    """2-D points as rows of three homogeneous coordinates, as C++ reads the array; None if they do not have three."""
     if given.ndim == 3:
         return given.reshape(-1, 3) if given.shape[2] == 3 else None
     if given.ndim == 1:
@@ -225,7 +225,7 @@ def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
 
 
 def checkOutput(given: Any, name: str) -> None:
-    """Refuses what is no array that a result can be written to."""
+    """Raises usacv20.error unless `given` is None or an array that a result can be written to."""
     if given is None or type(given).__name__ == "UMat":
         return
     if not isinstance(given, np.ndarray):
@@ -235,14 +235,15 @@ def checkOutput(given: Any, name: str) -> None:
 
 
 def checkMask(given: Any, name: str) -> None:
-    """The same for a mask: an array of another type would be left as it was."""
+    """Like checkOutput(), for a mask: raises usacv20.error for a type other than uint8 and bool."""
     checkOutput(given, name)
     if isinstance(given, np.ndarray) and given.dtype not in (np.uint8, np.bool_):
         raise fail("{}: an array of uint8 or bool receives the mask, not of {}".format(name, given.dtype))
 
 
 def output(given: Any, result: Any) -> Any:
-    """The array of the caller's with the result in it if type and size fit, as cv2 has it; else the result. A mask may be of bool."""
+    """Writes the result to the caller's array and returns that if type and size fit, as in cv2; else returns the result. A mask may
+    be of bool."""
     if result is None or not isinstance(given, np.ndarray) or given.dtype not in (result.dtype, np.bool_):
         return result
     if given.shape != result.shape and given.shape != result.shape[:1]:

@@ -20,7 +20,7 @@ elif IN_TREE:
 
     from ._intree import Native
 
-    native = Native(cv2)  # an ImportError, for one left over from another build, makes the loader go on without this package
+    native = Native(cv2)  # raises ImportError if this file is from another build; cv2 is then imported without it
 else:
     try:
         from . import _native as native

@@ -34,7 +34,7 @@ class Correspondences(typing.NamedTuple):
     search (about unit size; E: of the normalized image plane)."""
 
     data: npt.NDArray[np.float64]  #: N x columns; of two views x1, y1, x2, y2
-    inputIndex: npt.NDArray[np.int32]  #: N, the row of the caller's arrays
+    inputIndex: npt.NDArray[np.int32]  #: N, index of each point in the caller's arrays
     scores: Optional[npt.NDArray[np.float32]]  #: N, of Params.scores, as they are there; None if there are none
     threshold: float  #: Params.threshold times Params.reach in these coordinates, not squared
     sampleSize: int  #: points of a minimal sample
@@ -85,7 +85,7 @@ class Sampler(_Component):
 
 
 class Score(_Component):
-    """What errors are worth; to be subclassed.
+    """Converts errors to costs; to be subclassed.
 
     accumulate() is called for each block of points of each model, by Params.threads threads at once, which wait for the
     interpreter's lock. A call takes about 10 microseconds with NumPy, as below: the homography of 1000 matches takes 14 times
@@ -137,7 +137,7 @@ class Components:
 
     __slots__ = ("_usac", "_sampler", "_score", "__weakref__")
 
-    if not TYPE_CHECKING:  # which would take any name then
+    if not TYPE_CHECKING:  # else type checkers would accept any attribute
 
         def __setattr__(self, name: str, value: Any) -> None:
             if not hasattr(type(self), name):
@@ -166,7 +166,7 @@ class Components:
 
     @property
     def score(self) -> Optional[Score]:
-        """What errors are worth."""
+        """Converts errors to costs."""
         return self._score
 
     @score.setter
@@ -187,7 +187,7 @@ class Usac:
 
     __slots__ = ("_usac", "_problem", "_components", "_params", "__weakref__")
 
-    if not TYPE_CHECKING:  # which would take any name then
+    if not TYPE_CHECKING:  # else type checkers would accept any attribute
 
         def __setattr__(self, name: str, value: Any) -> None:
             if not hasattr(type(self), name):
@@ -242,7 +242,7 @@ class Usac:
         self._params = params.replace()._fix()
 
     def setScores(self, scores: Optional[npt.ArrayLike]) -> None:
-        """Other Params.scores of the points for the next run, one for each; None: none."""
+        """Replaces Params.scores for the next run: one score per point; None: no scores."""
         self._renew(None, None, self._params.replace(scores=scores))
 
     @property

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A picture of matches, drawn by cv2 or matplotlib, whichever is there."""
+"""A picture of matches, drawn by cv2 or, if that cannot be imported, matplotlib."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
     _Image = npt.NDArray[np.uint8]
 
-# The same whether red or blue comes first, and for those who do not tell red from green.
+# Colors that are the same in RGB and BGR order, and that color-blind readers can distinguish.
 INLIER, OUTLIER = (0, 170, 0), (230, 0, 230)
-RADIUS = 2  # of the dots in pixels
+RADIUS = 2  # radius of the dots in pixels
 
 
 def _imported(name: str) -> Any:
@@ -59,7 +59,7 @@ def _points(value: Any, name: str) -> npt.NDArray[np.float64]:
 
 def _drawnByCv2(cv2: Any, canvas: _Image, ends: npt.NDArray[np.float64], good: npt.NDArray[np.bool_],
                 joined: npt.NDArray[np.bool_]) -> _Image:
-    shift = 4  # bits of the fractions of a pixel
+    shift = 4  # fractional bits of the coordinates, as in cv2.line
     fixed = np.rint(ends * (1 << shift)).astype(int)
     for (x1, y1, x2, y2), isGood, isJoined in zip(fixed.tolist(), good, joined):
         color = INLIER if isGood else OUTLIER
@@ -80,7 +80,7 @@ def _drawnByMatplotlib(figures: Any, canvas: _Image, ends: npt.NDArray[np.float6
     axes = figure.add_axes((0, 0, 1, 1))
     axes.axis("off")
     axes.imshow(canvas, interpolation="nearest", aspect="auto", extent=(-0.5, width - 0.5, height - 0.5, -0.5))
-    point = 72 / dpi  # of a pixel
+    point = 72 / dpi  # size of a pixel in points
     for flag, color in ((False, OUTLIER), (True, INLIER)):
         some, tone = ends[good == flag], tuple(value / 255 for value in color)
         lines = ends[(good == flag) & joined]
@@ -123,7 +123,7 @@ def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.Arra
     canvas[:len(second), first.shape[1]:] = second
 
     ends = np.hstack((places1, places2 + [first.shape[1], 0]))
-    # Far away nothing is to be seen, and no fixed-point number has a place for it.
+    # Points far outside the picture are not visible and would overflow fixed-point coordinates.
     near = (np.abs(np.where(np.isfinite(ends), ends, np.inf)) < 1e5).all(axis=1)
     ends, good = ends[near], good[near]
     joined = np.zeros(len(ends), bool)

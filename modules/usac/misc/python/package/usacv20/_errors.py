@@ -23,7 +23,7 @@ func, line and msg, as those of cv2."""
 
 
 def _cv2Error() -> Type[Exception]:
-    """cv2.error, or Exception where there is no cv2; what another error of its import says is not of interest here."""
+    """cv2.error, or Exception if cv2 cannot be imported, for whatever reason."""
     try:
         if "cv2" not in sys.modules and importlib.util.find_spec("cv2") is None:
             return Exception
@@ -34,7 +34,7 @@ def _cv2Error() -> Type[Exception]:
 
 
 def errorClass() -> Type[Exception]:
-    """usacv20.error. It is made when it is needed first: the import of the package need not wait for that of cv2."""
+    """usacv20.error, created at first use, so that importing the package does not import cv2."""
     if not _made:
         base = _cv2Error()
         if _PACKAGE.startswith("cv2."):
@@ -42,7 +42,7 @@ def errorClass() -> Type[Exception]:
         else:
             names = {"__module__": _PACKAGE, "__doc__": _ABOUT, "code": 0, "err": "", "file": "", "func": "", "line": 0, "msg": ""}
             _made.append(type("error", (base,), names))
-    return _made[0]  # of two threads that make one at once both take the first
+    return _made[0]  # if two threads append one at the same time, both return the first
 
 
 def fail(message: str) -> Exception:
@@ -54,10 +54,10 @@ _ATTRIBUTES = ("code", "err", "file", "func", "line", "msg")
 
 
 def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args: Any) -> Any:
-    """Calls a function of the compiled part. Its errors begin with the argument, in words of C++: `names` has the caller's."""
+    """Calls a function of the compiled part. In its errors, argument names of C++ are replaced by the caller's, see `names`."""
     try:
         return function(*args)
-    except Exception as mistake:  # Ctrl-C is none, and need not wait for the import of cv2
+    except Exception as mistake:  # not BaseException: KeyboardInterrupt passes
         if not isinstance(mistake, errorClass()):
             raise
         old = str(getattr(mistake, "err", ""))

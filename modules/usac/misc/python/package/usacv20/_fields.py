@@ -122,7 +122,7 @@ class Named(Integer):
 
 
 class Option(Named, typing.Generic[Enumeration]):
-    """One enumerator; a number that is none stays a number, until it is refused."""
+    """One enumerator. Any other integer is stored as it is and raises usacv20.error in Params.check()."""
 
     def __init__(self, type_: Type[Enumeration], about: str) -> None:
         super().__init__(type_, about)
@@ -142,7 +142,7 @@ class Option(Named, typing.Generic[Enumeration]):
 
 
 class Set(Named, typing.Generic[Flags]):
-    """A set of bits, by their names "a|b"; a number with other bits stays a number, until it is refused."""
+    """A set of flags, also by names, "a|b". An integer with other bits is stored and raises usacv20.error in Params.check()."""
 
     def __init__(self, type_: Type[Flags], about: str) -> None:
         super().__init__(type_, about)
@@ -192,15 +192,15 @@ class Numbers(Field["npt.NDArray[Any]"]):
         if given.dtype.kind not in "biuf" or given.ndim == 0:
             raise TypeError("{}: a list of numbers is expected, not {}".format(self.name, _arguments.shown(value)))
         self.checkShape(given)
-        with np.errstate(over="ignore"):  # of what a float does not hold: infinite
+        with np.errstate(over="ignore"):  # numbers too large for float become infinite
             return np.array(given, self.kind).reshape(-1)
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
-        """Any shape will do, row by row."""
+        """Accepts any shape; the numbers are read row by row."""
 
 
 class Scores(Numbers):
-    """Numbers in a row, a column, or without either."""
+    """Numbers as a row, a column or a one-dimensional array."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
         if sum(side != 1 for side in given.shape) > 1:

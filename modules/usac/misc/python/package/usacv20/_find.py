@@ -54,7 +54,7 @@ def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str
 
 
 def flag(value: Any, name: str = "method") -> int:
-    """An integer, the default for None."""
+    """An integer; None is replaced by the default."""
     other = isOfAnother(value, UsacV20Method) and type(value).__module__ == UsacV20Method.__module__
     if value is not None and (other or not isInteger(value)):
         raise fail("{}: one of the flags USACV20*, a flag of OpenCV or a Params is expected, not {}".format(name, shown(value)))
@@ -169,7 +169,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
 _MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
-_MAP_NAMES = {"from": "from_"}  # in C++, and here, where it is a keyword
+_MAP_NAMES = {"from": "from_"}  # C++ name and Python name: `from` is a keyword of Python
 _MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
                                      refineIters=10)
 

@@ -4,15 +4,15 @@
 
 """usacv20.progress in a cv2 that was built with the module.
 
-OpenCV's generator binds no function as an argument. So the run is in a thread of its own, and the one that called waits for it and
-asks the function meanwhile: it is called where it would be by the package, and there Ctrl-C comes, too."""
+OpenCV's generator does not support functions as arguments. Therefore a second thread runs the estimation, while the calling thread
+waits for it, calls the progress function and handles Ctrl-C."""
 
 from __future__ import annotations
 
 import threading
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
-_PERIOD = 0.005  # seconds between two questions, as in C++
+_PERIOD = 0.005  # seconds between two calls of the progress function, as in C++
 _STOP_CANCELLED = 13
 
 
@@ -25,7 +25,7 @@ _here = _Here()
 
 
 class Progress:
-    """As that of _native.pyi: the scope of a function, from the thread that enters it."""
+    """Like Progress in _native.pyi: a progress function and the scope in which it is called."""
 
     def __init__(self, function: Callable[[Any], bool]) -> None:
         self.function = function
@@ -39,7 +39,7 @@ class Progress:
 
 
 class Runs:
-    """Calls functions of cv2._native.usacv20, which run as long as the functions of the scopes of the thread say yes."""
+    """Calls functions of cv2._native.usacv20; a run is stopped when a progress function of the thread returns False."""
 
     def __init__(self, functions: Any) -> None:
         self._functions = functions
@@ -56,7 +56,7 @@ class Runs:
 
     @staticmethod
     def entered(control: Any, call: Callable[[], Any]) -> Any:
-        """A call in a thread that `control` can stop; null: nothing stops it."""
+        """Calls a function that `control` can stop; None: nothing can stop it."""
         if control is None:
             return call()
         control.enter()
@@ -66,13 +66,13 @@ class Runs:
             control.leave()
 
     def watched(self, call: Callable[[Any], Any]) -> Any:
-        """A call of a function of `control`; null: nobody wants to be asked."""
+        """Calls a function with a RunControl in a second thread, or with None if there is no progress function."""
         scopes = _here.scopes[::-1]  # the innermost first
         if not scopes:
             return call(None)
         control = self._functions.RunControl()
         outcome: Dict[str, Any] = {}
-        done = threading.Event()  # join() takes the thread for ended when Ctrl-C comes meanwhile (CPython 3.11)
+        done = threading.Event()  # join() interrupted by Ctrl-C marks the thread as ended (CPython 3.11)
 
         def work() -> None:
             try:

@@ -18,7 +18,7 @@ _Points = Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], Optional[npt.NDA
 
 pybind11Version: Tuple[int, int]
 
-class _Class(type): ...  # that pybind11 gives its classes
+class _Class(type): ...  # pybind11 adds this to its classes
 
 class Params(metaclass=_Class):
     threshold: float
@@ -130,7 +130,7 @@ class Report(metaclass=_Class):
 solvePnPFlags: Dict[str, int]
 
 class Rng(metaclass=_Class):
-    """Pseudo-random numbers: those of a seed and a stream, the same ones each time."""
+    """Pseudo-random numbers, determined by a seed and a stream."""
 
     def __init__(self, seed: int = ..., stream: int = ...) -> None: ...
     def next(self) -> int: ...

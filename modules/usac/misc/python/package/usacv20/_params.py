@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 P = typing.TypeVar("P", bound="Params")
 
 
-# What OpenCV's functions call a field.
+# Argument names of OpenCV's functions, and the fields of Params with the same meaning.
 _OPENCV = {"ransacReprojThreshold": "threshold", "reprojectionError": "threshold", "maxIters": "maxIterations",
            "iterationsCount": "maxIterations", "prob": "confidence", "refineIters": "polishingSteps"}
 
@@ -173,13 +173,13 @@ class Params:
         return self
 
     def _fix(self: P) -> P:
-        """No field can be written from now on."""
+        """Makes all fields read-only."""
         self.scores.setflags(write=False)
         self.initialModel.setflags(write=False)
         self._fixed = True
         return self
 
-    if not TYPE_CHECKING:  # which would take any name then
+    if not TYPE_CHECKING:  # else type checkers would accept any attribute
 
         def __setattr__(self, name: str, value: Any) -> None:
             if getattr(self, "_fixed", False) and name in _FIELDS:

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""How far an estimation is, and how to stop it."""
+"""Progress of an estimation, and how to stop it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class progress:
         False ends the run with what has been found, and report.stop is STOP_CANCELLED
 
     It holds for all functions of the package that estimate, many at once, too, and for Usac.run, in the thread that enters it.
-    An exception in the function ends the run and comes out of the call. A run that is shorter than 5 milliseconds does not ask. A
+    An exception in the function ends the run and is passed on to the caller. A run shorter than 5 milliseconds does not call it. A
     function that returns True changes no bit of the result. Another thread cancels by what the function reads, a
     threading.Event, say. Ctrl-C raises a KeyboardInterrupt with or without it; of cv2.usacv20 only with it, where it starts a thread
     for each call: progress(lambda report: True)."""

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class RelativePose(typing.NamedTuple):
-    """What estimateRelativePose learned beside the motion."""
+    """Results of estimateRelativePose other than the motion."""
 
     report: Report  # of the search for the essential matrix; inliers counts those of the mask
     essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None: no model

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What two images are to each other, by their matches."""
+"""The relation between two images, determined from their matches."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ class TwoViewPair(typing.NamedTuple):
     imageSize2: _Size = None
     taken1: _Optional = None  # points of image 1 as taken, if points1 have no distortion any more, for watermarks; None: points1
     taken2: _Optional = None
-    scores: _Optional = None  # of the matches, in the place of Params.scores, so that pairs share their Params; None: those
+    scores: _Optional = None  # of the matches, instead of Params.scores, so that pairs share Params; None: Params.scores
 
 
 class TwoViewGeometry(typing.NamedTuple):
@@ -175,7 +175,7 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
 def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optional[Params] = None,
                               rules: Optional[TwoViewRules] = None, threads: int = 0,
                               returnExceptions: bool = False) -> List[Union[TwoViewGeometry, Exception]]:
-    """Many pairs, side by side in C++: estimateTwoViewGeometry of each.
+    """Calls estimateTwoViewGeometry for many pairs, in parallel in C++.
 
     pairs -- TwoViewPair(points1, points2, ...), of any sizes, with and without cameras, mixed
     params, rules -- of all pairs; scores are those of the pairs
