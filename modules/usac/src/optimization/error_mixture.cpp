@@ -21,7 +21,8 @@ constexpr int BISECTIONS = 30;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
 
-//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
+}  // namespace
+
 double inlierPeak(double variance, int degrees)
 {
     if (degrees == 2)
@@ -29,8 +30,6 @@ double inlierPeak(double variance, int degrees)
     const double one = std::sqrt(2 / (CV_PI * variance));
     return degrees == 1 ? one : one / (3 * variance);
 }
-
-}  // namespace
 
 ErrorHistogram::ErrorHistogram(const float* squaredErrors, int count, double unit, int window_,
                                int most)

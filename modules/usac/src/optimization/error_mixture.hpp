@@ -8,6 +8,9 @@
 namespace cv {
 namespace usacv20 {
 
+//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
+double inlierPeak(double variance, int degrees);
+
 //! The errors within a window, in bins of equal width, each represented by the mean square of its
 //! errors.
 struct ErrorHistogram

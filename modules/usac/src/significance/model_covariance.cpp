@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "core/chi_square.hpp"
 #include "optimization/caller_basis.hpp"
-#include "optimization/noise_scale.hpp"
+#include "optimization/error_mixture.hpp"
 #include "significance/model_covariance.hpp"
 
 #include <Eigen/Cholesky>

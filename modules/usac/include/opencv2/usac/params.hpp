@@ -80,8 +80,7 @@ enum ProblemType {
     ESSENTIAL = 2,    //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
     AFFINITY = 3,     //!< 2x3 affine map from 3 or more correspondences
     SIMILARITY = 4,  //!< 2x3 rotation, uniform scale and translation from 2 or more correspondences
-    ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more 3-D to 2-D
-                        //!< correspondences
+    ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more points of space
     RIGID_3D = 6,       //!< 3x4 rotation and translation from 3 or more pairs of 3-D points
     SIMILARITY_3D = 7,  //!< the same with a uniform scale
     TRANSLATION_2D = 8  //!< 2x3 translation from 1 or more correspondences
@@ -370,8 +369,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     0.01; but as 1 if there are so few independent points that even a model with a quarter of them
     as inliers would have a larger chance. */
     CV_PROP_RW double significance;
-    //! 1: Report::covariance and, for a given threshold, Report::sigma are computed, which takes
-    //! 0.1 ms for 200 points and 0.3 ms for 1000 or more; 0: they are not; 0..1. Default 0.
+    //! 1: Report::covariance and Report::sigma are computed, in 0.1 to 0.3 ms; 0..1. Default 0.
     CV_PROP_RW int covariance;
 
     /** @brief The configuration recommended in the paper, with robust polishing; same as Params().
@@ -487,8 +485,7 @@ CV_EXPORTS void write(FileStorage& fs, const String& name, const Params& params)
 CV_EXPORTS void read(const FileNode& node, Params& params, const Params& defaults = Params());
 
 /** @brief Converts an integer to a flag of the module.
-@param method value of a #UsacV20Method; anything else raises cv::Exception.
-*/
+@param method value of a #UsacV20Method; anything else raises cv::Exception. */
 CV_EXPORTS UsacV20Method methodFromInt(int method);
 
 /** @brief True for the values of #UsacV20Method.

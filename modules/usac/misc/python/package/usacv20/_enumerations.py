@@ -51,7 +51,7 @@ class ProblemType(enum.IntEnum):
     ESSENTIAL = 2  # 3x3 essential matrix from 5 or more correspondences of calibrated cameras
     AFFINITY = 3  # 2x3 affine map from 3 or more correspondences
     SIMILARITY = 4  # 2x3 rotation, uniform scale and translation from 2 or more correspondences
-    ABSOLUTE_POSE = 5  # 3x4 pose of a calibrated camera from 3 or more 3-D to 2-D correspondences
+    ABSOLUTE_POSE = 5  # 3x4 pose of a calibrated camera from 3 or more points of space
     RIGID_3D = 6  # 3x4 rotation and translation from 3 or more pairs of 3-D points
     SIMILARITY_3D = 7  # the same with a uniform scale
     TRANSLATION_2D = 8  # 2x3 translation from 1 or more correspondences
