@@ -26,7 +26,8 @@ def tangentOfModel(problem: Union[int, str], model: npt.ArrayLike) -> _Numbers:
 
     problem -- ProblemType, or its name, see fitModel
     model -- as the function estimate* of the problem returns it; another scale of H, F and E is changed to that first"""
-    result: _Numbers = native.tangentOfModel(_problem(problem), array(model, "model"))
+    found: Any = native.tangentOfModel(_problem(problem), array(model, "model"))
+    result: _Numbers = found
     return result
 
 
@@ -36,7 +37,8 @@ def covarianceOfModel(problem: Union[int, str], model: npt.ArrayLike, covariance
     covariance -- Report.covariance
 
     The other arguments are those of tangentOfModel."""
-    result: _Numbers = native.covarianceOfModel(_problem(problem), array(model, "model"), array(covariance, "covariance"))
+    found: Any = native.covarianceOfModel(_problem(problem), array(model, "model"), array(covariance, "covariance"))
+    result: _Numbers = found
     return result
 
 
@@ -49,8 +51,8 @@ def covarianceOfPose(essential: npt.ArrayLike, covariance: npt.ArrayLike, R: npt
 
     Returns a 6x6 array of rank 5: of the rotation vector w in radians, where exp(w) R is the rotation with an error, and of t / |t|,
     whose errors are perpendicular to it."""
-    result: _Numbers = native.covarianceOfPose(array(essential, "essential"), array(covariance, "covariance"), array(R, "R"),
-                                               array(t, "t"))
+    found: Any = native.covarianceOfPose(array(essential, "essential"), array(covariance, "covariance"), array(R, "R"), array(t, "t"))
+    result: _Numbers = found
     return result
 
 
