@@ -73,11 +73,12 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     }
 }
 
-//! The affine map, the similarity or the translation next to a homography about the middle of
-//! image 1.
+//! The affine map or the similarity next to a homography about the middle of image 1. The middle
+//! stays where it is, so that a translation is that of another point, a quarter into the image.
 Matx33d flattened(ProblemType problem, const Matx33d& H)
 {
-    const Vec3d middle(WIDTH / 2, HEIGHT / 2, 1), y = H * middle;
+    const double part = problem == TRANSLATION_2D ? 4 : 2;
+    const Vec3d middle(WIDTH / part, HEIGHT / part, 1), y = H * middle;
     Matx22d J;
     for (int k = 0; k < 4; ++k)
         J.val[k] = (H(k / 2, k % 2) - y[k / 2] / y[2] * H(2, k % 2)) / y[2];
