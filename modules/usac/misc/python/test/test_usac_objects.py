@@ -256,5 +256,28 @@ class InTreeTest(unittest.TestCase):
         self.assertTrue(IN_TREE)
 
 
+class AnyProblemTest(unittest.TestCase):
+    """estimateModel returns what the function of the problem returns."""
+
+    def test_same_as_the_function(self):
+        s = PLANE
+        for problem, function in (("homography", usac.estimateHomography), (usac.AFFINITY, usac.estimateAffinity2D),
+                                  (usac.ProblemType.FUNDAMENTAL, usac.estimateFundamental)):
+            params = usac.Params(threshold=2, seed=3)
+            own = usac.estimateModel(problem, s.points1, s.points2, params)
+            other = function(s.points1, s.points2, params)
+            self.assertEqual(bits(own[:2]), bits(other[:2]), problem)
+        self.assertEqual(bits(usac.estimateModel(usac.ESSENTIAL, s.points1, s.points2, None, None, s.K1)[:2]),
+                         bits(usac.estimateEssential(s.points1, s.points2, s.K1)[:2]))
+
+    def test_mistakes(self):
+        with self.assertRaises(usac.error) as raised:
+            usac.estimateModel("plane", PLANE.points1, PLANE.points2)
+        self.assertIn("problem", str(raised.exception))
+        with self.assertRaises(usac.error) as raised:
+            usac.estimateModel(usac.ESSENTIAL, PLANE.points1, PLANE.points2)
+        self.assertIn("cameraMatrix1", str(raised.exception))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -46,6 +46,7 @@ from ._draw import draw_matches
 from ._enumerations import *  # noqa: F403
 from ._errors import errorClass as _errorClass
 from ._essential import findEssentialMat
+from ._estimate import estimateModel
 from ._find import estimateAffine2D, estimateAffinePartial2D, findFundamentalMat, findHomography
 from ._given import fitModel, modelErrors, refineModel
 from ._lens import removeDistortion
@@ -70,7 +71,7 @@ from ._version import __version__
 
 __all__ = [
     "Params", "RelativePose", "Report", "TwoViewGeometry", "TwoViewPair", "TwoViewRules", "covarianceOfModel",
-    "covarianceOfPose", "draw_matches", "estimateAffine2D", "estimateAffinePartial2D", "estimateRelativePose",
+    "covarianceOfPose", "draw_matches", "estimateAffine2D", "estimateAffinePartial2D", "estimateModel", "estimateRelativePose",
     "estimateTwoViewGeometries", "estimateTwoViewGeometry", "findEssentialMat", "findFundamentalMat", "findHomography",
     "fitModel", "isUsacV20Method", "modelErrors", "patch_cv2", "pointCovariance", "progress", "refineModel",
     "removeDistortion", "solvePnPRansac", "tangentOfModel", "unpatch_cv2"]

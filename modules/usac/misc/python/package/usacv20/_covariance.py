@@ -12,7 +12,7 @@ import numpy as np
 
 from ._arguments import array, optionalArray
 from ._backend import native
-from ._given import _problem
+from ._estimate import problemOf
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -26,7 +26,7 @@ def tangentOfModel(problem: Union[int, str], model: npt.ArrayLike) -> _Numbers:
 
     problem -- ProblemType, or its name, see fitModel
     model -- as the function estimate* of the problem returns it; another scale of H, F and E is changed to that first"""
-    found: Any = native.tangentOfModel(_problem(problem), array(model, "model"))
+    found: Any = native.tangentOfModel(problemOf(problem), array(model, "model"))
     result: _Numbers = found
     return result
 
@@ -37,7 +37,7 @@ def covarianceOfModel(problem: Union[int, str], model: npt.ArrayLike, covariance
     covariance -- Report.covariance
 
     The other arguments are those of tangentOfModel."""
-    found: Any = native.covarianceOfModel(_problem(problem), array(model, "model"), array(covariance, "covariance"))
+    found: Any = native.covarianceOfModel(problemOf(problem), array(model, "model"), array(covariance, "covariance"))
     result: _Numbers = found
     return result
 
@@ -68,7 +68,7 @@ def pointCovariance(problem: Union[int, str], model: npt.ArrayLike, covariance: 
     Returns an N x k x k array, the covariance of the place to which each point is mapped, projected (without distortion) or moved:
     k = 2, motions of space 3; F and E: N x 1 x 1, the variance of the signed distance from the epipolar line in image 2. NaN where
     that is not finite."""
-    found: Any = native.pointCovariance(_problem(problem), array(model, "model"), array(covariance, "covariance"),
+    found: Any = native.pointCovariance(problemOf(problem), array(model, "model"), array(covariance, "covariance"),
                                         array(points1, "points1"), optionalArray(points2, "points2"),
                                         optionalArray(cameraMatrix1, "cameraMatrix1"),
                                         optionalArray(cameraMatrix2, "cameraMatrix2"))

@@ -2,17 +2,17 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""One estimation with all options and a report, for the functions of each problem (_problems.py)."""
+"""One estimation with all options and a report: of any problem, for the functions of each problem (_problems.py)."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _arguments
 from ._backend import native
-from ._enumerations import ARGUMENTS
+from ._enumerations import ARGUMENTS, ProblemType
 from ._errors import calling, fail
 from ._params import Params, optionsOf
 from ._report import Report
@@ -35,6 +35,17 @@ POSE = ("objectPoints", "imagePoints", "cameraMatrix", "", "distCoeffs", "")  # 
 def inPlane(problem: int) -> Tuple[bool, bool]:
     """Whether the points of both arrays are those of a plane."""
     return _IN_PLANE[ARGUMENTS[problem]]
+
+
+def problemOf(problem: Union[int, str]) -> int:
+    """The value of a ProblemType, of which the caller gives the value or the name."""
+    if isinstance(problem, str) and problem.upper() in ProblemType.__members__:
+        return int(ProblemType[problem.upper()])
+    known = _arguments.isInteger(problem) and not _arguments.isOfAnother(problem, ProblemType)
+    if not known or not 0 <= int(problem) < len(ProblemType):
+        raise fail("problem: a ProblemType is expected, {}, not {}".format(", ".join(ProblemType.__members__),
+                                                                           _arguments.shown(problem)))
+    return int(problem)
 
 
 def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, cameraMatrix1: Any = None,
@@ -60,3 +71,18 @@ def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, para
     if params is not None or distCoeffs2 is not None:
         raise fail("cameraMatrix2: a 3x3 matrix is expected, not a Params, beside other arguments")
     return None, None, cameraMatrix2, distCoeffs1 if mask is None else mask
+
+
+def estimateModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
+                  mask: _Mask = None, cameraMatrix1: Optional[npt.ArrayLike] = None, cameraMatrix2: Optional[npt.ArrayLike] = None,
+                  distCoeffs1: Optional[npt.ArrayLike] = None, distCoeffs2: Optional[npt.ArrayLike] = None) -> _Estimate:
+    """Estimates a model of any kind: what estimateHomography and its kin do, for a program that knows the problem at run time only.
+
+    problem -- ProblemType, or its name, see fitModel
+    points1, points2 -- as the function of the problem takes them; ABSOLUTE_POSE: objectPoints and imagePoints
+    params, mask -- as for that function
+    cameraMatrix1, distCoeffs1 -- for ESSENTIAL and ABSOLUTE_POSE
+    cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: as cameraMatrix1, no distortion
+
+    Returns (model, mask, report), to the bit what that function returns."""
+    return estimate(problemOf(problem), points1, points2, params, mask, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)

@@ -10,11 +10,9 @@ from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
 
-from ._arguments import array, isInteger, isOfAnother, optionalArray, shown
+from ._arguments import array, optionalArray
 from ._backend import native
-from ._enumerations import ProblemType
-from ._errors import fail
-from ._estimate import NO_POINTS
+from ._estimate import NO_POINTS, problemOf
 from ._params import Params, optionsOf
 from ._report import Report
 
@@ -24,14 +22,6 @@ if TYPE_CHECKING:
     from ._estimate import _Estimate
 
     _Optional = Optional[npt.ArrayLike]
-
-
-def _problem(problem: Union[int, str]) -> int:
-    if isinstance(problem, str) and problem.upper() in ProblemType.__members__:
-        return int(ProblemType[problem.upper()])
-    if not isInteger(problem) or isOfAnother(problem, ProblemType) or not 0 <= int(problem) < len(ProblemType):
-        raise fail("problem: a ProblemType is expected, {}, not {}".format(", ".join(ProblemType.__members__), shown(problem)))
-    return int(problem)
 
 
 def _cameras(cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Tuple[Any, Any, Any, Any]:
@@ -58,7 +48,7 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
 
     Returns (model, mask, report) as the function estimate* of the problem; report.stop is STOP_NO_SEARCH, or says why there is no
     model. Wrong points pull at it as far as they are off."""
-    return _result(native.fitModel(_problem(problem), array(points1, "points1"), array(points2, "points2"), optionsOf(params),
+    return _result(native.fitModel(problemOf(problem), array(points1, "points1"), array(points2, "points2"), optionsOf(params),
                                    optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
@@ -73,7 +63,7 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
         estimation, params.polishing, from the model, with the inliers that it finds
 
     The other arguments and the results are those of fitModel."""
-    return _result(native.refineModel(_problem(problem), array(model, "model"), array(points1, "points1"),
+    return _result(native.refineModel(problemOf(problem), array(model, "model"), array(points1, "points1"),
                                       array(points2, "points2"), optionsOf(params), optionalArray(chosen, "chosen"),
                                       *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
@@ -90,6 +80,6 @@ def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     The other arguments are those of fitModel. Returns an Nx1 array of float64, not squared, in the unit of params.threshold
     (pixels; motions of space: the unit of points2); not finite where there is no error: points that are not finite, behind a camera,
     or where its lens shows nothing."""
-    found = native.modelErrors(_problem(problem), array(model, "model"), array(points1, "points1"), array(points2, "points2"),
+    found = native.modelErrors(problemOf(problem), array(model, "model"), array(points1, "points1"), array(points2, "points2"),
                                optionsOf(params), *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
     return np.empty((0, 1)) if found is None else found
