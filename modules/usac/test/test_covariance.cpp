@@ -141,7 +141,7 @@ TEST(Usac_Covariance, parameters_of_poses_and_motions)
                 other.col(3) += Mat(t);
             }
             const Mat expected = Mat(sides[1] - sides[0]).reshape(1, 12) / (2 * h);
-            EXPECT_LT(cv::norm(T.col(k), expected, NORM_INF), 1e-8) << problem << " " << k;
+            EXPECT_LT(cv::norm(T.col(k), expected, NORM_INF), 1e-8) << (int)problem << " " << k;
         }
     }
 }
@@ -176,7 +176,7 @@ TEST(Usac_Covariance, basis_of_epipolar_models)
             const Mat other = moved(model, T.col(k) * h);
             Mat w;
             SVD::compute(other, w, SVD::NO_UV);
-            EXPECT_LT(w.at<double>(2), 100 * h * h) << problem << " " << k;
+            EXPECT_LT(w.at<double>(2), 100 * h * h) << (int)problem << " " << k;
             if (problem == ESSENTIAL)
             {
                 EXPECT_LT(w.at<double>(0) - w.at<double>(1), 100 * h * h) << k;
@@ -188,7 +188,8 @@ TEST(Usac_Covariance, basis_of_epipolar_models)
             Mat other = model * (1 + 1e-15 * i);
             for (int k = 0; k < 9; ++k)
                 other.ptr<double>()[k] *= 1 + 1e-15 * rng.uniform(-1., 1.);
-            EXPECT_LT(cv::norm(tangentOfModel(problem, other), T), 1e-6) << problem << " " << i;
+            EXPECT_LT(cv::norm(tangentOfModel(problem, other), T), 1e-6)
+                << (int)problem << " " << i;
         }
         const Mat scaled = tangentOfModel(problem, model * -5);
         EXPECT_LT(std::min(cv::norm(scaled, T), cv::norm(scaled, -T)), 1e-6);
@@ -206,7 +207,7 @@ TEST(Usac_Covariance, entries)
         const Mat model = modelOf(problem), C = someCovariance(problem, model),
                   T = tangentOfModel(problem, model);
         const Mat entries = covarianceOfModel(problem, model, C);
-        EXPECT_LT(cv::norm(entries, T * C * T.t()), 1e-12 * cv::norm(entries)) << problem;
+        EXPECT_LT(cv::norm(entries, T * C * T.t()), 1e-12 * cv::norm(entries)) << (int)problem;
         Mat single;
         C.convertTo(single, CV_32F);
         EXPECT_LT(cv::norm(covarianceOfModel(problem, model, single), entries),

@@ -133,7 +133,7 @@ TEST(Usac_Parameterization, sameMinimumAsTheBuiltInFit)
         }
         const double sign = models[0].val[0] * models[1].val[0] > 0 ? 1 : -1;
         for (int i = 0; i < 9; ++i)
-            EXPECT_NEAR(models[0].val[i], sign * models[1].val[i], 1e-8) << type;
+            EXPECT_NEAR(models[0].val[i], sign * models[1].val[i], 1e-8) << (int)type;
         EXPECT_FALSE(fits[1]->fit(points, all.data(), 3 - (type == HOMOGRAPHY), 0, models[1], 5));
     }
 }
