@@ -12,7 +12,7 @@ namespace {
 //! to the cost of the right one.
 enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
 
-enum { TRANSFER = Formula::TRANSFER, SAMPSON = Formula::SAMPSON };
+enum { TRANSFER, SAMPSON };
 
 CV_ENUM(ResidualKind, TRANSFER, SAMPSON)
 CV_ENUM(ScoreKind, QUALITY_INLIERS, QUALITY_MSAC)
