@@ -13,13 +13,13 @@ namespace usacv20 {
 //! @cite barath2019magsac.
 constexpr double QUANTILE = 0.99;
 
-double chiSquareDistribution(double x, int degrees)
+double chiSquareDistribution(double x, double degrees)
 {
     return lowerGamma(0.5 * degrees, 0.5 * x) / gammaFunction(0.5 * degrees);
 }
 
 //! By bisection, until the bounds are adjacent doubles.
-double chiSquareQuantile(double p, int degrees)
+double chiSquareQuantile(double p, double degrees)
 {
     CV_Assert(p >= 0 && p < 1 && degrees > 0);
     double low = 0, high = degrees;

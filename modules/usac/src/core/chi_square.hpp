@@ -10,11 +10,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! Probability that the squared error of an inlier, in units of the variance, is at most x;
-//! `degrees` are the degrees of freedom of the error.
-double chiSquareDistribution(double x, int degrees);
+/** Probability that the squared error of an inlier, in units of the variance, is at most x.
+@param degrees degrees of freedom of the error; any positive number, as Satterthwaite's
+approximation of the distribution of a sum of squares with different variances has it */
+double chiSquareDistribution(double x, double degrees);
 //! The x at which chiSquareDistribution is p; 0 <= p < 1.
-double chiSquareQuantile(double p, int degrees);
+double chiSquareQuantile(double p, double degrees);
 
 /** The threshold in units of the largest standard deviation of the noise, sigma_max: the square
 root of the 0.99 quantile, as in @cite barath2019magsac. Params::threshold thus defines sigma_max,

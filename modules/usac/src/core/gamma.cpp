@@ -58,8 +58,10 @@ double upperFraction(double a, double x)
 
 double gammaFunction(double a)
 {
+    CV_Assert(a > 0);
     const bool whole = a == std::floor(a);
-    CV_Assert(a > 0 && 2 * a == std::floor(2 * a));
+    if (2 * a != std::floor(2 * a))
+        return lowerSeries(a, a + 1) + upperFraction(a, a + 1);
     double product = whole ? 1 : 1.7724538509055160273;  // sqrt(pi)
     for (double k = whole ? 1 : 0.5; k < a; ++k)
         product *= k;

@@ -11,8 +11,7 @@ namespace usacv20 {
 /* Incomplete gamma functions, by power series for x < a + 1 and by continued fractions for larger x
 @cite press2007numerical; relative error about 1e-14. */
 
-//! The gamma function of a multiple of 1/2. Not std::tgamma, whose last bit differs between
-//! versions of glibc.
+//! The gamma function, a > 0. Not std::tgamma, whose last bit differs between versions of glibc.
 double gammaFunction(double a);
 //! Integral of t^(a-1) exp(-t) over 0 .. x; a > 0, x >= 0.
 double lowerGamma(double a, double x);

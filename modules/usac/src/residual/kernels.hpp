@@ -20,6 +20,8 @@ constexpr int SUMS_CHUNK = 32;
 constexpr int SUMS_LANES = 8;
 //! Most sums of a kernel: the lower triangle of a matrix of #MAX_MODEL_SIZE + 1 rows.
 constexpr int MAX_SUMS = (MAX_MODEL_SIZE + 1) * (MAX_MODEL_SIZE + 2) / 2;
+//! Most numbers of the derivative of an error, see Residual::linearize().
+constexpr int MAX_DERIVATIVE = (int)Residual::MAX_COMPONENTS * (int)MAX_MODEL_SIZE;
 /** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors
 alone; see sums.inl.hpp.
 @param chunk columns of the points and their weights: rows of #SUMS_CHUNK numbers, one for each

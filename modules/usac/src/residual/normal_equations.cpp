@@ -16,8 +16,7 @@ template <int SIZE>
 void addPoints(const Residual& residual, const PointChunks& points, const Model& model,
                NormalEquationsOf<SIZE>& equations)
 {
-    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS],
-        derivative[Residual::MAX_COMPONENTS * MAX_MODEL_SIZE];
+    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS], derivative[MAX_DERIVATIVE];
     const int numbers = model.size();
     equations.JtJ.setZero(numbers, numbers);
     equations.Jtr.setZero(numbers);

@@ -88,7 +88,7 @@ struct GeneralSums
     static inline void add(const double (*chunk)[SUMS_CHUNK], const double* m,
                            double (*sums)[SUMS_LANES], Indices<K...>)
     {
-        double J[Error::COMPONENTS * ROWS][SUMS_CHUNK];
+        double J[int(Error::COMPONENTS) * ROWS][SUMS_CHUNK];
         USAC_SIMD
         for (int i = 0; i < SUMS_CHUNK; ++i)
             linearize(J, i, m, chunk[K][i]...);

@@ -10,6 +10,8 @@
 #include "significance/agreement.hpp"
 #include "significance/inlier_noise.hpp"
 
+#include <Eigen/Core>
+
 namespace cv {
 namespace usacv20 {
 
@@ -32,6 +34,8 @@ constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple
 //! (table 4.2).
 constexpr double WITHIN = 0.95;
+//! Number of inliers that tell how a model changes noise.
+constexpr int CHANGES = 20;
 
 //! The errors of the first points and the scale that stands out from those of wrong matches.
 class Errors
@@ -133,22 +137,67 @@ InlierNoise preciseNoise(const Context& context, const Model& model, double wide
     return errors.noise(mixture.sigma() * unit, mixture.quantile(WITHIN) * unit, widest);
 }
 
+double relativeNoise(const Correspondences& points, int column)
+{
+    if (column >= points.coordinates[0])
+        return 1;
+    return points.problem->commonUnit() ? points.frame[0].scale / points.frame[1].scale : 0;
+}
+
+namespace {
+
+/** Degrees of freedom of an error, after Satterthwaite, whose components have the noise of both
+images: 2 if it has the same variance in all directions of the plane, and nearly 1 if the model
+enlarges the noise in one direction.
+@param step of the finite differences: a small noise */
+double degreesAt(const Context& context, const Model& model, int point, double step)
+{
+    const Correspondences& p = context.points;
+    const Residual& residual = *context.components.residual;
+    double datum[MAX_COLUMNS], sides[2][Residual::MAX_COMPONENTS];
+    for (int c = 0; c < p.columns(); ++c)
+        datum[c] = p.exact[c][point];
+    Eigen::Matrix<double, Residual::MAX_COMPONENTS, MAX_COLUMNS> change;
+    change.setZero();
+    for (int c = 0; c < p.columns(); ++c)
+    {
+        const double value = datum[c], noise = step * relativeNoise(p, c);
+        datum[c] = value - noise;
+        residual.error(model, datum, sides[0]);
+        datum[c] = value + noise;
+        const int components = residual.error(model, datum, sides[1]);
+        datum[c] = value;
+        for (int k = 0; k < components; ++k)
+            change(k, c) = sides[1][k] - sides[0][k];
+    }
+    const double variance = change.squaredNorm(),
+                 degrees = variance * variance / (change * change.transpose()).squaredNorm();
+    return degrees >= 1 ? degrees : 1;  // or NaN
+}
+
+}  // namespace
+
 bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor)
 {
     const Correspondences& p = context.points;
     const int size = std::min<int>(p.size, SignificantScale::MOST),
-              m = context.components.minimalSolver->sampleSize(),
-              degrees = p.problem->errorDimension();
+              m = context.components.minimalSolver->sampleSize();
     Arena::Scope scope(context.arena);
     float* const squared = scope.take<float>(size);
     context.components.residual->squaredErrors(p, model, 0, size, squared);
     const double square = threshold * threshold;
     int within = 0, withinHalf = 0;
+    double degrees = 0;
     for (int i = 0; i < size; ++i)
     {
-        within += squared[i] <= square;
+        const bool inlier = squared[i] <= square;
+        if (inlier && within < CHANGES)
+            degrees += degreesAt(context, model, i, 0.01 * threshold);
+        within += inlier;
         withinHalf += squared[i] <= square / 4;
     }
+    degrees = std::min(degrees / std::max(std::min(within, CHANGES), 1),
+                       (double)p.problem->errorDimension());
     const double x = chiSquareQuantile(WITHIN, degrees) / (factor * factor);
     return (within - m) * chiSquareDistribution(x / 4, degrees) >
            (withinHalf - m) * chiSquareDistribution(x, degrees);

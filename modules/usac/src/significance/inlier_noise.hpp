@@ -44,12 +44,19 @@ Keypoints on photographs need the tail: its weight is 0.2 to 0.4 there, and 0 wi
 The threshold is the error that 95 % of the inliers of both kinds do not exceed. */
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
 
+/** @brief Noise of the numbers in a column of the points, in units of that of the last array.
+
+The noise is the same in both images, in the caller's pixels, so that it differs where the arrays
+are scaled by different factors. An array without the unit of the threshold has no noise. */
+double relativeNoise(const Correspondences& points, int column);
+
 /** @brief Is a threshold too narrow for the noise by more than a factor?
 
 If it is, the errors go on beyond it, and those within it are spread over it: there are more points
 within it, compared with those within its half, than if the right threshold were `factor` times as
 wide. Matches of another motion or plane, of which few have small errors, are not taken for noise.
-The noise is assumed to be Gaussian; with heavy tails, the answer is no. */
+The noise is assumed to be Gaussian and equal in all directions in both images, so that the model
+may enlarge it in one direction (strongly tilted views); with heavy tails, the answer is no. */
 bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor);
 
 }  // namespace usacv20

@@ -6,6 +6,7 @@
 #include "core/chi_square.hpp"
 #include "optimization/caller_basis.hpp"
 #include "optimization/error_mixture.hpp"
+#include "residual/kernels.hpp"
 #include "significance/model_covariance.hpp"
 
 #include <Eigen/Cholesky>
@@ -158,8 +159,7 @@ double ModelCovariance::chanceDensity() const
 //! The derivatives of a point's error by the parameters; `components` rows.
 void ModelCovariance::linearize(int point, double* rows)
 {
-    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS],
-        derivative[Residual::MAX_COMPONENTS * MAX_MODEL_SIZE];
+    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[MAX_DERIVATIVE];
     for (int c = 0; c < points.columns(); ++c)
         datum[c] = points.exact[c][point];
     components = residual.linearize(here, datum, error, derivative);
@@ -213,7 +213,7 @@ bool ModelCovariance::judge(Arena::Scope& scope)
 int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* levers)
 {
     const float limit = (float)(support * support);
-    double row[Residual::MAX_COMPONENTS * MAX_MODEL_SIZE];
+    double row[MAX_DERIVATIVE];
     int found = 0;
     for (int i = 0; i < looked && found < OTHERS; ++i)
     {
@@ -258,8 +258,7 @@ bool ModelCovariance::noiseInformation(Square& N)
     N.setZero(dimension, dimension);
     const int most = std::min(count, NOISE_POINTS);
     const double step = 0.01 * noise;
-    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS],
-        sides[2][Residual::MAX_COMPONENTS * MAX_MODEL_SIZE];
+    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], sides[2][MAX_DERIVATIVE];
     for (int i = 0; i < most; ++i)
         for (int c = 0; c < points.columns(); ++c)
         {
@@ -269,9 +268,9 @@ bool ModelCovariance::noiseInformation(Square& N)
             residual.linearize(here, datum, error, sides[0]);
             datum[c] += 2 * step;
             residual.linearize(here, datum, error, sides[1]);
-            typedef Eigen::Map<const Eigen::RowVectorXd> Row;
-            const FewRows change = (Row(sides[1], here.size()) - Row(sides[0], here.size())) /
-                                   (2 * step) * tangent * scale.asDiagonal();
+            const Eigen::Map<const FewRows> before(sides[0], components, here.size()),
+                after(sides[1], components, here.size());
+            const FewRows change = (after - before) / (2 * step) * tangent * scale.asDiagonal();
             N += shares[i] * change.transpose() * change;
         }
     N *= noise * noise * count / most;

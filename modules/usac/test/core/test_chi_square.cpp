@@ -139,6 +139,28 @@ TEST(Usac_Statistics, thresholdKeepsInliers)
     EXPECT_NEAR(0.99, within / 20000., 0.003);
 }
 
+//! Satterthwaite's approximation: the sum of two squares with different variances.
+TEST(Usac_Statistics, chiSquareOfDifferentVariances)
+{
+    RNG rng(1);
+    const int COUNT = 100000;
+    for (double ratio : {0.1, 0.3, 0.7})
+    {
+        const double a = 1 / (1 + ratio), b = ratio / (1 + ratio), degrees = 1 / (a * a + b * b);
+        for (double p : {0.5, 0.8, 0.95})
+        {
+            const double limit = chiSquareQuantile(p, degrees) / degrees;
+            int within = 0;
+            for (int i = 0; i < COUNT; ++i)
+            {
+                const double u = rng.gaussian(1), v = rng.gaussian(1);
+                within += a * u * u + b * v * v <= limit;
+            }
+            EXPECT_NEAR(p, within / (double)COUNT, 0.02) << ratio;
+        }
+    }
+}
+
 TEST(Usac_Statistics, chiSquareOfNonsense)
 {
     EXPECT_THROW(chiSquareQuantile(-0.1, 1), cv::Exception);

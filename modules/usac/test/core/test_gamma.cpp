@@ -24,8 +24,8 @@ struct ExponentialIntegrand
 
 TEST(Usac_Statistics, gammaAgainstIntegration)
 {
-    const double shapes[] = {0.5, 1, 1.5, 2, 3.5};
-    for (int k = 0; k < 5; ++k)
+    const double shapes[] = {0.5, 1, 1.5, 2, 2.25, 3.5};
+    for (int k = 0; k < 6; ++k)
         for (double x = 0.01; x < 30; x *= 1.4)
         {
             const GammaIntegrand f = {shapes[k]};
@@ -43,9 +43,9 @@ TEST(Usac_Statistics, gammaAgainstIntegration)
 TEST(Usac_Statistics, gammaKnownValues)
 {
     EXPECT_NEAR(0.219383934395520, upperGamma(0, 1), 1e-14);
-    for (double a = 0.5; a <= 10; a += 0.5)
+    for (double a = 0.25; a <= 10; a += 0.25)
         EXPECT_NEAR(1, gammaFunction(a) / std::tgamma(a), 1e-14) << a;
-    for (double wrong : {0., -1.5, 0.3})
+    for (double wrong : {0., -1.5})
         EXPECT_THROW(gammaFunction(wrong), cv::Exception);
     EXPECT_NEAR(1.822923958419391, upperGamma(0, 0.1), 1e-14);
     EXPECT_EQ(0, lowerGamma(1, 0));

@@ -316,6 +316,37 @@ TEST_P(UsacAutomaticThreshold, besideAnotherMotion)
     EXPECT_GE(right, SCENES - 1);
 }
 
+//! A map may enlarge the noise of image 1 five times in one direction, so that most errors are much
+//! smaller than the largest ones. These are not taken for another motion.
+TEST(Usac_AutomaticThreshold, noiseEnlargedInOneDirection)
+{
+    const int SCENES = 20, SIZE = 600, RIGHT = 400;
+    const double NOISE = 0.15;
+    for (int seed = 1; seed <= SCENES; ++seed)
+    {
+        RNG rng(seed);
+        const double angle = rng.uniform(0., CV_PI), c = std::cos(angle), s = std::sin(angle);
+        const Matx22d A(5 * c, -5 * s, s, c);
+        std::vector<Point2d> points1(SIZE), points2(SIZE);
+        for (int i = 0; i < SIZE; ++i)
+        {
+            points1[i] = Point2d(rng.uniform(0., 1000.), rng.uniform(0., 1000.));
+            points2[i] = i < RIGHT ? A * points1[i]
+                                   : Point2d(rng.uniform(0., 1000.), rng.uniform(0., 1000.));
+            points1[i] += NOISE * Point2d(rng.gaussian(1), rng.gaussian(1));
+            points2[i] += NOISE * Point2d(rng.gaussian(1), rng.gaussian(1));
+        }
+        Params params = widest(2);
+        params.seed = seed;
+        Mat mask;
+        Report report;
+        const Mat map = estimateAffinity2D(points1, points2, params, mask, report);
+        ASSERT_FALSE(map.empty());
+        EXPECT_GT(countNonZero(mask), 0.9 * RIGHT) << seed;
+        EXPECT_LT(countNonZero(mask), 1.03 * RIGHT) << seed;
+    }
+}
+
 TEST(Usac_AutomaticThreshold, poses)
 {
     for (double noise : NOISES)
