@@ -218,7 +218,7 @@ bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
     int within = 0;
     for (int i = 0; i < points.size; ++i)
         within += errors[i] <= narrow * narrow;
-    if (within < CORE * count)
+    if (within < CORE * count || errorsGoOn(context, core, narrow, SAME))
         return false;
     model = core;
     return true;

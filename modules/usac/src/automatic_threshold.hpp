@@ -21,13 +21,14 @@ class ListedSampler;
    model is better than chance, it is a third of the widest.
 2. findCore(): a model between two motions, or two planes, explains both of them with wide noise. So
    if the threshold is more than a third of the widest, samples of the inliers look for a model that
-   explains half of them within a third of the widest. If there is one, the search begins with it.
+   explains half of them within a third of the widest. If there is one, and the errors do not go on
+   beyond that third, see errorsGoOn(), the search begins with it.
 3. The search has this threshold and begins with this model. Its threshold is wider than that of the
    mask by two standard deviations of the estimate: with few inliers, models that fit some of them
    by luck would make it too narrow.
 4. adapt(): when the search has ended, the errors of the best model give the threshold anew. If it
    differs much, the search continues with it: all samples are drawn anew. It becomes wider only if
-   the errors go on beyond the present one, see errorsGoOn(): a second motion is not noise.
+   the errors go on beyond the present one: a second motion is not noise.
 5. settle(): polishing and mask have the threshold that was found last; if the noise is unknown, a
    third of the widest. */
 class AutomaticThreshold
