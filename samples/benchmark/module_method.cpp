@@ -99,6 +99,11 @@ void ModuleMethod::tell(const ImagePair& pair, Estimate& estimate)
     estimate.iterations = report.iterations;
 }
 
+void ModuleMethod::beginWith(const cv::Mat& model)
+{
+    model.reshape(1, 1).convertTo(params.initialModel, CV_64F);
+}
+
 cv::Ptr<cv::usacv20::Usac> ModuleMethod::estimator(const ImagePair& pair) const
 {
     return kindOf(problem).estimator(pair, params);

@@ -32,6 +32,9 @@ public:
     //! Those of the run that is prepared.
     const cv::usacv20::Params& parameters() const { return params; }
 
+    //! Params::initialModel of the run that is prepared.
+    void beginWith(const cv::Mat& model);
+
     //! Makes the estimator of the run that is prepared; it can be run once.
     virtual cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair) const;
 

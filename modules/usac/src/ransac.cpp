@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "check_components.hpp"
+#include "core/known_order.hpp"
 #include "core/streams.hpp"
 #include "ransac.hpp"
 #include "scoring/scores.hpp"
@@ -58,6 +59,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0),
       hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      alternatives(!runnersUp.none() && orderIsKnown(context_), context_.arena),
       sampled(false), forgotten(0), unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
                             LARGEST_BATCH)),
@@ -129,6 +131,8 @@ bool Ransac::run(int pause)
         if (state.tests.size() != tests || repeated)
             updateTermination();
     }
+    if (ended && !stopped())
+        chooseByOrder();
     state.report.stop = ending;
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
     state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 -
@@ -146,7 +150,7 @@ void Ransac::begin(const Model& initial)
     if (!(quality.cost < context.points.size) || !recover(0, model, quality))
         return;
     if (parts.localOptimizer)
-        optimize(model, quality);
+        optimize(0, model, quality);
     if (quality.betterThan(state.bestQuality))
         setBest(model, quality, 0);
 }
@@ -154,16 +158,17 @@ void Ransac::begin(const Model& initial)
 void Ransac::thresholdChanged()
 {
     runnersUp.clear();
+    alternatives.clear();
     state.sampleQuality = Quality();
     Quality quality = context.rate(state.best);
     const bool valid = recover(0, state.best, quality);
     state.bestQuality = valid ? quality : Quality();  // else the search goes on without a model
+    const Sample sample = sampleOfBest;
     if (valid && parts.localOptimizer)
     {
         state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
-        optimize(state.best, state.bestQuality);
+        optimize(sampled ? &sample : 0, state.best, state.bestQuality);
     }
-    const Sample sample = sampleOfBest;
     setBest(state.best, state.bestQuality, sampled ? &sample : 0);
 }
 
@@ -329,8 +334,8 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
     if (!valid)
         return;  // 15, 16
     if (parts.localOptimizer && !stopped())
-        optimize(model, quality);               // 19 - 24
-    if (quality.betterThan(state.bestQuality))  // 18
+        optimize(&candidate.sample, model, quality);  // 19 - 24
+    if (quality.betterThan(state.bestQuality))        // 18
         setBest(model, quality, &candidate.sample);
 }
 
@@ -340,6 +345,7 @@ void Ransac::setBest(const Model& model, const Quality& quality, const Sample* s
     if (sampled)
         sampleOfBest = *sample;
     state.best = model;  // 25
+    offer(model, quality, sample);
     state.bestQuality = quality;
     state.successProbability = 1;
     for (int d = 0; d < checkCount && quality.cost <= DBL_MAX; ++d)
@@ -381,6 +387,27 @@ void Ransac::improveRunnersUp()
             improve(taken[i].candidate, state.sampleQuality);
 }
 
+void Ransac::offer(const Model& model, const Quality& quality, const Sample* sample)
+{
+    if (alternatives.active() && quality.cost <= DBL_MAX)
+        alternatives.offer(context, Candidate(sample ? *sample : Sample(), model, quality),
+                           sample != 0);
+}
+
+void Ransac::chooseByOrder()
+{
+    if (!alternatives.active())
+        return;
+    const Alternative* const chosen = alternatives.chosen(context, state.bestFirst(context));
+    if (!chosen)
+        return;
+    const Candidate candidate = chosen->candidate;
+    Model model = candidate.model;
+    Quality quality = candidate.quality;
+    if (recover(0, model, quality))
+        setBest(model, quality, chosen->sampled ? &candidate.sample : 0);
+}
+
 //! A model with the same inliers as the best one leads to the same optimum, unless the problem is
 //! ambiguous (Problem::ambiguous).
 bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
@@ -393,7 +420,7 @@ bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
 }
 
 //! Lines 19 to 24; repeated if the optimized model was degenerate and was replaced by a better one.
-void Ransac::optimize(Model& model, Quality& quality)
+void Ransac::optimize(const Sample* sample, Model& model, Quality& quality)
 {
     const int64 start = getTickCount();
     for (bool again = true; again;)
@@ -403,6 +430,8 @@ void Ransac::optimize(Model& model, Quality& quality)
         ++state.report.localOptimizations;
         if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))  // 19
             break;
+        if (!optimizedQuality.betterThan(state.bestQuality))
+            offer(optimized, optimizedQuality, sample);
         const Quality before = optimizedQuality;
         if (!optimizedQuality.betterThan(state.bestQuality) ||
             !recover(0, optimized, optimizedQuality) ||  // 20, 21

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_RANSAC_HPP
 #define OPENCV_USACV20_RANSAC_HPP
 
+#include "local_optimization/alternatives.hpp"
 #include "local_optimization/runners_up.hpp"
 #include "watch.hpp"
 
@@ -89,6 +90,8 @@ private:
     //! Called when the search is about to end: looks for other models. @return false if it ends
     bool lookBeside();
     void improveRunnersUp();
+    //! With a known order: replaces the best model by one of `alternatives`, if any is preferred.
+    void chooseByOrder();
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** The best model explains the points whose errors are at most this many
     Context::inlierThreshold: with wide noise, some of its correct matches lie beyond the threshold.
@@ -112,7 +115,9 @@ private:
     //! Results of the degeneracy checks.
     bool validSample(const int* sample) const;
     bool validModel(const int* sample, const Model& model) const;
-    void optimize(Model& model, Quality& quality);
+    //! @param sample the sample that led to the model; null: none
+    void optimize(const Sample* sample, Model& model, Quality& quality);
+    void offer(const Model& model, const Quality& quality, const Sample* sample);
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
@@ -135,6 +140,7 @@ private:
     int size;          //!< number of samples in the batch
     int hypotheses;    //!< room in `batch`
     RunnersUp runnersUp;
+    Alternatives alternatives;
     Sample sampleOfBest;
     bool sampled;
     int forgotten;           //!< number of samples that do not count, see forgetSamples()

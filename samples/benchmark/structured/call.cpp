@@ -22,11 +22,13 @@ void runModule(const ModuleMethod& method, const ImagePair& pair, Estimate& esti
 
 }  // namespace
 
-Call::Call(Method& method, const ImagePair& pair, const Settings& settings)
+Call::Call(Method& method, const ImagePair& pair, const Settings& settings, const cv::Mat& initial)
     : cpuUs(0), limited(false)
 {
-    const ModuleMethod* const own = dynamic_cast<const ModuleMethod*>(&method);
+    ModuleMethod* const own = dynamic_cast<ModuleMethod*>(&method);
     method.prepare(pair, settings);
+    if (own && !initial.empty())
+        own->beginWith(initial);
     const Stopwatch watch;
     try
     {

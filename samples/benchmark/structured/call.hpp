@@ -12,8 +12,10 @@ namespace benchmark {
 //! One call of a method, and what it tells of itself.
 struct Call
 {
-    //! Runs it. An exception counts as no model.
-    Call(Method& method, const ImagePair& pair, const Settings& settings);
+    //! Runs it. An exception counts as no model. @param initial the model to begin with, for methods
+    //! of this module only; empty: none
+    Call(Method& method, const ImagePair& pair, const Settings& settings,
+         const cv::Mat& initial = cv::Mat());
 
     Estimate estimate;
     double cpuUs;  //!< processor time, microseconds

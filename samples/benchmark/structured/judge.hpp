@@ -40,6 +40,8 @@ public:
 
     Verdict judge(const Estimate& estimate) const;
 
+    const cv::Mat& trueModel() const { return best; }
+
     //! The least-squares fit to all right matches: what accuracy is measured by.
     const cv::Mat& leastSquares() const { return fit; }
 

@@ -105,7 +105,10 @@ bool setMotion(const std::string& name, SceneOptions& options)
             options.planeFraction = 1;
         return true;
     }
-    return false;
+    options.motion = MOTION_GENERAL;
+    options.angle = 12;
+    options.baseline = partOf(name, "baseline");
+    return options.baseline > 0;
 }
 
 bool setKind(const std::string& name, SceneOptions& options)

@@ -23,7 +23,7 @@ const char
              "{problems       |H,F,E| which }"
              "{motions        | | of the camera (default: search: general; accuracy: "
              "general,forward,forward0,sideways,rectified,planar,"
-             "car,narrow,aerial) }"
+             "car,narrow,aerial); also rotation, frontal, baseline1 to baseline100 }"
              "{kinds          "
              "|generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| "
              "search: wrong "
@@ -46,6 +46,9 @@ const char
              "{table          |full| search: full: all figures, a row for each method; brief: "
              "failures, a column for each "
              "method }"
+             "{judge          |cost| search: what a model of higher cost than the true one is: cost: "
+             "a search failure; start: one only if the same call, with the true model as initial "
+             "model, returns it (methods of the module only) }"
              "{noise          |0.5| search: standard deviation of the right matches in each "
              "coordinate, pixels }"
              "{noises         |0,0.0333333,0.1,0.333333,1| accuracy: the same in thresholds }"
@@ -67,8 +70,8 @@ const char SEARCH_SIZES[] = "15,20,30,50,100,300,1000,10000",
            SEARCH_RATIOS[] = "0.3,0.5,0.6,0.7,0.9,0.95";
 const char
     ACCURACY_MOTIONS[] = "general,forward,forward0,sideways,rectified,planar,car,narrow,aerial";
-const char* const OF_SEARCH[] = {"kinds", "orders",           "by",   "table",
-                                 "noise", "maxItersInverted", "spare"};
+const char* const OF_SEARCH[] = {"kinds", "orders", "by",   "table",
+                                 "judge", "noise",  "spare", "maxItersInverted"};
 const char* const AXES[] = {"problem", "motion", "kind", "size", "ratio", "order"};
 
 std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::string& option,
@@ -160,6 +163,9 @@ void StructuredOptions::parseNumbers(const cv::CommandLineParser& parser)
     const std::string table = parser.get<cv::String>("table");
     brief = table == "brief";
     require(brief || table == "full", "--table: expected full or brief");
+    const std::string judged = parser.get<cv::String>("judge");
+    startsTrue = judged == "start";
+    require(startsTrue || judged == "cost", "--judge: expected cost or start");
     csv = parser.get<cv::String>("csv");
     require(noise >= 0, "--noise: expected 0 or more");
     require(threshold > 0, "--threshold: expected a number above 0");

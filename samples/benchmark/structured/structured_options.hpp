@@ -24,6 +24,7 @@ struct StructuredOptions
     std::vector<double> ratios;
     std::vector<double> noises;  //!< accuracy: in thresholds
     bool ratiosGiven, brief;
+    bool startsTrue;  //!< a search failure only where the search keeps the true model if it has it
     double noise, threshold, confidence;
     int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
     std::string csv;  //!< file to write, empty: none

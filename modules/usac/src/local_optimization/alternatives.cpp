@@ -1,0 +1,111 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "local_optimization/alternatives.hpp"
+#include "scoring/order_likelihood.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Effects of halving or doubling each constant: doc/constants.md.
+
+//! The gain of an alternative is at least this fraction of the largest one.
+constexpr double NEAR = 0.94;
+//! Two models have other inliers if more than this fraction of those of one are no inliers of the
+//! other.
+constexpr double DIFFERENT = 0.1;
+//! The gain (the cost of an outlier is 1) that one unit of log-likelihood of the order is worth.
+//! MSAC's unit of cost is a log-likelihood of 1.9 (errors with one component) or 3, if the errors
+//! were independent.
+constexpr double WORTH = 1;
+//! Minimum advantage of an alternative, in standard deviations of the log-likelihood: each point
+//! that is an inlier of only one of two models changes it by about 1 at random.
+constexpr double DEVIATIONS = 2;
+//! Maximum number of points that the likelihood of the order is computed from.
+constexpr int LOOKED = 4096;
+
+//! Number of points that are inliers of only one of two models.
+int difference(const InlierBits& a, const InlierBits& b) { return a.without(b) + b.without(a); }
+
+bool same(const InlierBits& a, const InlierBits& b)
+{
+    return a.without(b) <= DIFFERENT * a.count() && b.without(a) <= DIFFERENT * b.count();
+}
+
+}  // namespace
+
+Alternatives::Alternatives(bool active, Arena& arena) : kept(0), count(0)
+{
+    if (!active)
+        return;
+    kept = arena.take<Alternative>(MOST + 1);
+    for (int i = 0; i <= MOST; ++i)
+        new (kept + i) Alternative();
+}
+
+void Alternatives::offer(const Context& context, const Candidate& candidate, bool sampled)
+{
+    const double gain = context.points.size - candidate.quality.cost;
+    if (!kept || !(gain > 0) || (count > 0 && gain < NEAR * kept[0].gain))
+        return;
+    const Alternative added = {candidate, sampled, InlierBits(context, candidate.model), gain};
+    int place = 0;
+    for (; place < count && kept[place].gain >= gain; ++place)
+        if (same(kept[place].inliers, added.inliers))
+            return;
+    for (int i = count; i > place; --i)
+        kept[i] = kept[i - 1];
+    kept[place] = added;
+    int left = place + 1;
+    for (int i = place + 1; i <= count; ++i)  // those that are now the same, or too far behind
+        if (kept[i].gain >= NEAR * kept[0].gain && !same(kept[i].inliers, added.inliers))
+            kept[left++] = kept[i];
+    count = std::min<int>(left, MOST);
+}
+
+double Alternatives::orderOf(const Context& context, const Model& model, const int* order) const
+{
+    const Correspondences& p = context.points;
+    const int looked = std::min(p.size, LOOKED);
+    Arena::Scope scope(context.arena);
+    float* const errors = scope.take<float>(looked);
+    uchar* const inliers = scope.take<uchar>(looked);
+    int* const blocks = scope.take<int>(2 * looked);
+    context.components.residual->squaredErrors(p, model, 0, looked, errors);
+    const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
+    int size = 0;
+    for (int i = 0; i < p.size; ++i)
+        if (order[i] < looked)
+            inliers[size++] = errors[order[i]] <= limit;  // false for NaN
+    return orderLogLikelihood(inliers, size, blocks) * p.size / looked;
+}
+
+const Alternative* Alternatives::chosen(const Context& context, const int* order) const
+{
+    if (count < 2)
+        return 0;
+    const double first = kept[0].gain + WORTH * orderOf(context, kept[0].candidate.model, order);
+    const double parts = std::max(context.points.size / (double)InlierBits::MOST, 1.);
+    const Alternative* best = 0;
+    double most = 0;
+    for (int i = 1; i < count; ++i)
+    {
+        const double points = parts * difference(kept[i].inliers, kept[0].inliers);
+        const double advantage = kept[i].gain +
+                                 WORTH * orderOf(context, kept[i].candidate.model, order) - first -
+                                 DEVIATIONS * std::sqrt(points);
+        if (advantage > most)
+        {
+            most = advantage;
+            best = kept + i;
+        }
+    }
+    return best;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,50 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "scoring/order_likelihood.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Largest log-likelihood of `ones` of `count` flags that are set with the same probability.
+double logLikelihood(int ones, int count)
+{
+    const double share = (double)ones / count;
+    return ones == 0 || ones == count
+               ? 0
+               : count * (share * std::log(share) + (1 - share) * std::log(1 - share));
+}
+
+}  // namespace
+
+double orderLogLikelihood(const uchar* inliers, int size, int* blocks)
+{
+    int *const ones = blocks, *const counts = blocks + size;
+    int last = -1, all = 0;
+    for (int i = 0; i < size; ++i)
+    {
+        ++last;
+        ones[last] = inliers[i] != 0;
+        counts[last] = 1;
+        all += ones[last];
+        // blocks whose probability would not be lower than that of the block before are merged
+        for (; last > 0 && (double)ones[last] * counts[last - 1] >=
+                               (double)ones[last - 1] * counts[last];
+             --last)
+        {
+            ones[last - 1] += ones[last];
+            counts[last - 1] += counts[last];
+        }
+    }
+    double sum = 0;
+    for (int k = 0; k <= last; ++k)
+        sum += logLikelihood(ones[k], counts[k]);
+    return size > 0 ? std::max(sum - logLikelihood(all, size), 0.) : 0;
+}
+
+}  // namespace usacv20
+}  // namespace cv

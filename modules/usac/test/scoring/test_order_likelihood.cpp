@@ -1,0 +1,90 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "scoring/order_likelihood.hpp"
+
+// How much the order of the points tells of which of them are inliers.
+
+namespace opencv_test {
+namespace {
+
+double likelihood(const std::vector<uchar>& inliers)
+{
+    std::vector<int> blocks(2 * inliers.size() + 1);
+    return orderLogLikelihood(inliers.data(), (int)inliers.size(), blocks.data());
+}
+
+double logLikelihood(int ones, int count)
+{
+    const double p = (double)ones / count;
+    return ones == 0 || ones == count ? 0 : ones * std::log(p) + (count - ones) * std::log(1 - p);
+}
+
+//! The largest likelihood over all ways to divide the order into parts whose probabilities do not
+//! increase; the bits of `cuts` say where a part ends.
+double byTrial(const std::vector<uchar>& inliers)
+{
+    const int size = (int)inliers.size();
+    double best = -DBL_MAX;
+    for (int cuts = 0; cuts < 1 << (size - 1); ++cuts)
+    {
+        double sum = 0, last = 1;
+        bool valid = true;
+        for (int i = 0, ones = 0, count = 0; i < size && valid; ++i)
+        {
+            ones += inliers[i];
+            ++count;
+            if (i + 1 < size && !(cuts >> i & 1))
+                continue;
+            valid = (double)ones / count <= last;
+            last = (double)ones / count;
+            sum += logLikelihood(ones, count);
+            ones = count = 0;
+        }
+        if (valid)
+            best = std::max(best, sum);
+    }
+    return best - logLikelihood((int)std::count(inliers.begin(), inliers.end(), 1), size);
+}
+
+TEST(Usac_OrderLikelihood, is_the_largest_of_all)
+{
+    RNG rng(1);
+    for (int trial = 0; trial < 200; ++trial)
+    {
+        std::vector<uchar> inliers(rng.uniform(1, 12));
+        for (uchar& inlier : inliers)
+            inlier = (uchar)rng.uniform(0, 2);
+        EXPECT_NEAR(byTrial(inliers), likelihood(inliers), 1e-9) << trial;
+    }
+}
+
+TEST(Usac_OrderLikelihood, good_random_and_inverted_orders)
+{
+    std::vector<uchar> inliers(200, 0);
+    std::fill(inliers.begin(), inliers.begin() + 50, 1);
+    EXPECT_NEAR(-logLikelihood(50, 200), likelihood(inliers), 1e-9);
+    std::reverse(inliers.begin(), inliers.end());
+    EXPECT_NEAR(0, likelihood(inliers), 1e-9);
+    double sum = 0;
+    const int RUNS = 1000;
+    for (int i = 0; i < RUNS; ++i)
+    {
+        randShuffle(inliers, 1, &theRNG());
+        sum += likelihood(inliers) / RUNS;
+    }
+    EXPECT_LT(sum, std::log(200.) / 2);
+    EXPECT_GT(sum, 1);
+}
+
+TEST(Usac_OrderLikelihood, no_points_and_points_of_one_kind)
+{
+    EXPECT_EQ(0, likelihood(std::vector<uchar>()));
+    EXPECT_EQ(0, likelihood(std::vector<uchar>(9, 0)));
+    EXPECT_EQ(0, likelihood(std::vector<uchar>(9, 1)));
+}
+
+}  // namespace
+}  // namespace opencv_test
