@@ -16,8 +16,8 @@ target_include_directories(usac_benchmark_lib PUBLIC "${_benchmark}")
 
 # The synthetic scenes of the tests.
 usac_add_sample_library(usac_benchmark_scenes "${_benchmark}/scale/scene_pair.cpp" "${_benchmark}/scale/scene_pair.hpp"
-  "${USAC_MODULE_DIR}/test/scenes.cpp" "${USAC_MODULE_DIR}/test/scene_scores.cpp"
-  "${USAC_MODULE_DIR}/test/scene_geometry.cpp" "${USAC_MODULE_DIR}/test/problems/absolute_pose/pose_scenes.cpp"
+  "${USAC_MODULE_DIR}/test/support/scenes.cpp" "${USAC_MODULE_DIR}/test/support/scene_scores.cpp"
+  "${USAC_MODULE_DIR}/test/support/scene_geometry.cpp" "${USAC_MODULE_DIR}/test/problems/absolute_pose/pose_scenes.cpp"
   "${USAC_MODULE_DIR}/test/problems/rigid_motion/rigid_scenes.cpp")
 target_include_directories(usac_benchmark_scenes PUBLIC "${_benchmark}/scale" "${USAC_MODULE_DIR}/test")
 target_link_libraries(usac_benchmark_scenes PUBLIC usac_benchmark_lib)

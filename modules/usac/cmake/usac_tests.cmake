@@ -19,7 +19,7 @@ option(USAC_THREADS_BACKEND "The tests run parallel_for_ by misc/sanitize/thread
 set(_tests "${USAC_MODULE_DIR}/test")
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS "${_tests}/*.cpp")
 if(NOT USAC_COUNT_ALLOCATIONS)
-  list(REMOVE_ITEM _sources "${_tests}/allocation_counter.cpp")
+  list(REMOVE_ITEM _sources "${_tests}/support/allocation_counter.cpp")
 endif()
 if(USAC_THREADS_BACKEND)
   set(_backend "${USAC_MODULE_DIR}/misc/sanitize/threads_backend.cpp")
@@ -49,8 +49,9 @@ if(COMMAND target_precompile_headers)
 endif()
 
 set(_sources "${USAC_MODULE_DIR}/misc/fuzz/target.cpp")
-foreach(_name fuzz/fuzz_input fuzz/fuzz_pose fuzz/fuzz_rigid fuzz/fuzz_contracts result_oracle lens_oracle pose_oracle rigid_oracle
-    scenes scene_scores scene_geometry problems/absolute_pose/pose_scenes problems/rigid_motion/rigid_scenes)
+foreach(_name fuzz/fuzz_input fuzz/fuzz_pose fuzz/fuzz_rigid fuzz/fuzz_contracts
+    support/result_oracle support/lens_oracle support/pose_oracle support/rigid_oracle support/scenes support/scene_scores
+    support/scene_geometry problems/absolute_pose/pose_scenes problems/rigid_motion/rigid_scenes)
   list(APPEND _sources "${_tests}/${_name}.cpp")
 endforeach()
 usac_add_test_program(usac_replay ${_sources})

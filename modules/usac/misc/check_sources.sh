@@ -65,28 +65,35 @@ grep -noE '\brun: .*' .github/workflows/*.yml | sed -E 's/run: (sh )?//' | while
     [ -f "${command%% *}" ] || echo "$workflow:$line: ${command%% *}"
 done >> "$mistakes"
 report "links and scripts of workflows that are not there"
-# contracts: any input; fuzz: the fuzzer and its stored inputs; runs: behavior that only whole estimations show
-(cd modules/usac/test && find . -mindepth 1 -type d | sed 's|^\./||') | grep -vE '^(contracts|fuzz|runs)$' | while read -r dir; do
+# contracts: any input; fuzz: the fuzzer and its stored inputs; runs: behavior that only whole estimations show; support: scenes,
+# oracles and what else the tests share
+(cd modules/usac/test && find . -mindepth 1 -type d | sed 's|^\./||') | grep -vE '^(contracts|fuzz|runs|support)$' | while read -r dir; do
     [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"
 done > "$mistakes"
 report "folders of the tests that $src does not have"
 # A folder may include only from folders of the lines above it, not from those of its own line.
-layers='core
+layers='numeric
+control
+components
+input
 lanes
 residual
 scoring
 optimization
 problems
 samplers ordering neighborhood verification local_optimization polishing termination significance
-two_view'
+loop
+two_view
+api'
 grep -rnoE '#include "[a-z_]+/' --include='*.[ch]pp' "$src"/*/ | grep -v opencv2 | sed -E "s|^$src/||; s|:#include \"| |; s|/\$||" | while read -r place to; do
     from=${place%%/*}
     [ "$from" = "$to" ] && continue
     lower=$(echo "$layers" | grep -nw "$to" | cut -d: -f1)
     upper=$(echo "$layers" | grep -nw "$from" | cut -d: -f1)
-    [ "${lower:-9}" -lt "${upper:-0}" ] || echo "$place includes from $to/"
+    [ "${lower:-99}" -lt "${upper:-0}" ] || echo "$place includes from $to/"
 done > "$mistakes"
-report "folders that include from those below them"
+find "$src" -maxdepth 1 -name '*.[ch]pp' ! -name precomp.hpp >> "$mistakes"
+report "files without a folder, and folders that include from those below them"
 /usr/bin/python3 samples/benchmark/measure.py --check > "$mistakes" || [ -s "$mistakes" ] || echo "measure.py --check failed" > "$mistakes"
 report "figures that are not as measured, or older than the last change of results"
 rm "$mistakes"

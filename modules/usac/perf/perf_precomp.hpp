@@ -8,7 +8,7 @@
 #include "opencv2/ts.hpp"
 #include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace opencv_test {
 using namespace perf;

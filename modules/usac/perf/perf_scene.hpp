@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_PERF_SCENE_HPP
 
 #include "problems/rigid_motion/rigid_scenes.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace opencv_test {
 

@@ -5,11 +5,11 @@
 #ifndef OPENCV_USACV20_TEST_PRECOMP_HPP
 #define OPENCV_USACV20_TEST_PRECOMP_HPP
 
-#include "framework.hpp"
+#include "support/framework.hpp"
 #include "opencv2/usac/geometry.hpp"
 #include "opencv2/usac.hpp"
-#include "problem_lists.hpp"
-#include "scenes.hpp"
+#include "support/problem_lists.hpp"
+#include "support/scenes.hpp"
 
 namespace opencv_test {
 using namespace cv::usacv20;

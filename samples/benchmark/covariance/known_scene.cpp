@@ -6,7 +6,7 @@
 
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace benchmark {
 

@@ -9,7 +9,7 @@
 #include <vector>
 #include "arguments.hpp"
 #include "method.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace benchmark {
 

@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_BENCHMARK_SCENE_PAIR_HPP
 
 #include "image_pair.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace benchmark {
 

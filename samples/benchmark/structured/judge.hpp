@@ -7,7 +7,7 @@
 
 #include "image_pair.hpp"
 #include "method.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace benchmark {
 

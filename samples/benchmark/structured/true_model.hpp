@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_BENCHMARK_TRUE_MODEL_HPP
 
 #include <vector>
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace benchmark {
 

@@ -4,7 +4,7 @@
 
 #include "pair_writer.hpp"
 
-#include "scene_geometry.hpp"
+#include "support/scene_geometry.hpp"
 
 namespace benchmark {
 

@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_BENCHMARK_PAIR_WRITER_HPP
 
 #include "list_writer.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace benchmark {
 

@@ -7,7 +7,7 @@
 
 #include <string>
 #include "image_pair.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 #include "space_scene.hpp"
 #include "view_scene.hpp"
 

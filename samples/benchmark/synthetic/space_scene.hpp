@@ -7,7 +7,7 @@
 
 #include <vector>
 #include "opencv2/core.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace benchmark {
 

@@ -10,7 +10,7 @@ headers with those compiled for other instruction sets. */
 #include <climits>
 #include <cmath>
 #include <cstring>
-#include "core/polynomial.hpp"
+#include "numeric/polynomial.hpp"
 #include "lanes/essential_basis.hpp"
 #include "lanes/lane_kernels.hpp"
 #include "lanes/pack.inl.hpp"

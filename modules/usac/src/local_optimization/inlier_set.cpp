@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/bits.hpp"
-#include "core/random_part.hpp"
+#include "numeric/bits.hpp"
+#include "numeric/random_part.hpp"
 #include "local_optimization/inlier_set.hpp"
 
 namespace cv {

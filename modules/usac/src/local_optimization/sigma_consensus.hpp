@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_SIGMA_CONSENSUS_HPP
 #define OPENCV_USACV20_SIGMA_CONSENSUS_HPP
 
-#include "core/point_subset.hpp"
+#include "components/point_subset.hpp"
 
 namespace cv {
 namespace usacv20 {

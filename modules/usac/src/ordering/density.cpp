@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/joint_cells.hpp"
+#include "components/joint_cells.hpp"
 #include "ordering/ordering.hpp"
 #include "ordering/repeated_last.hpp"
 

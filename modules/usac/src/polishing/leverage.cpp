@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "opencv2/usac/problem.hpp"
-#include "core/streams.hpp"
+#include "components/streams.hpp"
 #include "residual/normal_equations.hpp"
 #include "polishing/leverage.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "precomp.hpp"
 #include "polishing/restarts.hpp"
-#include "core/random_part.hpp"
-#include "core/streams.hpp"
+#include "numeric/random_part.hpp"
+#include "components/streams.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "polishing/polishing.hpp"
-#include "core/chi_square.hpp"
+#include "numeric/chi_square.hpp"
 #include "optimization/noise_scale.hpp"
 
 namespace cv {

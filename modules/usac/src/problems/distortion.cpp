@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/polynomial.hpp"
+#include "numeric/polynomial.hpp"
 #include "problems/distortion.hpp"
 
 namespace cv {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/instruction_set.hpp"
+#include "numeric/instruction_set.hpp"
 #include "problems/kernels.inl.hpp"
 
 namespace cv {

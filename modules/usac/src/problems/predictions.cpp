@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "problems/camera_arguments.hpp"
+#include "input/camera_arguments.hpp"
 #include "problems/predictions.hpp"
 
 namespace cv {

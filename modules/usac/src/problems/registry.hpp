@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_REGISTRY_HPP
 
 // What is made from the rows of registry.inl.hpp: the factory of all problems (registry.cpp), the
-// functions estimate<NAME> (api.cpp) and estimate<PLURAL> (batch.cpp), and, by
+// functions estimate<NAME> (api/estimate.cpp) and estimate<PLURAL> (api/batch.cpp), and, by
 // misc/python/make_names.py, which also compares the rows with the public headers, the functions in
 // Python. Tests take their lists of problems from it.
 

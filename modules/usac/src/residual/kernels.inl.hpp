@@ -9,8 +9,8 @@ those compiled for other instruction sets. */
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include "core/indices.hpp"
-#include "core/simd.hpp"
+#include "numeric/indices.hpp"
+#include "numeric/simd.hpp"
 #include "residual/kernels.hpp"
 #include "residual/sums.inl.hpp"
 

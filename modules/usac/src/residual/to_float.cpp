@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "residual/kernels.hpp"
-#include "core/simd.hpp"
+#include "numeric/simd.hpp"
 
 namespace cv {
 namespace usacv20 {

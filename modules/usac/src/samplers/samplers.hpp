@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_SAMPLERS_HPP
 
 #include "opencv2/usac/components.hpp"
-#include "core/growth.hpp"
+#include "components/growth.hpp"
 
 namespace cv {
 namespace usacv20 {

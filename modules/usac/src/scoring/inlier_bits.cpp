@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/bits.hpp"
+#include "numeric/bits.hpp"
 #include "scoring/inlier_bits.hpp"
 
 namespace cv {

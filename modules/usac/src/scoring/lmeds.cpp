@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/median.hpp"
+#include "numeric/median.hpp"
 #include "scoring/scores.hpp"
-#include "core/chi_square.hpp"
+#include "numeric/chi_square.hpp"
 #include "scoring/mixture.hpp"
 
 namespace cv {

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/chi_square.hpp"
-#include "core/gamma.hpp"
+#include "numeric/chi_square.hpp"
+#include "numeric/gamma.hpp"
 #include "scoring/marginalized_weights.hpp"
 
 namespace cv {

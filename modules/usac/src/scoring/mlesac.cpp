@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "scoring/scores.hpp"
-#include "core/chi_square.hpp"
+#include "numeric/chi_square.hpp"
 #include "scoring/mixture.hpp"
 
 namespace cv {

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "significance/agreement.hpp"
-#include "core/repetitions.hpp"
+#include "components/repetitions.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/chi_square.hpp"
-#include "core/repetitions.hpp"
+#include "numeric/chi_square.hpp"
+#include "components/repetitions.hpp"
 #include "optimization/error_mixture.hpp"
 #include "optimization/significant_scale.hpp"
 #include "significance/agreement.hpp"

@@ -4,9 +4,9 @@
 
 #include "precomp.hpp"
 #include "significance/significance.hpp"
-#include "core/tails.hpp"
-#include "core/repetitions.hpp"
-#include "watch.hpp"
+#include "numeric/tails.hpp"
+#include "components/repetitions.hpp"
+#include "control/watch.hpp"
 
 namespace cv {
 namespace usacv20 {

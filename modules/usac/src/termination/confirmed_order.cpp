@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/joint_cells.hpp"
-#include "core/known_order.hpp"
-#include "core/repetitions.hpp"
+#include "components/joint_cells.hpp"
+#include "components/known_order.hpp"
+#include "components/repetitions.hpp"
 #include "termination/confirmed_order.hpp"
 #include "termination/termination.hpp"
 

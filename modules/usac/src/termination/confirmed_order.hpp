@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_CONFIRMED_ORDER_HPP
 #define OPENCV_USACV20_CONFIRMED_ORDER_HPP
 
-#include "core/joint_cells.hpp"
+#include "components/joint_cells.hpp"
 #include "opencv2/usac/components.hpp"
 
 namespace cv {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/tails.hpp"
+#include "numeric/tails.hpp"
 #include "termination/non_randomness.hpp"
 
 namespace cv {

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/growth.hpp"
-#include "core/repetitions.hpp"
+#include "components/growth.hpp"
+#include "components/repetitions.hpp"
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 

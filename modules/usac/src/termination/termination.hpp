@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TERMINATION_HPP
 #define OPENCV_USACV20_TERMINATION_HPP
 
-#include "core/sample_counts.hpp"
+#include "components/sample_counts.hpp"
 #include "opencv2/usac/components.hpp"
 
 namespace cv {

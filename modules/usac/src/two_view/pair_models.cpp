@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/unit_norm.hpp"
-#include "batch_progress.hpp"
-#include "problems/camera_arguments.hpp"
-#include "read_points.hpp"
+#include "numeric/unit_norm.hpp"
+#include "control/batch_progress.hpp"
+#include "input/camera_arguments.hpp"
+#include "input/read_points.hpp"
 #include "two_view/pair_models.hpp"
 
 namespace cv {

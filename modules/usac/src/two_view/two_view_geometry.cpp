@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "batch_tasks.hpp"
+#include "control/batch_tasks.hpp"
 #include "problems/essential/motions.hpp"
 #include "two_view/pair_models.hpp"
 #include "two_view/watermark.hpp"

@@ -7,7 +7,7 @@
 
 // What test_input.cpp, test_layouts.cpp and test_pose_layouts.cpp share.
 
-#include "test_contracts.hpp"
+#include "support/contracts.hpp"
 
 namespace opencv_test {
 

@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_TEST_POSE_CONTRACTS_HPP
 
 #include "problems/absolute_pose/pose_scenes.hpp"
-#include "test_contracts.hpp"
+#include "support/contracts.hpp"
 
 namespace opencv_test {
 

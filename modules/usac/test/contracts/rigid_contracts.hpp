@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_TEST_RIGID_CONTRACTS_HPP
 
 #include "problems/rigid_motion/rigid_scenes.hpp"
-#include "test_contracts.hpp"
+#include "support/contracts.hpp"
 
 namespace opencv_test {
 

@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "test_contracts.hpp"
+#include "support/contracts.hpp"
 
 // Points that are made to break something: far out, tiny, on a line, all with one target; in every
 // number.

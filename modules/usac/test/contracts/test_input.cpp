@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "run_context.hpp"
-#include "test_contracts.hpp"
+#include "support/run_context.hpp"
+#include "support/contracts.hpp"
 #include "contracts/expected_answer.hpp"
 
 // Any layout and depth of points, masks and camera matrices gives the identical answer.

@@ -7,7 +7,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstring>
-#include "params_fields.hpp"
+#include "support/params_fields.hpp"
 
 using namespace cv::usacv20;
 using cv::Mat;

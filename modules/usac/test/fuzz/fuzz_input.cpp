@@ -8,8 +8,8 @@
 #include "fuzz/fuzz_bytes.hpp"
 #include "fuzz/fuzz_pose.hpp"
 #include "fuzz/fuzz_rigid.hpp"
-#include "params_fields.hpp"
-#include "scenes.hpp"
+#include "support/params_fields.hpp"
+#include "support/scenes.hpp"
 
 using namespace cv::usacv20;
 using cv::Mat;

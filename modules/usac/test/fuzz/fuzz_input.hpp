@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_FUZZ_INPUT_HPP
 #define OPENCV_USACV20_TEST_FUZZ_INPUT_HPP
 
-#include "result_oracle.hpp"
+#include "support/result_oracle.hpp"
 
 namespace opencv_test {
 

@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 #include "test_precomp.hpp"
-#include "given_edges.hpp"
-#include "given_residual.hpp"
+#include "support/given_edges.hpp"
+#include "support/given_residual.hpp"
 #include "local_optimization/labeling.hpp"
 #include "local_optimization/local_optimization.hpp"
 

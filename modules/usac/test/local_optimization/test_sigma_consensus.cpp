@@ -2,14 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 #include "test_precomp.hpp"
 #include <set>
 #include "local_optimization/local_optimization.hpp"
 #include "optimization/marginalized_fit.hpp"
 #include "local_optimization/sigma_consensus.hpp"
 #include "polishing/polishing.hpp"
-#include "core/chi_square.hpp"
+#include "numeric/chi_square.hpp"
 
 namespace opencv_test {
 namespace {

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "run_context.hpp"
-#include "surroundings.hpp"
+#include "support/run_context.hpp"
+#include "support/surroundings.hpp"
 #include "neighborhood/neighborhood.hpp"
 
 namespace opencv_test {

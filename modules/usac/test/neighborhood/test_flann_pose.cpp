@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "surroundings.hpp"
+#include "support/surroundings.hpp"
 #include "neighborhood/neighborhood.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 

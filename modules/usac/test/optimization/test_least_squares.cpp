@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "problem_objects.hpp"
+#include "support/problem_objects.hpp"
 #include "residual/normal_equations.hpp"
 
 #include <Eigen/SVD>

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "core/chi_square.hpp"
+#include "numeric/chi_square.hpp"
 #include "optimization/noise_scale.hpp"
 
 namespace opencv_test {

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "opencv2/usac/least_squares.hpp"
-#include "problem_objects.hpp"
+#include "support/problem_objects.hpp"
 #include "problems/registry.hpp"
 
 namespace opencv_test {

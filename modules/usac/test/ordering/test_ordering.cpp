@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "run_context.hpp"
-#include "surroundings.hpp"
+#include "support/run_context.hpp"
+#include "support/surroundings.hpp"
 #include "ordering/ordering.hpp"
 
 #include <set>

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "problem_objects.hpp"
+#include "support/problem_objects.hpp"
 
 // What polishing reaches, against the best that is possible: least squares over the true matches.
 

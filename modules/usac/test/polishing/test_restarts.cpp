@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "polishing/restarts.hpp"
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 
 namespace opencv_test {
 namespace {

@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "test_contracts.hpp"
+#include "support/contracts.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 #include "significance/inlier_noise.hpp"
 
 namespace opencv_test {

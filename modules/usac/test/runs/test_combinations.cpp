@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "test_contracts.hpp"
-#include "params_fields.hpp"
-#include "real_set.hpp"
+#include "support/contracts.hpp"
+#include "support/params_fields.hpp"
+#include "support/real_set.hpp"
 
 #include <set>
 

@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "results.hpp"
+#include "support/results.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
-#include "real_set.hpp"
+#include "support/real_set.hpp"
 #include "problems/kernels.hpp"
 
 #include <cstdlib>

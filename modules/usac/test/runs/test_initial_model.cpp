@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "test_contracts.hpp"
+#include "support/contracts.hpp"
 
 // A model to begin with, Params::initialModel.
 

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "linear_map.hpp"
-#include "test_contracts.hpp"
+#include "support/linear_map.hpp"
+#include "support/contracts.hpp"
 
 // Affinities and similarities of every kind, and points that determine one badly or not at all. The
 // measure is the plain least-squares fit of the right matches, which knows them.

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "test_contracts.hpp"
-#include "real_set.hpp"
+#include "support/contracts.hpp"
+#include "support/real_set.hpp"
 
 // Real matches of test_data/, against ground truth that no estimator has seen.
 

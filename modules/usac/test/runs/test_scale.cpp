@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "test_contracts.hpp"
-#include "process_memory.hpp"
+#include "support/contracts.hpp"
+#include "support/process_memory.hpp"
 
 // Many points, and many calls. Times are printed with --test_debug, and not compared with anything.
 

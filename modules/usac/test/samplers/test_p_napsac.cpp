@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "draw.hpp"
+#include "support/draw.hpp"
 #include "ordering/ordering.hpp"
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 #include "samplers/samplers.hpp"
 
 namespace opencv_test {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "draw.hpp"
+#include "support/draw.hpp"
 #include "samplers/samplers.hpp"
 
 namespace opencv_test {

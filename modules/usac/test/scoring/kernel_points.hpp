@@ -6,10 +6,10 @@
 #define OPENCV_USACV20_TEST_KERNEL_POINTS_HPP
 
 #include "test_precomp.hpp"
-#include "problem_objects.hpp"
+#include "support/problem_objects.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 #include "problems/kernels.hpp"
 #include "scoring/scores.hpp"
 

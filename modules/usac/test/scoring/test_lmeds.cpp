@@ -2,12 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 #include "test_precomp.hpp"
-#include "problem_objects.hpp"
-#include "given_residual.hpp"
+#include "support/problem_objects.hpp"
+#include "support/given_residual.hpp"
 #include "scoring/scores.hpp"
-#include "core/chi_square.hpp"
+#include "numeric/chi_square.hpp"
 #include "scoring/mixture.hpp"
 
 namespace opencv_test {

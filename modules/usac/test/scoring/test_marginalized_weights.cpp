@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "integrate.hpp"
-#include "problem_objects.hpp"
-#include "core/chi_square.hpp"
+#include "support/integrate.hpp"
+#include "support/problem_objects.hpp"
+#include "numeric/chi_square.hpp"
 #include "scoring/marginalized_weights.hpp"
 
 namespace opencv_test {

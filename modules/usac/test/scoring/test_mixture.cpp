@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "problem_objects.hpp"
-#include "core/chi_square.hpp"
+#include "support/problem_objects.hpp"
+#include "numeric/chi_square.hpp"
 #include "scoring/mixture.hpp"
 
 namespace opencv_test {

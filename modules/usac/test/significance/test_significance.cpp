@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace opencv_test {
 namespace {

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "draw.hpp"
-#include "problem_objects.hpp"
+#include "support/draw.hpp"
+#include "support/problem_objects.hpp"
 #include "termination/non_randomness.hpp"
 #include "termination/termination.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "problems/absolute_pose/camera.hpp"
-#include "problems/camera_arguments.hpp"
+#include "input/camera_arguments.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/unit_norm.hpp"
+#include "numeric/unit_norm.hpp"
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/unit_norm.hpp"
+#include "numeric/unit_norm.hpp"
 #include "optimization/any_parameterization.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"

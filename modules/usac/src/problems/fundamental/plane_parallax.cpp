@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/unit_norm.hpp"
+#include "numeric/unit_norm.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
 #include "problems/kernels.hpp"
-#include "core/sample_counts.hpp"
+#include "components/sample_counts.hpp"
 
 namespace cv {
 namespace usacv20 {

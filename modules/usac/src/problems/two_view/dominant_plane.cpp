@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "core/streams.hpp"
+#include "components/streams.hpp"
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/epipole.hpp"
 #include "problems/share_a_point.hpp"

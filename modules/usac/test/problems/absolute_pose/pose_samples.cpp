@@ -4,7 +4,7 @@
 
 #include "pose_samples.hpp"
 #include "problems/random_rotation.hpp"
-#include "random_points.hpp"
+#include "support/random_points.hpp"
 
 #include <algorithm>
 #include <cfloat>

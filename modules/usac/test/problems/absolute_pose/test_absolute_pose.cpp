@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "pose_scenes.hpp"
-#include "test_contracts.hpp"
+#include "support/contracts.hpp"
 
 // The pose of a camera on synthetic scenes of every shape, with every lens, by every preset.
 

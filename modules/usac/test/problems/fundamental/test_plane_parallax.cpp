@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
-#include "problem_objects.hpp"
+#include "support/problem_objects.hpp"
 
 namespace opencv_test {
 namespace {

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "run_context.hpp"
-#include "problem_objects.hpp"
+#include "support/run_context.hpp"
+#include "support/problem_objects.hpp"
 
 namespace opencv_test {
 namespace {

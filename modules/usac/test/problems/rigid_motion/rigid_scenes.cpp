@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "rigid_scenes.hpp"
-#include "scenes.hpp"
+#include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>

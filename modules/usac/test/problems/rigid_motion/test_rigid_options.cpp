@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "contracts/rigid_contracts.hpp"
-#include "run_context.hpp"
+#include "support/run_context.hpp"
 
 // Parts of the search with motions of space: each component, a model to begin with, residuals of
 // one's own.

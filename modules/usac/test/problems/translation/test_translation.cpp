@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "own_points.hpp"
-#include "test_contracts.hpp"
+#include "support/own_points.hpp"
+#include "support/contracts.hpp"
 #include "problems/registry.hpp"
 
 // Translations between two images: what particular to them the tests over all problems do not see.

@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "linear_map.hpp"
-#include "own_points.hpp"
-#include "test_contracts.hpp"
+#include "support/linear_map.hpp"
+#include "support/own_points.hpp"
+#include "support/contracts.hpp"
 #include "problems/affinity/affinity_parameterization.hpp"
 #include "problems/registry.hpp"
 #include "problems/similarity/similarity_parameterization.hpp"

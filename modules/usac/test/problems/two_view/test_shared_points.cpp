@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "run_context.hpp"
-#include "test_contracts.hpp"
-#include "problem_objects.hpp"
+#include "support/run_context.hpp"
+#include "support/contracts.hpp"
+#include "support/problem_objects.hpp"
 #include "problems/share_a_point.hpp"
 
 namespace opencv_test {

@@ -1,0 +1,127 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "components/check_components.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+template <class T>
+void checkPresent(const Ptr<T>& part, const char* name)
+{
+    if (!part)
+        CV_Error_(Error::StsNullPtr, ("components().%s: it is empty", name));
+}
+
+template <class T>
+void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
+{
+    for (size_t i = 0; i < parts.size(); ++i)
+        if (!parts[i])
+            CV_Error_(Error::StsNullPtr, ("components().%s[%d]: it is empty", name, (int)i));
+}
+
+}  // namespace
+
+//! Tests the score with points without error and with points that are as far away as possible.
+void checkScore(const Score& score)
+{
+    if (!(score.inlierPart() > 0 && score.inlierPart() <= 1))
+        CV_Error_(Error::StsOutOfRange,
+                  ("components().score: inlierPart() is %g; above 0 and at most 1 is expected",
+                   score.inlierPart()));
+    enum { COUNT = 16 };
+    const float errors[] = {0, FLT_MAX};
+    for (int far = 0; far < 2; ++far)
+    {
+        float values[COUNT];
+        std::fill(values, values + COUNT, errors[far]);
+        Quality sum(0, 0);
+        score.accumulate(values, COUNT, 1, sum);
+        if (!(sum.cost >= 0 && sum.cost <= (int)COUNT * (1 + FLT_EPSILON)) ||
+            (!far && sum.inliers != COUNT))
+            CV_Error_(Error::StsOutOfRange,
+                      ("components().score: %d points %s have the cost %g and %d inliers; a cost "
+                       "from 0 to 1 per point is expected, "
+                       "and that points without error are inliers",
+                       (int)COUNT, far ? "far from the model" : "without error", sum.cost,
+                       sum.inliers));
+    }
+}
+
+void checkProblem(const Problem& problem, int residual)
+{
+    const String name = problem.name();
+    const Ptr<MinimalSolver> solver = problem.createMinimalSolver();
+    if (!solver || !problem.createResidual(residual))
+        CV_Error_(Error::StsNullPtr,
+                  ("problem %s: createResidual() or createMinimalSolver() has returned nothing",
+                   name.c_str()));
+    const int dimensions = problem.errorDimension(), m = solver->sampleSize();
+    const int first = problem.coordinates(0), second = problem.coordinates(1);
+    if (first < 1 || first > 3 || second < 0 || second > 3)
+        CV_Error_(Error::StsOutOfRange,
+                  ("problem %s: points of 1 to 3 coordinates are expected, not of %d and %d",
+                   name.c_str(), first, second));
+    if (dimensions < 1 || dimensions > std::min(3, second > 0 ? second : first))
+        CV_Error_(Error::StsOutOfRange, ("problem %s: errors of 1 to 3 dimensions, no more than a "
+                                         "point has, are expected, not of %d",
+                                         name.c_str(), dimensions));
+    if (problem.dimension() < 1 || m * dimensions < problem.dimension())
+        CV_Error_(
+            Error::StsOutOfRange,
+            ("problem %s: %d points with errors of %d dimensions cannot determine a model of %d",
+             name.c_str(), m, dimensions, problem.dimension()));
+    const SampleCost cost = problem.sampleCost();
+    if (!(cost.time > 0 && cost.models > 0))
+        CV_Error_(Error::StsOutOfRange,
+                  ("problem %s: sampleCost() above 0 is expected, not a time of %g and %g models",
+                   name.c_str(), cost.time, cost.models));
+}
+
+void checkComponents(const Components& parts)
+{
+    checkPresent(parts.residual, "residual");
+    checkPresent(parts.score, "score");
+    checkPresent(parts.sampler, "sampler");
+    checkPresent(parts.minimalSolver, "minimalSolver");
+    checkEntries(parts.degeneracies, "degeneracies");
+    checkEntries(parts.terminations, "terminations");
+    const int m = parts.minimalSolver->sampleSize();
+    if (m < 1 || m > MAX_SAMPLE_SIZE)
+        CV_Error_(Error::StsOutOfRange,
+                  ("components().minimalSolver: samples of 1 to %d points are expected, not of %d",
+                   (int)MAX_SAMPLE_SIZE, m));
+}
+
+void checkSample(const int* sample, int m, int size)
+{
+    for (int k = 0; k < m; ++k)
+    {
+        if (sample[k] < 0 || sample[k] >= size)
+            CV_Error_(Error::StsOutOfRange,
+                      ("components().sampler: a sample has the index %d, 0 to %d are expected",
+                       sample[k], size - 1));
+        if (std::find(sample, sample + k, sample[k]) != sample + k)
+            CV_Error_(Error::StsBadArg,
+                      ("components().sampler: a sample has the index %d twice", sample[k]));
+    }
+}
+
+void checkModels(const Model* models, int count)
+{
+    bool written = count <= MAX_MODELS;
+    for (int k = 0; written && k < count; ++k)
+        written = models[k].size() > 0;
+    if (!written)
+        CV_Error_(Error::StsOutOfRange,
+                  ("components().minimalSolver: at most %d models are expected, each a matrix",
+                   (int)MAX_MODELS));
+}
+
+}  // namespace usacv20
+}  // namespace cv

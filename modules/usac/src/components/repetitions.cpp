@@ -1,0 +1,122 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "components/repetitions.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! A set of occupied cells: a hash table with linear probing.
+template <int DIMENSIONS>
+class Cells
+{
+public:
+    typedef Vec<double, DIMENSIONS> Cell;
+
+    Cells(int capacity, Arena& arena) : scope(arena), mask(1)
+    {
+        while (mask < 2 * capacity)
+            mask *= 2;
+        slots = scope.take<Cell>(mask);
+        std::fill(slots, slots + mask, Cell::all(NAN));
+        --mask;
+    }
+
+    //! Adds a cell; false if it is in the set already. Cell indices are doubles, as small cells
+    //! make them exceed int.
+    bool insert(const Cell& cell)
+    {
+        uint64 bits[DIMENSIONS];
+        std::memcpy(bits, cell.val, sizeof(bits));
+        // a small integer as double has ones in its high bits only, and the product below moves
+        // bits only upwards: the high half is mixed into the low one first
+        uint64 h = bits[0];
+        for (int k = 1; k < DIMENSIONS; ++k)
+            h ^= bits[k] << k | bits[k] >> (64 - k);
+        h = (h ^ h >> 32) * 0x9e3779b97f4a7c15ULL;
+        int at = (int)(h >> 40) & mask;
+        for (; slots[at][0] == slots[at][0]; at = (at + 1) & mask)
+            if (slots[at] == cell)
+                return false;
+        slots[at] = cell;
+        return true;
+    }
+
+private:
+    Arena::Scope scope;
+    Cell* slots;  //!< NaN if free
+    int mask;
+};
+
+template <int DIMENSIONS>
+void markInCells(const double* const* columns, const int* order, const uchar* mask, int count,
+                 double side, uchar* repeated, Arena& arena)
+{
+    int marked = 0;
+    for (int i = 0; i < count; ++i)
+        marked += mask[i] != 0;
+    Cells<DIMENSIONS> cells(marked, arena);
+    for (int i = 0; i < count; ++i)
+        if (mask[i])
+        {
+            const int point = order ? order[i] : i;
+            Vec<double, DIMENSIONS> cell;
+            for (int k = 0; k < DIMENSIONS; ++k)
+                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) +
+                          0.;  // no -0
+            if (!cells.insert(cell))
+                repeated[i] = 1;
+        }
+}
+
+}  // namespace
+
+int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
+                       int count, double threshold1, double threshold2, Arena& arena)
+{
+    Arena::Scope scope(arena);
+    uchar *const repeated1 = scope.take<uchar>(count), *const repeated2 = scope.take<uchar>(count);
+    std::fill(repeated1, repeated1 + count, (uchar)0);
+    std::fill(repeated2, repeated2 + count, (uchar)0);
+    const int repetitions = std::max(
+        markRepeated(columns, coordinates[0], 0, mask, count, threshold1, repeated1, arena),
+        markRepeated(columns + coordinates[0], coordinates[1], 0, mask, count, threshold2,
+                     repeated2, arena));
+    int inliers = 0;
+    for (int i = 0; i < count; ++i)
+        inliers += mask[i] != 0;
+    return inliers - repetitions;
+}
+
+int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
+                 int count, double side, uchar* repeated, Arena& arena)
+{
+    if (dimensions == 1)
+        markInCells<1>(columns, order, mask, count, side, repeated, arena);
+    else if (dimensions == 2)
+        markInCells<2>(columns, order, mask, count, side, repeated, arena);
+    else if (dimensions == 3)
+        markInCells<3>(columns, order, mask, count, side, repeated, arena);
+    int sum = 0;
+    for (int i = 0; i < count; ++i)
+        sum += repeated[i];
+    return sum;
+}
+
+int markRepeated(const Correspondences& p, const int* order, const uchar* mask, int count,
+                 double threshold, uchar* repeated, Arena& arena)
+{
+    const double threshold1 = p.problem->commonUnit()
+                                  ? threshold * p.frame[0].scale / p.frame[1].scale
+                                  : 0;
+    markRepeated(p.exact, p.coordinates[0], order, mask, count, threshold1, repeated, arena);
+    return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold,
+                        repeated, arena);
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,356 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "input/problem_data.hpp"
+#include "input/read_points.hpp"
+#include "input/run_memory.hpp"
+#include "numeric/simd.hpp"
+#include "input/robust_frame.hpp"
+#include "components/repetitions.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+//! Points farther than this many mean absolute deviations from the center do not enlarge the box
+//! Correspondences::lower, upper. See doc/constants.md.
+constexpr double FRAME = 5;
+//! Bounds of the threshold of the search: its square and the inverse of that must be neither 0 nor
+//! infinite as float. The mask uses the caller's threshold unchanged.
+constexpr double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
+
+bool finite(double value)
+{
+    return std::abs(value) <= DBL_MAX;  // false for NaN
+}
+
+bool allFinite(const double* values, int count)
+{
+    enum { LANES = 4 };
+    double zeros[LANES] = {0};
+    const int whole = count - count % LANES;
+    for (int i = 0; i < whole; i += LANES)
+    {
+        USAC_SIMD
+        for (int k = 0; k < LANES; ++k)
+            zeros[k] += values[i + k] * 0;
+    }
+    for (int i = whole; i < count; ++i)
+        zeros[0] += values[i] * 0;
+    return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // NaN or infinity times 0 is NaN
+}
+
+//! A threshold of at least this fraction of the longest side of the box of the points is wide
+//! (Report::wideThreshold): along this side, all points are within the threshold of the center.
+//! With half of it, 160 px would be wide in an image of 640 px; with double, a threshold of 1.5,
+//! meant as pixels, would not be wide for normalized points of a field of view of 90 degrees.
+constexpr double WIDE = 0.5;
+
+}  // namespace
+
+ProblemData::ProblemData()
+    : view(), part(), givenThreshold(), givenReach(1), currentReach(1), inputThreshold(0),
+      pixelThreshold(0), pixels(1), input(), doubles(), floats(), seen(), seenDoubles(),
+      seenFloats()
+{}
+
+void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
+                       const Params& params, Arena& arena, bool image)
+{
+    view = Correspondences();  // no points if an exception is thrown below
+    view.problem = &problem;
+    for (int array = 0; array < 2; ++array)
+        view.coordinates[array] = problem.coordinates(array);
+    part = view;
+    readRows(points1, points2, params, arena);
+    pixelThreshold = params.threshold;
+    if (image)
+        keepImage(arena);
+    pixels = problem.toModelCoordinates(input, view.inputSize);
+    inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
+    shuffle(params, arena);
+    scale(params, arena);
+    part = view;
+    part.size = std::min<int>(view.size, SEARCHED);
+    if (image)
+        shuffleImage(arena);
+    givenReach = currentReach = params.reach;
+    givenThreshold[0] = view.threshold;
+    givenThreshold[1] = inputThreshold;
+    givenThreshold[2] = pixelThreshold;
+    arena.keep();
+}
+
+void ProblemData::restoreThreshold()
+{
+    setSearchThreshold(givenThreshold[0]);
+    currentReach = givenReach;
+    inputThreshold = givenThreshold[1];
+    pixelThreshold = givenThreshold[2];
+}
+
+void ProblemData::readRows(InputArray points1, InputArray points2, const Params& params,
+                           Arena& arena)
+{
+    const bool two = view.coordinates[1] > 0;
+    if (!two && !points2.empty())
+        CV_Error_(Error::StsBadArg, ("points2: problem %s has only one list of points",
+                                     view.problem->name().c_str()));
+    const Mat given[] = {points1.getMat(), two ? points2.getMat() : Mat()};
+    size_t most = 0;
+    for (int array = 0; array < 2; ++array)
+        most = std::max(most, given[array].total() * given[array].channels() /
+                                  std::max(view.coordinates[array], 1));
+    arena.reset(runMemory((int)std::min<size_t>(most, INT_MAX), params));
+    Arena::Scope scope(arena);
+    const String names[] = {view.problem->arrayName(0), view.problem->arrayName(1)};
+    const Mat lists[] = {readPoints(given[0], view.coordinates[0], names[0].c_str(), scope),
+                         two ? readPoints(given[1], view.coordinates[1], names[1].c_str(), scope)
+                             : Mat()};
+    const int count = lists[0].rows;
+    if (two && count != lists[1].rows)
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("%s and %s: lists of the same length are expected, not of %d and %d",
+                   names[0].c_str(), names[1].c_str(), count, lists[1].rows));
+    params.check(count);
+    view.inputSize = count;
+    for (int array = 0, k = 0; array < 2; ++array)
+        for (int c = 0; c < view.coordinates[array]; ++c, ++k)
+        {
+            input[k] = arena.take<double>(count);
+            const double* const from = lists[array].ptr<double>();
+            for (int i = 0; i < count; ++i)
+                input[k][i] = from[(size_t)i * view.coordinates[array] + c];
+        }
+}
+
+void ProblemData::keepImage(Arena& arena)
+{
+    double* columns[MAX_COLUMNS];
+    const int first = view.coordinates[0], count = view.inputSize;
+    std::copy(input, input + first, columns);
+    for (int k = 0; k < view.coordinates[1]; ++k)
+    {
+        columns[first + k] = seen[k] = arena.take<double>(count);
+        std::copy(input[first + k], input[first + k] + count, seen[k]);
+    }
+    view.problem->toImageCoordinates(columns, count);
+}
+
+//! Stores the original image points with the rows, order and normalization of points().
+void ProblemData::shuffleImage(Arena& arena)
+{
+    const Frame& frame = view.frame[1];
+    for (int k = 0; k < view.coordinates[1]; ++k)
+    {
+        double* const exact = arena.take<double>(view.size);
+        float* const single = arena.take<float>(view.size);
+        for (int i = 0; i < view.size; ++i)
+        {
+            exact[i] = (seen[k][view.inputIndex[i]] - frame.center[k]) * frame.scale;
+            single[i] = (float)exact[i];
+        }
+        seenDoubles[k] = exact;
+        seenFloats[k] = single;
+    }
+}
+
+Correspondences ProblemData::imagePoints() const
+{
+    Correspondences points = view;
+    for (int k = 0; k < view.coordinates[1]; ++k)
+    {
+        points.exact[view.coordinates[0] + k] = seenDoubles[k];
+        points.column[view.coordinates[0] + k] = seenFloats[k];
+    }
+    return points;
+}
+
+bool ProblemData::finiteRow(int row) const
+{
+    bool all = true;
+    for (int k = 0; k < view.columns(); ++k)
+        all = all && finite(input[k][row]);
+    return all;
+}
+
+/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. Polishing and
+significance, too, take the first points for a random sample of all. */
+void ProblemData::shuffle(const Params& params, Arena& arena)
+{
+    const int count = view.inputSize;
+    int* const indices = arena.take<int>(count);
+    for (int i = 0; i < count; ++i)
+        indices[i] = i;
+    int size = count;
+    const int columns = view.columns();
+    bool all = true;
+    for (int k = 0; k < columns; ++k)
+        all = all && allFinite(input[k], count);
+    if (!all)
+    {
+        size = 0;
+        for (int i = 0; i < count; ++i)
+            if (finiteRow(i))
+                indices[size++] = i;
+    }
+    Rng rng(0x5c3a9d1e, (uint64)size);
+    for (int i = size - 1; i > 0; --i)
+        std::swap(indices[i], indices[rng.uniform(i + 1)]);
+
+    const int padded = alignSize(std::max(size, 1), 16);
+    for (int k = 0; k < columns; ++k)
+    {
+        double* const shuffled = doubles[k] = arena.take<double>(padded);
+        floats[k] = arena.take<float>(padded);
+        for (int i = 0; i < size; ++i)
+            shuffled[i] = input[k][indices[i]];
+        std::fill(shuffled + size, shuffled + padded, 0.);
+        std::fill(floats[k] + size, floats[k] + padded, 0.f);
+    }
+    float* scores = 0;
+    if (!params.scores.empty() && size > 0)
+    {
+        scores = arena.take<float>(size);
+        const float sign = params.scoreOrder == SCORES_HIGHER_IS_BETTER ? -1.f : 1.f;
+        for (int i = 0; i < size; ++i)
+        {
+            const float score = sign * params.scores[indices[i]];
+            scores[i] = score == score ? score : FLT_MAX;
+        }
+    }
+    view.size = size;
+    view.inputIndex = indices;
+    view.scores = scores;
+}
+
+//! Centers the points and scales them to unit size, as far as Problem::normalization allows.
+void ProblemData::scale(const Params& params, Arena& arena)
+{
+    const int normalization = view.problem->normalization(params.residual),
+              columns = view.columns();
+    const int begin[] = {0, view.coordinates[0], columns};
+    double center[MAX_COLUMNS], deviation[MAX_COLUMNS], low[MAX_COLUMNS], high[MAX_COLUMNS];
+    for (int k = 0; k < columns; ++k)
+        robustFrame(doubles[k], std::min<int>(view.size, SEARCHED), center[k], deviation[k], low[k],
+                    high[k], arena);
+    for (int array = 0; array < 2; ++array)
+    {
+        Frame& frame = view.frame[array] = Frame();
+        if (normalization == SCALE_NONE || (normalization == SCALE_FIRST && array == 1))
+            continue;
+        const int source = view.coordinates[array] ? array : 0;
+        double size = 0;
+        for (int k = begin[source]; k < begin[source + 1]; ++k)
+        {
+            frame.center[k - begin[source]] = center[k];
+            size += deviation[k];
+        }
+        size /= view.coordinates[source];
+        frame.scale = size > 1e-300 ? 1 / size : 1;
+    }
+    if (normalization == SCALE_COMMON)
+        view.frame[0].scale = view.frame[1].scale = std::sqrt(view.frame[0].scale *
+                                                              view.frame[1].scale);
+    for (int k = 0; k < columns; ++k)
+    {
+        const int array = k >= begin[1];
+        const double shift = view.frame[array].center[k - begin[array]],
+                     factor = view.frame[array].scale;
+        scaleColumn(k, shift, factor);
+        const double middle = (center[k] - shift) * factor, reach = FRAME * deviation[k] * factor;
+        view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
+        view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
+    }
+    view.unit = view.frame[1].scale / pixels;
+    view.threshold = std::min(
+        std::max(inputThreshold * params.reach * view.frame[1].scale, SMALLEST_THRESHOLD),
+        LARGEST_THRESHOLD);
+}
+
+void ProblemData::scaleColumn(int k, double shift, double factor)
+{
+    double* const values = doubles[k];
+    float* const single = floats[k];
+    for (int i = 0; i < view.size; ++i)
+    {
+        values[i] = (values[i] - shift) * factor;
+        single[i] = (float)values[i];
+    }
+    view.column[k] = single;
+    view.exact[k] = values;
+}
+
+//! The lower bound is for noise-free data, which may lead to a threshold below the rounding errors;
+//! the upper one for points so far apart that no double holds their spread, whose scale is 0.
+void ProblemData::setThreshold(double threshold)
+{
+    if (threshold == view.threshold)
+        return;
+    setSearchThreshold(std::max(threshold, 1e-6));
+    inputThreshold = std::min(view.threshold / view.frame[1].scale, DBL_MAX);
+    pixelThreshold = std::min(inputThreshold * pixels, DBL_MAX);
+}
+
+void ProblemData::scaleThreshold(double factor)
+{
+    setSearchThreshold(std::max(givenThreshold[0] * factor, std::min(givenThreshold[0], 1e-6)));
+    inputThreshold = givenThreshold[1] * factor;
+    pixelThreshold = givenThreshold[2] * factor;
+}
+
+bool ProblemData::wideThreshold() const
+{
+    const int first = view.coordinates[1] ? view.coordinates[0] : 0;
+    double longest = 0;
+    for (int k = first; k < view.columns(); ++k)
+        longest = std::max(longest, (double)view.upper[k] - view.lower[k]);
+    return maskThreshold() >= WIDE * longest;
+}
+
+int ProblemData::independentInliers(const uchar* mask, Arena& arena) const
+{
+    return usacv20::independentInliers(input, view.coordinates, mask, view.inputSize,
+                                       view.problem->commonUnit() ? inputThreshold : 0,
+                                       inputThreshold, arena);
+}
+
+void ProblemData::tell(const uchar* mask, bool independent, Arena& arena, Report& report) const
+{
+    report.inlierRatio = view.inputSize > 0 ? (double)report.inliers / view.inputSize : 0;
+    report.threshold = threshold();
+    report.wideThreshold = report.stop != STOP_TOO_FEW_POINTS && wideThreshold();
+    if (independent)
+        report.independentInliers = independentInliers(mask, arena);
+}
+
+int ProblemData::mask(const Residual& residual, const Model& model, bool image, uchar* mask,
+                      Arena& arena) const
+{
+    const int count = view.inputSize;
+    Arena::Scope scope(arena);
+    double* const distances = scope.take<double>(count);
+    errors(residual, model, image, distances);
+    int inliers = 0;
+    for (int i = 0; i < count; ++i)
+        inliers += mask[i] = distances[i] <= pixelThreshold;  // false for NaN
+    return inliers;
+}
+
+void ProblemData::errors(const Residual& residual, const Model& model, bool image,
+                         double* errors) const
+{
+    const double* columns[MAX_COLUMNS];
+    std::copy(input, input + view.columns(), columns);
+    if (image)
+        std::copy(seen, seen + view.coordinates[1], columns + view.coordinates[0]);
+    residual.squaredErrors(model, columns, view.inputSize, errors);
+    for (int i = 0; i < view.inputSize; ++i)
+        errors[i] = std::sqrt(errors[i]) * pixels;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,269 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "loop/automatic_threshold.hpp"
+#include "components/sample_counts.hpp"
+#include "loop/factory.hpp"
+#include "scoring/scores.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Effects of halving and doubling each constant: doc/constants.md.
+
+//! Maximum number of points of the guess.
+constexpr int POINTS = 512;
+//! Maximum number of samples of the guess; at most Params::maxIterations.
+constexpr int SAMPLES = 1000;
+//! The guess ends if one of its samples has consisted of inliers of the best model with this
+//! probability.
+constexpr double CONFIDENCE = 0.9;
+//! Number of points that tell the noise of the models of the guess, and of the best one.
+constexpr int FEW = 150, SOME = 300;
+//! Steps of polishing of the best model of the guess.
+constexpr int STEPS = 3;
+//! If the noise is unknown, the threshold is the widest divided by this number.
+constexpr double UNKNOWN = 3;
+//! A core has at least this part of the inliers within wide noise; a model of it is drawn with
+//! probability CORE_FOUND.
+constexpr double CORE = 0.5, CORE_FOUND = 0.8;
+//! The threshold of the search is wider than estimated by this many standard deviations of the
+//! estimate.
+constexpr double DEVIATIONS = 2;
+//! The search continues with another threshold if one of the two is more than SAME times the
+//! other, at most ROUNDS times.
+constexpr double SAME = 1.4;
+constexpr int ROUNDS = 4;
+
+//! Ends the guess, see #CONFIDENCE.
+class NoiseTermination : public Termination
+{
+public:
+    int iterations(const Context& context, const State& state) const CV_OVERRIDE
+    {
+        if (!(state.bestQuality.cost <= DBL_MAX))
+            return INT_MAX;
+        const double widest = context.points.threshold / context.params.reach;
+        const InlierNoise noise = roughNoise(context, state.best, widest, FEW, false);
+        if (!(noise.sigma > 0))
+            return INT_MAX;
+        const int m = context.components.minimalSolver->sampleSize();
+        return samplesNeeded(std::pow(noise.part, m), std::log(1 - CONFIDENCE));
+    }
+};
+
+//! The options of the guess. It draws other samples than the search.
+Params paramsOfGuess(const Params& params)
+{
+    Params result = params;
+    result.seed = (int)((unsigned)params.seed + 1);
+    result.sampler = SAMPLER_UNIFORM;
+    result.verification = VERIFICATION_NONE;
+    result.localOptimization = LOCAL_OPTIMIZATION_NONE;
+    result.runnersUp = 0;
+    result.termination = 0;
+    result.degeneracy = params.degeneracy & ~DEGENERACY_DEGENSAC;
+    result.polishing = POLISHING_ROBUST;
+    result.polishingSteps = STEPS;
+    result.maxIterations = std::min(SAMPLES, params.maxIterations);
+    return result;
+}
+
+}  // namespace
+
+//! Uniform samples of some of the points.
+class ListedSampler : public Sampler
+{
+public:
+    ListedSampler() : indices(0), count(0) {}
+
+    //! Keeps the pointer.
+    void list(const int* indices_, int count_)
+    {
+        indices = indices_;
+        count = count_;
+    }
+
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        state.rng.distinct(count, m, sample);
+        for (int k = 0; k < m; ++k)
+            sample[k] = indices[sample[k]];
+    }
+
+private:
+    const int* indices;
+    int count;
+};
+
+AutomaticThreshold::AutomaticThreshold(const Problem& problem, const Params& given)
+    : params(paramsOfGuess(given)), coreParams(params), parts(createComponents(problem, params)),
+      listed(makePtr<ListedSampler>()), widest(0), latest(), drawn(0), computed(0)
+{
+    parts.score = createLogarithmicScore();
+    coreParts = parts;
+    coreParts.sampler = listed;
+    parts.terminations.push_back(makePtr<NoiseTermination>());
+}
+
+void AutomaticThreshold::begin(const Context& context)
+{
+    for (Components* each : {&parts, &coreParts})
+    {
+        each->residual = context.components.residual;
+        each->minimalSolver = context.components.minimalSolver;
+        each->nonMinimalSolver = context.components.nonMinimalSolver;
+    }
+    widest = context.points.threshold / params.reach;
+    latest = InlierNoise();
+    drawn = computed = 0;
+}
+
+void AutomaticThreshold::setThreshold(ProblemData& data, double threshold) const
+{
+    data.scaleThreshold(threshold / widest);
+}
+
+Model AutomaticThreshold::polished(const Context& context, const Model& model) const
+{
+    Model result = model;
+    if (parts.nonMinimalSolver)
+        parts.polisher->polish(context, result);
+    return result;
+}
+
+double AutomaticThreshold::searchThreshold(const InlierNoise& noise) const
+{
+    const double deviation = 1 / std::sqrt(2. * std::max(noise.beyond, 1));  // of sigma
+    return std::min(noise.threshold * (1 + DEVIATIONS * deviation), widest);
+}
+
+void AutomaticThreshold::account(const State& state)
+{
+    drawn += state.iteration;
+    computed += state.report.models - state.report.rejectedModels;
+}
+
+bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& model)
+{
+    begin(given);
+    Correspondences points = given.points;  // which are in random order
+    points.size = std::min<int>(points.size, POINTS);
+    const Context context(points, parts, params, given.arena, given.watch);
+    parts.start(context);
+    State state;
+    Ransac ransac(context, state);
+    Model initial;
+    if (!params.initialModel.empty() &&
+        given.points.problem->fromOutput(params.initialModel, given.points, initial))
+        ransac.begin(initial);
+    ransac.run();
+    account(state);
+    InlierNoise noise = InlierNoise();
+    if (state.bestQuality.cost <= DBL_MAX)
+        noise = roughNoise(context, state.best, widest, SOME, true);
+    if (!(noise.sigma > 0))
+    {
+        data.scaleThreshold(1 / UNKNOWN);
+        return false;
+    }
+    model = state.best;
+    const bool core = noise.threshold > widest / UNKNOWN && findCore(given, points, noise, model);
+    const double limit = core ? widest / UNKNOWN : widest;
+    setThreshold(data, core ? limit : searchThreshold(noise));
+    points.threshold = given.points.threshold;
+    const Model better = polished(context, model);
+    noise = roughNoise(context, better, limit, SOME, true);
+    if (!(noise.sigma > 0))
+        return true;
+    setThreshold(data, std::min(searchThreshold(noise), limit));
+    model = better;
+    return true;
+}
+
+bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
+                                  const InlierNoise& noise, Model& model)
+{
+    const int m = parts.minimalSolver->sampleSize();
+    Arena::Scope scope(given.arena);
+    int* const inliers = scope.take<int>(points.size);
+    float* const errors = scope.take<float>(points.size);
+    parts.residual->squaredErrors(points, model, 0, points.size, errors);
+    int count = 0;
+    for (int i = 0; i < points.size; ++i)
+    {
+        inliers[count] = i;
+        count += errors[i] <= noise.threshold * noise.threshold;  // false for NaN
+    }
+    if (count <= m)
+        return false;
+    listed->list(inliers, count);
+    coreParams.maxIterations = std::min(params.maxIterations,
+                                        samplesNeeded(std::pow(CORE, m), std::log(1 - CORE_FOUND)));
+    const double narrow = widest / UNKNOWN;
+    points.threshold = narrow * params.reach;
+    const Context context(points, coreParts, coreParams, given.arena, given.watch);
+    State state;
+    Ransac(context, state).run();
+    account(state);
+    if (!(state.bestQuality.cost <= DBL_MAX))
+        return false;
+    const Model core = polished(context, state.best);
+    parts.residual->squaredErrors(points, core, 0, points.size, errors);
+    int within = 0;
+    for (int i = 0; i < points.size; ++i)
+        within += errors[i] <= narrow * narrow;
+    if (within < CORE * count || errorsGoOn(context, core, narrow, SAME))
+        return false;
+    model = core;
+    return true;
+}
+
+void AutomaticThreshold::adapt(const Context& context, ProblemData& data, const State& state,
+                               Ransac& ransac)
+{
+    for (int round = 0; state.bestQuality.cost <= DBL_MAX; ++round)
+    {
+        const double now = context.points.threshold / params.reach;
+        const Model better = polished(context, state.best);
+        latest = preciseNoise(context, better, widest);
+        if (searchThreshold(latest) > SAME * now && !errorsGoOn(context, better, now, SAME))
+        {
+            latest = preciseNoise(context, better, std::min(SAME * now, widest));
+            return;
+        }
+        const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest / UNKNOWN,
+                     ratio = wanted / now;
+        if (std::max(ratio, 1 / ratio) <= SAME || round == ROUNDS ||
+            (context.watch && context.watch->stopped()))
+            return;
+        setThreshold(data, wanted);
+        ransac.forgetSamples();
+        ransac.thresholdChanged();
+        ransac.run();
+    }
+    latest = InlierNoise();
+}
+
+void AutomaticThreshold::look(const Context& context, const Model& model)
+{
+    begin(context);
+    latest = preciseNoise(context, model, widest);
+}
+
+double AutomaticThreshold::settle(ProblemData& data) const
+{
+    if (latest.sigma > 0)
+        setThreshold(data, latest.threshold);
+    else
+        data.scaleThreshold(1 / UNKNOWN);
+    return latest.sigma > 0 ? latest.sigma / latest.threshold * data.threshold() : 0;
+}
+
+}  // namespace usacv20
+}  // namespace cv

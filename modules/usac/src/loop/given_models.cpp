@@ -1,0 +1,235 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "components/streams.hpp"
+#include "loop/given_models.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Effects of halving or doubling each constant: doc/constants.md.
+
+//! SAMPLES: number of samples whose models are compared by their errors. STARTS: least-squares fits
+//! start from so many of these models, the best ones.
+constexpr int SAMPLES = 64, STARTS = 4;
+//! PART: number of points with which the initial models are compared and fitted. STEPS: maximum
+//! number of steps of a fit; fits converge earlier.
+constexpr int PART = 500, STEPS = 100;
+
+//! Converts a list of numbers, one for each point, to CV_64F; empty if none is given.
+Mat readNumbers(InputArray given, int size, const char* name)
+{
+    const Mat list = given.getMat();
+    if (list.empty())
+        return Mat();
+    if ((int)(list.total() * list.channels()) != size)
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("%s: one number for each of the %d points is expected, not %d", name, size,
+                   (int)(list.total() * list.channels())));
+    Mat numbers;
+    (list.isContinuous() ? list : list.clone()).reshape(1, size).convertTo(numbers, CV_64F);
+    return numbers;
+}
+
+const NonMinimalSolver& started(const Context& context, const Ptr<NonMinimalSolver>& imageFit)
+{
+    if (!imageFit)
+        return context.nonMinimalSolver();
+    imageFit->start(context);
+    return *imageFit;
+}
+
+}  // namespace
+
+GivenModels::GivenModels(const Context& context_, ProblemData& data_,
+                         const Ptr<Residual>& imageResidual, const Ptr<NonMinimalSolver>& imageFit)
+    : context(context_), data(data_),
+      residual(imageResidual ? imageResidual : context_.components.residual),
+      asSeen(!imageResidual.empty()), points(asSeen ? data_.imagePoints() : context_.points),
+      solver(started(context_, imageFit)), problem(*context_.points.problem), start(getTickCount()),
+      indices(0), weights(0), count(0)
+{}
+
+Mat GivenModels::fit(InputArray weightOfEach, InputArray chosen, OutputArray mask, Report* report)
+{
+    choose(weightOfEach, chosen);
+    State state;
+    Model best;
+    if (count < context.components.minimalSolver->sampleSize())
+        state.report.stop = STOP_TOO_FEW_POINTS;
+    else
+        state.report.stop = begin(best) && leastSquares(count, best) ? STOP_NO_SEARCH
+                                                                     : STOP_NO_MODEL;
+    state.best = best;
+    return give(state, mask, report);
+}
+
+Mat GivenModels::refine(InputArray model, InputArray chosen, OutputArray mask, Report* report)
+{
+    choose(noArray(), chosen);
+    State state;
+    read(model, &state.best);
+    if (count < context.components.minimalSolver->sampleSize())
+        state.report.stop = STOP_TOO_FEW_POINTS;
+    else
+        state.report.stop = leastSquares(count, state.best) ? STOP_NO_SEARCH : STOP_NO_MODEL;
+    return give(state, mask, report);
+}
+
+Mat GivenModels::errors(InputArray model) const
+{
+    Mat result(points.inputSize, 1, CV_64F);
+    data.errors(*residual, read(model, 0), asSeen, result.ptr<double>());
+    return result;
+}
+
+Model GivenModels::read(InputArray given, Model* forSearch) const
+{
+    const Mat matrix = given.getMat();
+    Mat numbers;
+    if (matrix.dims <= 2 && matrix.channels() == 1)
+        matrix.convertTo(numbers, CV_64F);
+    Model searched, model;
+    const bool usable = !numbers.empty() && checkRange(numbers) &&
+                        problem.fromOutput(
+                            std::vector<double>(numbers.begin<double>(), numbers.end<double>()),
+                            context.points, searched);
+    if (!usable || !problem.toInput(searched, context.points, model) ||
+        problem.toOutput(model).size() != numbers.size())
+        CV_Error_(Error::StsBadArg, ("model: %d x %d numbers, which are no model of the problem %s",
+                                     matrix.rows, matrix.cols, problem.name().c_str()));
+    if (forSearch)
+        *forSearch = searched;
+    return modelOfMask(problem, numbers, model);
+}
+
+void GivenModels::choose(InputArray weightOfEach, InputArray chosen)
+{
+    const int rows = points.inputSize, size = points.size;
+    const Mat given = readNumbers(weightOfEach, rows, "weights"),
+              part = readNumbers(chosen, rows, "chosen");
+    for (int i = 0; i < given.rows; ++i)
+        if (!(given.at<double>(i) >= 0 && given.at<double>(i) <= DBL_MAX))
+            CV_Error_(Error::StsOutOfRange,
+                      ("weights: finite numbers of at least 0 are expected, not %g",
+                       given.at<double>(i)));
+    indices = context.arena.take<int>(size);
+    weights = given.empty() ? 0 : context.arena.take<double>(size);
+    for (int i = 0; i < size; ++i)
+    {
+        const int row = points.inputIndex[i];
+        const double weight = given.empty() ? 1 : given.at<double>(row);
+        if (!(weight > 0) || (!part.empty() && part.at<double>(row) == 0))
+            continue;
+        indices[count] = i;
+        if (weights)
+            weights[count] = weight;
+        ++count;
+    }
+}
+
+double GivenModels::lossOf(PointSubset& part, const Model& model) const
+{
+    const double* const errors = part.squaredErrors(*residual, model);
+    double sum = 0;
+    for (int k = 0; k < part.size(); ++k)
+        sum += weights ? weights[k] * errors[k] : errors[k];
+    return sum <= DBL_MAX ? sum : DBL_MAX;  // DBL_MAX also for NaN
+}
+
+bool GivenModels::leastSquares(int size, Model& model) const
+{
+    const int m = context.components.minimalSolver->sampleSize();
+    return solver.fit(points, indices, size, weights, model, STEPS) ||
+           size == m;  // the minimal sample already determines the model
+}
+
+bool GivenModels::begin(Model& model) const
+{
+    const MinimalSolver& minimal = *context.components.minimalSolver;
+    const int m = minimal.sampleSize(), size = std::min(count, PART);
+    Arena::Scope scope(context.arena);
+    PointSubset part(points, size, scope);
+    for (int k = 0; k < size; ++k)
+        part.add(indices[k]);
+    Model starts[STARTS];
+    double losses[STARTS];
+    std::fill(losses, losses + STARTS, DBL_MAX);
+    for (int i = 0; i < (count > m ? SAMPLES : 1); ++i)
+    {
+        Rng rng(context.params.seed, streamOf(STREAM_FIT, i));
+        int sample[MAX_SAMPLE_SIZE];
+        rng.distinct(count, m, sample);
+        for (int k = 0; k < m; ++k)
+            sample[k] = indices[sample[k]];
+        Model models[MAX_MODELS];
+        const int found = minimal.solve(context.points, sample, models);
+        for (int k = 0; k < found; ++k)
+        {
+            const double loss = lossOf(part, models[k]);
+            int place = STARTS;
+            for (; place > 0 && loss < losses[place - 1]; --place)
+                if (place < STARTS)
+                {
+                    losses[place] = losses[place - 1];
+                    starts[place] = starts[place - 1];
+                }
+            if (place < STARTS)
+            {
+                losses[place] = loss;
+                starts[place] = models[k];
+            }
+        }
+    }
+    double least = DBL_MAX;
+    for (int i = 0; i < STARTS && losses[i] < DBL_MAX; ++i)
+    {
+        if (!leastSquares(size, starts[i]))
+            continue;
+        const double loss = lossOf(part, starts[i]);
+        if (!(loss < least))
+            continue;
+        least = loss;
+        model = starts[i];
+    }
+    return least < DBL_MAX;
+}
+
+Mat GivenModels::give(State& state, OutputArray mask, Report* report)
+{
+    Report& learned = state.report;
+    const int rows = points.inputSize;
+    uchar* const inliers = context.arena.take<uchar>(rows);
+    std::fill(inliers, inliers + rows, (uchar)0);
+    Mat result;
+    Model model;
+    const bool found = learned.stop == STOP_NO_SEARCH;
+    if (found)
+    {
+        state.best = problem.closest(state.best);
+        data.setThreshold(context.components.score->threshold(context, state.best));
+    }
+    if (found && problem.toInput(state.best, context.points, model))
+    {
+        result = problem.toOutput(model);
+        learned.inliers = data.mask(*residual, modelOfMask(problem, result, model), asSeen, inliers,
+                                    context.arena);
+        learned.cost = context.rate(state.best).cost / std::max(points.size, 1);
+    }
+    else if (found)
+        learned.stop = STOP_NO_MODEL;
+    if (mask.needed())
+        Mat(rows, 1, CV_8U, inliers).copyTo(mask);
+    data.tell(inliers, report && !result.empty(), context.arena, learned);
+    learned.polishMs = (getTickCount() - start) / getTickFrequency() * 1e3;
+    if (report)
+        *report = learned;
+    return result;
+}
+
+}  // namespace usacv20
+}  // namespace cv

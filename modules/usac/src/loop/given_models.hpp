@@ -1,0 +1,61 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_GIVEN_MODELS_HPP
+#define OPENCV_USACV20_GIVEN_MODELS_HPP
+
+#include "components/point_subset.hpp"
+#include "input/problem_data.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** @brief Implements Usac::fit, refine and errors, which need no search: least squares over given
+points, errors under a given model. */
+class GivenModels
+{
+public:
+    /** @param context points, components (already started) and options
+    @param data the points
+    @param imageResidual result of Problem::createImageResidual; empty: none */
+    GivenModels(const Context& context, ProblemData& data, const Ptr<Residual>& imageResidual,
+                const Ptr<NonMinimalSolver>& imageFit);
+
+    Mat fit(InputArray weights, InputArray chosen, OutputArray mask, Report* report);
+    Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report);
+    Mat errors(InputArray model) const;
+
+    //! Converts a model of the caller to the coordinates of the mask.
+    //! @param forSearch output, the same model in the coordinates of the search; may be null
+    Model read(InputArray given, Model* forSearch) const;
+    //! Returns State::best like Usac::run if Report::stop is #STOP_NO_SEARCH, else no model.
+    Mat give(State& state, OutputArray mask, Report* report);
+
+private:
+    //! Reads which points are used, and their weights.
+    void choose(InputArray weights, InputArray chosen);
+    //! Finds an initial model: the best models of some samples are fitted to a subset of the
+    //! points, and the fit with the lowest loss is taken. @return false if there is none
+    bool begin(Model& model) const;
+    //! The sum of (weighted) squared errors over the points of `part`.
+    double lossOf(PointSubset& part, const Model& model) const;
+    bool leastSquares(int size, Model& model) const;
+
+    const Context& context;
+    ProblemData& data;
+    const Ptr<Residual> residual;  //!< the one that the mask uses
+    const bool asSeen;             //!< true if `residual` is for the original image points
+    const Correspondences points;  //!< in the coordinates of `residual`
+    const NonMinimalSolver& solver;
+    const Problem& problem;
+    const int64 start;
+    int* indices;     //!< of the points that are used
+    double* weights;  //!< of these points; null: all 1
+    int count;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

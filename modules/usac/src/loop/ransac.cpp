@@ -1,0 +1,482 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "components/check_components.hpp"
+#include "components/known_order.hpp"
+#include "components/streams.hpp"
+#include "loop/ransac.hpp"
+#include "scoring/scores.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Effects of halving or doubling each constant: doc/constants.md.
+
+//! Samples in the largest batch: enough work for several threads.
+constexpr int LARGEST_BATCH = 256;
+/** Samples in the first batch, half as many if they are expensive, as for E: all models of this
+batch except the best are optimized late. */
+constexpr int FIRST_BATCH = 8;
+//! A sample is expensive if SampleCost::time is above this many point tests: for E (1500), but not
+//! for F (300).
+constexpr int EXPENSIVE = 1000;
+//! Batches with less work than this, in point tests (a tenth of a millisecond), are not distributed
+//! over threads. The result does not depend on it.
+constexpr double PARALLEL_WORK = 44800;
+
+//! A model may become a runner-up if its gain (reduction of the cost relative to no model at all)
+//! is at least this fraction of the gain of the best model.
+constexpr double WORTHWHILE = 0.6;
+//! A runner-up is optimized if more than this fraction of its inliers are points that the best
+//! model does not explain.
+constexpr double DIFFERENT = 0.1;
+
+Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
+{
+    Degeneracy** const result = arena.take<Degeneracy*>(checks.size());
+    for (size_t d = 0; d < checks.size(); ++d)
+        result[d] = checks[d].get();
+    return result;
+}
+
+int samplesAhead(const MinimalSolver& solver)
+{
+    return std::min(std::max(solver.together(), 1), (int)MinimalSolver::MAX_TOGETHER);
+}
+
+}  // namespace
+
+Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
+    : context(context_), parts(context_.components), state(state_),
+      m(parts.minimalSolver->sampleSize()), checks(pointersTo(parts.degeneracies, context_.arena)),
+      checkCount((int)parts.degeneracies.size()),
+      samples(context_.arena.take<Sample>(LARGEST_BATCH)),
+      counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0),
+      hypotheses(0),
+      runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
+      alternatives(!runnersUp.none() && orderIsKnown(context_), context_.arena),
+      sampled(false), forgotten(0), unexplainedSamples(0), rivals(0),
+      threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
+                            LARGEST_BATCH)),
+      sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
+      firstOfBatch(0), ahead(samplesAhead(*parts.minimalSolver)),
+      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), ending(STOP_STANDARD), anyModel(false),
+      localTicks(0), checkSamples(checkSamples_)
+{}
+
+// Numbers in comments are lines of Algorithm 1: 4 to 6 in solve(), 7 to 14 in hypothesize(), 15 to
+// 27 in improve().
+bool Ransac::run(int pause)
+{
+    const int64 start = getTickCount();
+    const double localBefore = state.report.localMs;
+    int repeatedBefore = state.repeatedSamples;
+    bool ended = true;
+    if (parts.verifier)
+        parts.verifier->adapt(context, state);
+    while (!terminate() || lookBeside())  // 2
+    {
+        ended = state.iteration < pause;
+        if (!ended)
+            break;
+        if (adaptTerminations())
+            continue;
+        drawBatch();  // 3
+        const bool first = state.iteration == 0;
+        const bool together = threads > 1 &&
+                              size * context.points.problem->sampleCost().time >= PARALLEL_WORK;
+        reserve(together ? LARGEST_BATCH : ahead, together ? threads : 1);
+        if (together)
+            hypothesizeBatch();
+        Candidate best;
+        bool found = false;
+        for (int i = 0; i < size && !terminate(); ++i)
+        {
+            const Hypotheses& h = together ? batch[i] : hypothesizeNext(i);
+            ++state.iteration;
+            state.counts = counts[i] != 0;
+            account(h);
+            for (int k = 0; k < h.count; ++k)  // 7
+            {
+                const Candidate candidate(samples[i], h.models[k], h.qualities[k]);
+                if (!candidate.quality.betterThan(state.sampleQuality))  // 13
+                {
+                    addRunnerUp(candidate);
+                    ++state.report.droppedModels;
+                    continue;
+                }
+                const Quality before = state.sampleQuality;
+                state.sampleQuality = candidate.quality;
+                if (!first)
+                    improve(candidate, before);
+                else if (found)
+                    addRunnerUp(best);
+                best = candidate;
+                found = true;
+            }
+        }
+        if (first && found)
+            improve(best, Quality());
+        const int tests = state.tests.size();
+        const bool repeated = state.repeatedSamples != repeatedBefore;
+        repeatedBefore = state.repeatedSamples;
+        if (parts.verifier)
+            parts.verifier->adapt(context, state);
+        if (state.tests.size() != tests || repeated)
+            updateTermination();
+    }
+    if (ended && !stopped())
+        chooseByOrder();
+    state.report.stop = ending;
+    state.report.localMs = localTicks / getTickFrequency() * 1e3;
+    state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 -
+                             (state.report.localMs - localBefore);
+    return ended;
+}
+
+//! State::sampleQuality, which models of samples have to beat, is not set: hardly any of them has
+//! as good a score as an optimized model, and the initial model may be that of another motion.
+void Ransac::begin(const Model& initial)
+{
+    Model model = initial;
+    Quality quality = context.rate(model);
+    state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT));
+    if (!(quality.cost < context.points.size) || !recover(0, model, quality))
+        return;
+    if (parts.localOptimizer)
+        optimize(0, model, quality);
+    if (quality.betterThan(state.bestQuality))
+        setBest(model, quality, 0);
+}
+
+void Ransac::thresholdChanged()
+{
+    runnersUp.clear();
+    alternatives.clear();
+    state.sampleQuality = Quality();
+    Quality quality = context.rate(state.best);
+    const bool valid = recover(0, state.best, quality);
+    state.bestQuality = valid ? quality : Quality();  // else the search goes on without a model
+    const Sample sample = sampleOfBest;
+    if (valid && parts.localOptimizer)
+    {
+        state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
+        optimize(sampled ? &sample : 0, state.best, state.bestQuality);
+    }
+    setBest(state.best, state.bestQuality, sampled ? &sample : 0);
+}
+
+void Ransac::forgetSamples()
+{
+    forgotten = state.iteration;
+    state.countedSamples = state.repeatedSamples = 0;
+    state.tests.resize(0);
+    if (parts.verifier)
+        parts.verifier->start(context);
+    for (size_t t = 0; t < parts.terminations.size(); ++t)
+        parts.terminations[t]->start(context);
+    explored = Model();
+}
+
+//! Batches grow, so that easy problems draw few superfluous samples and hard ones use all threads.
+void Ransac::drawBatch()
+{
+    const int left = context.params.maxIterations - state.iteration;
+    const bool expensive = context.points.problem->sampleCost().time > EXPENSIVE;
+    const int before = size;
+    const int wanted = size == 0 ? (expensive ? FIRST_BATCH / 2 : FIRST_BATCH)
+                                 : std::min<int>(2 * size, LARGEST_BATCH);
+    size = std::min(wanted, left);
+    for (int i = before; i < size; ++i)
+        new (samples + i) Sample();
+    firstOfBatch = state.iteration;
+    for (int i = 0; i < size; ++i, ++state.iteration)
+    {
+        state.rng = Rng(context.params.seed, state.iteration);
+        state.counts = true;
+        parts.sampler->sample(context, state, samples[i].val);
+        if (checkSamples)
+            checkSample(samples[i].val, m, context.points.size);
+        counts[i] = state.counts;
+        if (stop(1) && i + 1 < size)
+            size = i + 1;
+    }
+    state.iteration = firstOfBatch;
+}
+
+void Ransac::reserve(int wanted, int rows)
+{
+    if (hypotheses >= wanted)
+        return;
+    hypotheses = wanted;
+    batch = context.arena.take<Hypotheses>(wanted);
+    for (int i = 0; i < wanted; ++i)
+        new (batch + i) Hypotheses;
+    if (parts.score->wholeModel())
+        errorRows = context.arena.take<float>((size_t)rows * context.points.size);
+}
+
+//! Called by several threads at the same time: writes only to its own `h`.
+void Ransac::solve(const Sample* drawn, int count, Hypotheses* h) const
+{
+    const int* valid[MinimalSolver::MAX_TOGETHER];
+    Model* models[MinimalSolver::MAX_TOGETHER];
+    int found[MinimalSolver::MAX_TOGETHER], solved = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        const int* const sample = drawn[i].val;
+        h[i].repeated = false;
+        h[i].rejectedSample = !validSample(sample);  // 4
+        for (int d = 0; d < checkCount && h[i].rejectedSample && !h[i].repeated; ++d)
+            h[i].repeated = checks[d]->mayBeGood(context, sample);
+        if (h[i].rejectedSample)
+            continue;  // 5
+        valid[solved] = sample;
+        models[solved++] = h[i].models;
+    }
+    if (solved > 0)
+        parts.minimalSolver->solveMany(context.points, valid, solved, models, found);  // 6
+    for (int i = 0, k = 0; i < count; ++i)
+        h[i].computed = h[i].rejectedSample ? 0 : found[k++];
+}
+
+//! Called by several threads at the same time: writes only to its own `h` and `row`.
+void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
+{
+    const int* sample = samples[index].val;
+    h.count = h.rejected = h.refused = h.dropped = h.firstInliers = h.firstTested = h.stopped = 0;
+    if (h.rejectedSample)
+        return;
+    checkModels(h.models, h.computed);
+    Rng rotation(context.params.seed, streamOf(STREAM_ROTATION, firstOfBatch + index));
+    for (int k = 0; k < h.computed; ++k)  // 7
+    {
+        const Model& model = h.models[k];
+        if (!validModel(sample, model))  // 8
+        {
+            ++h.rejected;
+            continue;  // 9
+        }
+        const int start = rotation.uniform(context.points.size) & ~15;
+        int inliers = 0, tested = 0;
+        const bool passed = !parts.verifier || parts.verifier->preTest(context, model, rotation,
+                                                                       inliers, tested);  // 10
+        h.firstInliers += inliers;
+        h.firstTested += tested;
+        if (!passed)
+        {
+            ++h.refused;
+            continue;  // 11
+        }
+        const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start,
+                                   row);  // 10, 12
+        if (tested == 0)  // otherwise only models that have passed preTest() would be counted
+        {
+            h.firstInliers += rating.firstInliers;
+            h.firstTested += rating.firstTested;
+        }
+        if (rating.complete)  // 13
+        {
+            h.models[h.count] = model;  // models that are kept move to the front
+            h.qualities[h.count++] = rating.quality;
+        }
+        else if (rating.refused)
+            h.costs[h.stopped++] = rating.costBefore;  // 11
+        else
+            ++h.dropped;
+    }
+}
+
+const Hypotheses& Ransac::hypothesizeNext(int index)
+{
+    if (index % ahead == 0)
+        solve(samples + index, std::min(ahead, size - index), batch);
+    Hypotheses& h = batch[index % ahead];
+    hypothesize(index, h, errorRows);
+    return h;
+}
+
+bool Ransac::validSample(const int* sample) const
+{
+    bool valid = true;
+    for (int d = 0; valid && d < checkCount; ++d)
+        valid = checks[d]->validSample(context, sample);
+    return valid;
+}
+
+bool Ransac::validModel(const int* sample, const Model& model) const
+{
+    bool valid = true;
+    for (int d = 0; valid && d < checkCount; ++d)
+        valid = checks[d]->validModel(context, sample, model);
+    return valid;
+}
+
+/* Processes a model that is better than the models of all previous samples, or a runner-up. The
+paper compares with the optimized best model instead; but a good model of a noisy sample is often
+worse than an optimized bad one, and would never be optimized. `before` is the quality that models
+had to beat before this one; it applies again if a check rejects this model or makes it worse than
+that. */
+void Ransac::improve(const Candidate& candidate, const Quality& before)
+{
+    Model model = candidate.model;
+    Quality quality = candidate.quality;
+    state.rng = Rng(context.params.seed, streamOf(STREAM_REFINEMENT, state.iteration));
+    const bool valid = recover(candidate.sample.val, model, quality);  // 14
+    if (!valid || candidate.quality.betterThan(quality))
+        state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
+    if (!valid)
+        return;  // 15, 16
+    if (parts.localOptimizer && !stopped())
+        optimize(&candidate.sample, model, quality);  // 19 - 24
+    if (quality.betterThan(state.bestQuality))        // 18
+        setBest(model, quality, &candidate.sample);
+}
+
+void Ransac::setBest(const Model& model, const Quality& quality, const Sample* sample)
+{
+    sampled = sample != 0;
+    if (sampled)
+        sampleOfBest = *sample;
+    state.best = model;  // 25
+    offer(model, quality, sample);
+    state.bestQuality = quality;
+    state.successProbability = 1;
+    for (int d = 0; d < checkCount && quality.cost <= DBL_MAX; ++d)
+        state.successProbability *= checks[d]->successProbability(context, state, model);
+    if (!runnersUp.none())
+        runnersUp.setBest(InlierBits(context, model, EXPLAINED));
+    updateTermination();  // 26
+}
+
+double Ransac::uselessCost() const
+{
+    const double best = state.sampleQuality.cost, points = context.points.size;
+    return runnersUp.none() ? best : std::max(best, points - WORTHWHILE * (points - best));
+}
+
+void Ransac::addRunnerUp(const Candidate& candidate)
+{
+    if (!runnersUp.none() && candidate.quality.cost < uselessCost())
+        runnersUp.add(candidate, InlierBits(context, candidate.model));
+}
+
+bool Ransac::lookBeside()
+{
+    if (stopped())
+        return false;
+    improveRunnersUp();
+    if (terminate() && searchUnexplained())
+        improveRunnersUp();
+    return !terminate();
+}
+
+void Ransac::improveRunnersUp()
+{
+    rivals = runnersUp.mostUnexplained();
+    const RunnerUp* taken;
+    const int count = runnersUp.take(taken);
+    for (int i = 0; i < count && !stop(sampleWork); ++i)
+        if (worthOptimizing(taken[i]))
+            improve(taken[i].candidate, state.sampleQuality);
+}
+
+void Ransac::offer(const Model& model, const Quality& quality, const Sample* sample)
+{
+    if (alternatives.active() && quality.cost <= DBL_MAX)
+        alternatives.offer(context, Candidate(sample ? *sample : Sample(), model, quality),
+                           sample != 0);
+}
+
+void Ransac::chooseByOrder()
+{
+    if (!alternatives.active())
+        return;
+    const Alternative* const chosen = alternatives.chosen(context, state.bestFirst(context));
+    if (!chosen)
+        return;
+    const Candidate candidate = chosen->candidate;
+    Model model = candidate.model;
+    Quality quality = candidate.quality;
+    if (recover(0, model, quality))
+        setBest(model, quality, chosen->sampled ? &candidate.sample : 0);
+}
+
+//! A model with the same inliers as the best one leads to the same optimum, unless the problem is
+//! ambiguous (Problem::ambiguous).
+bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
+{
+    const int unexplained = runnerUp.inliers.without(runnersUp.best());
+    if (unexplained < rivalInliers() && runnerUp.candidate.quality.cost >= uselessCost())
+        return false;
+    return context.points.problem->ambiguous() ||
+           unexplained > DIFFERENT * runnerUp.inliers.count();
+}
+
+//! Lines 19 to 24; repeated if the optimized model was degenerate and was replaced by a better one.
+void Ransac::optimize(const Sample* sample, Model& model, Quality& quality)
+{
+    const int64 start = getTickCount();
+    for (bool again = true; again;)
+    {
+        Model optimized = model;
+        Quality optimizedQuality = quality;
+        ++state.report.localOptimizations;
+        if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))  // 19
+            break;
+        if (!optimizedQuality.betterThan(state.bestQuality))
+            offer(optimized, optimizedQuality, sample);
+        const Quality before = optimizedQuality;
+        if (!optimizedQuality.betterThan(state.bestQuality) ||
+            !recover(0, optimized, optimizedQuality) ||  // 20, 21
+            !optimizedQuality.betterThan(quality))       // 22, 23
+            break;
+        ++state.report.localImprovements;
+        model = optimized;  // 24
+        quality = optimizedQuality;
+        again = optimizedQuality.betterThan(before);
+    }
+    localTicks += (double)(getTickCount() - start);
+}
+
+bool Ransac::recover(const int* sample, Model& model, Quality& quality)
+{
+    for (int d = 0; d < checkCount; ++d)
+        if (!checks[d]->recover(context, state, sample, model, quality))
+            return false;
+    for (int d = 0; d < checkCount; ++d)
+        checks[d]->discount(context, model, quality);
+    return true;
+}
+
+void Ransac::account(const Hypotheses& h)
+{
+    Report& report = state.report;
+    state.repeatedSamples += state.counts && h.repeated;
+    state.counts = state.counts && !h.repeated;
+    state.countedSamples += state.counts;
+    if (parts.verifier)
+        parts.verifier->sampleTested(state, h.firstInliers, h.firstTested);
+    report.rejectedSamples += h.rejectedSample;
+    if (h.rejectedSample)
+        return;
+    report.degenerateSamples += h.computed == 0;
+    report.models += h.computed;
+    anyModel = anyModel || h.computed > 0;
+    report.rejectedModels += h.rejected;
+    report.refusedModels += h.refused;
+    report.droppedModels += h.dropped;
+    // The best model may have changed since a thread scored these models: decide again whether the
+    // verifier or the cost excluded them first.
+    for (int k = 0; k < h.stopped; ++k)
+        ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,167 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_RANSAC_HPP
+#define OPENCV_USACV20_RANSAC_HPP
+
+#include "local_optimization/alternatives.hpp"
+#include "local_optimization/runners_up.hpp"
+#include "control/watch.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! The models of one sample that, when they were scored, were good enough to become the best model
+//! or a runner-up (lines 4 to 14 of Algorithm 1).
+struct Hypotheses
+{
+    int count;
+    Model models[MAX_MODELS];
+    Quality qualities[MAX_MODELS];
+    bool rejectedSample;  //!< a degeneracy check has rejected the sample
+    bool repeated;        //!< rejected, but may consist of inliers, one of them twice
+    //! Numbers of models, for the report: all; excluded by a check, by Verifier::preTest, by cost.
+    int computed, rejected, refused, dropped;
+    //! Inliers and points in the blocks that the models were tested with first, for the verifier.
+    int firstInliers, firstTested;
+    int stopped;               //!< number of models that the verifier rejected during scoring
+    double costs[MAX_MODELS];  //!< costs of these models before their last block of points
+};
+
+/** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
+
+Samples are drawn in batches. Their models are computed and scored sequentially or by several
+threads, and in either case evaluated in the order of the samples. Everything that affects the
+result (samples, verification, the best model at the time of evaluation) is the same in both cases,
+so the result is bit-identical for any number of threads. Of the first batch, only the best model is
+optimized, because the first models are soon beaten @cite lebeda2012fixing. When the search is about
+to end, the runners-up (Params::runnersUp) are optimized, too, as are models of samples of the
+points that the best model does not explain; if one of them becomes the best model, the termination
+criteria are evaluated again. */
+class Ransac
+{
+public:
+    //! `checkSamples`: check the samples, because the sampler is not a built-in one.
+    Ransac(const Context& context, State& state, bool checkSamples = false);
+
+    //! Called before run(): scores and optimizes a model, like one of a sample.
+    void begin(const Model& initial);
+    /** Fills State::best; its quality stays infinite if no model was found. Searches until a
+    criterion ends the search, or until `pause` samples have been drawn. @return false in the latter
+    case; another call continues the search. */
+    bool run(int pause = INT_MAX);
+    //! Called when the threshold has changed: scores and optimizes the best model anew, and forgets
+    //! the scores of other models. If a check rejects the model now, there is no best model until
+    //! run() finds one.
+    void thresholdChanged();
+    //! To be called before thresholdChanged() if the samples so far do not count for the
+    //! confidence, as their models were tested with another threshold: the verifier and the
+    //! criteria begin anew.
+    void forgetSamples();
+    //! The sample that led to State::best; null if it did not come from a sample.
+    const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
+
+private:
+    bool terminate();
+    //! True if the run must end now. @param work done since the last call, see Watch
+    bool stop(double work) const { return context.watch && context.watch->stop(work); }
+    bool stopped() const { return context.watch && context.watch->stopped(); }
+    void drawBatch();
+    //! Computes the models of `count` samples, at most MinimalSolver::MAX_TOGETHER, and writes them
+    //! to `h`.
+    void solve(const Sample* drawn, int count, Hypotheses* h) const;
+    //! Scores the models in `h`. @param index index of the sample in the batch
+    //! @param row memory for errors, see rate()
+    void hypothesize(int index, Hypotheses& h, float* row) const;
+    //! solve() and hypothesize() for one sample after the other.
+    const Hypotheses& hypothesizeNext(int index);
+    //! solve() and hypothesize() for all samples of the batch, by several threads.
+    void hypothesizeBatch();
+    void hypothesizePart(int first, int count);
+    //! Allocates memory for the hypotheses of `wanted` samples and for `rows` rows of errors.
+    void reserve(int wanted, int rows);
+    //! A model of a sample with this cost or more becomes neither the best model nor a runner-up.
+    double uselessCost() const;
+    void improve(const Candidate& candidate, const Quality& before);
+    //! `sample`: the sample of the model; null: none
+    void setBest(const Model& model, const Quality& quality, const Sample* sample);
+    void addRunnerUp(const Candidate& candidate);
+    //! Called when the search is about to end: looks for other models. @return false if it ends
+    bool lookBeside();
+    void improveRunnersUp();
+    //! With a known order: replaces the best model by one of `alternatives`, if any is preferred.
+    void chooseByOrder();
+    bool worthOptimizing(const RunnerUp& runnerUp) const;
+    /** The best model explains the points whose errors are at most this many
+    Context::inlierThreshold: with wide noise, some of its correct matches lie beyond the threshold.
+    See doc/constants.md. */
+    static constexpr double EXPLAINED = 1.5;
+    //! Draws samples of the points that the best model does not explain; see
+    //! ransac_unexplained.cpp. @return false if none was drawn
+    bool searchUnexplained();
+    int unexplainedPoints(int* indices) const;
+    //! Draws few samples, and more only if there is evidence of a rival (a second model that
+    //! explains other points). @param drawn samples before this search
+    void sampleForRivals(const int* indices, int count, double wanted, int drawn);
+    void sampleUnexplained(const int* indices, int count, int most);
+    //! @param index State::iteration of the sample
+    Sample drawUnexplained(const int* indices, int count, int index) const;
+    //! Minimum number of inliers of a rival, among the points of InlierBits, that the best model
+    //! does not explain.
+    double rivalInliers() const;
+    //! @return false if the model is not a rival
+    bool addRival(const Sample& sample, const Model& model);
+    //! Results of the degeneracy checks.
+    bool validSample(const int* sample) const;
+    bool validModel(const int* sample, const Model& model) const;
+    //! @param sample the sample that led to the model; null: none
+    void optimize(const Sample* sample, Model& model, Quality& quality);
+    void offer(const Model& model, const Quality& quality, const Sample* sample);
+    bool recover(const int* sample, Model& model, Quality& quality);
+    void account(const Hypotheses& hypotheses);
+    void updateTermination();
+    //! Calls Termination::adapt of all criteria. @return true if the required number of samples may
+    //! have changed
+    bool adaptTerminations();
+    int samplesThatCount() const;
+    void require(double wanted, bool all, int reason);
+
+    const Context& context;
+    const Components& parts;
+    State& state;
+    const int m;                //!< sample size
+    Degeneracy* const* checks;  //!< Components::degeneracies
+    const int checkCount;       //!< number of `checks`
+    Sample* samples;            //!< of the batch
+    uchar* counts;              //!< State::counts of each
+    Hypotheses* batch;          //!< their models, or those of `ahead` samples at a time
+    float* errorRows;  //!< one for each thread that scores models; null: not needed by the score
+    int size;          //!< number of samples in the batch
+    int hypotheses;    //!< room in `batch`
+    RunnersUp runnersUp;
+    Alternatives alternatives;
+    Sample sampleOfBest;
+    bool sampled;
+    int forgotten;           //!< number of samples that do not count, see forgetSamples()
+    Model explored;          //!< the best model whose unexplained points were searched last
+    int unexplainedSamples;  //!< number of samples of unexplained points so far
+    int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
+    const int threads;
+    const double sampleWork;  //!< time for a sample and its models, at most, in point tests
+    int firstOfBatch;         //!< index of its first sample
+    const int ahead;          //!< number of samples that are solved at once
+    const int exhaustive;
+    //! The run can stop after `required` samples that count, see samplesThatCount(), or after
+    //! `requiredOfAll` samples of any kind; each with the StopReason of the criterion.
+    int required, requiredReason, requiredOfAll, reasonOfAll;
+    int ending;     //!< StopReason of the last time that terminate() was true
+    bool anyModel;  //!< a sample has led to a model
+    double localTicks;
+    const bool checkSamples;
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

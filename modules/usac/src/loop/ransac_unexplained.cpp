@@ -1,0 +1,174 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "components/check_components.hpp"
+#include "components/sample_counts.hpp"
+#include "components/streams.hpp"
+#include "loop/ransac.hpp"
+
+/* Draws samples of the points that the best model does not explain, when the search is about to
+end.
+
+Wrong matches may be consistent with each other: matches of repeated windows have a common shift, a
+moving object has its own motion. Their model may have enough inliers to end the search before the
+model of the correct matches is found. That takes a good sample, and many all-inlier samples are not
+good: with noise, half of those of H and most of those of F and E yield models that SPRT rejects.
+But if two models share few of their inliers, the points that one does not explain are mostly
+inliers of the other, and samples of these points are far more often all-inlier: with 45 % inliers
+of one model and 35 % of another, (45 / 65)^7 = 8 % of the samples of seven points, instead of
+(45 / 100)^7 = 0.4 % among all points.
+
+A few such samples are always drawn. If the model of one of them, or a runner-up, has inliers that
+the best model does not explain, at least RIVAL times as many as the best model has inliers, there
+may be a rival: a second model of about the same support. Then enough samples are drawn to find,
+with the promised confidence, a model with as many inliers as the best one that shares few of them;
+at most a third of the number drawn so far. If ConfirmedOrderTermination has ended the search, the
+order that it trusts may be that of a group of wrong matches; then it sets the number of samples.
+All these samples are iterations, but not among State::countedSamples.
+*/
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+// Effects of halving or doubling each constant: doc/constants.md.
+
+//! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of those drawn so
+//! far, or LEAST_SAMPLES if this is more.
+constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
+//! With evidence of a rival, the number of samples is at most 1 / MOST_PART of those drawn so far.
+constexpr int MOST_PART = 3;
+//! A rival has at least this many inliers that the best model does not explain, as a fraction of
+//! the inliers of the best model. Models of random wrong matches have up to 0.06, those of matches
+//! of a cluster up to 0.15.
+constexpr double RIVAL = 0.1;
+//! The number of samples is computed for a rival with as many inliers as the best model, of which
+//! the best model does not explain this fraction.
+constexpr double FOR_ITSELF = 2. / 3;
+
+}  // namespace
+
+int Ransac::unexplainedPoints(int* indices) const
+{
+    const Correspondences& p = context.points;
+    Arena::Scope scope(context.arena);
+    float* const errors = scope.take<float>(p.size);
+    parts.residual->squaredErrors(p, state.best, 0, p.size, errors);
+    const double width = EXPLAINED * context.inlierThreshold();
+    const float limit = (float)(width * width);
+    int count = 0;
+    for (int i = 0; i < p.size; ++i)
+    {
+        indices[count] = i;
+        count += !(errors[i] <= limit);  // NaN counts as unexplained
+    }
+    return count;
+}
+
+double Ransac::rivalInliers() const
+{
+    const double looked = std::min<int>(context.points.size, InlierBits::MOST);
+    return RIVAL * state.bestQuality.inliers * looked / context.points.size;
+}
+
+bool Ransac::searchUnexplained()
+{
+    const int drawn = state.iteration;
+    if (runnersUp.none() || explored == state.best || state.bestQuality.inliers <= m ||
+        drawn >= context.params.maxIterations)
+        return false;
+    explored = state.best;
+    const double wanted = FOR_ITSELF * state.bestQuality.inliers;
+    if (ending != STOP_ORDER && wanted > context.points.size - state.bestQuality.inliers)
+        return false;
+    Arena::Scope scope(context.arena);
+    int* const indices = scope.take<int>(context.points.size);
+    const int count = unexplainedPoints(indices);
+    if (count <= m)
+        return false;
+    if (ending == STOP_ORDER)
+        sampleUnexplained(indices, count,
+                          state.unexplainedSamples <= INT_MAX / context.params.persistence
+                              ? state.unexplainedSamples * context.params.persistence
+                              : INT_MAX);
+    if (wanted <= count)
+        sampleForRivals(indices, count, wanted, drawn);
+    unexplainedSamples += state.iteration - drawn;
+    return true;
+}
+
+void Ransac::sampleForRivals(const int* indices, int count, double wanted, int drawn)
+{
+    const int needed = samplesNeeded(goodSampleProbability(wanted, count, m, true),
+                                     std::log(1 - context.params.confidence));
+    const int few = std::max(drawn / FIRST_PART, LEAST_SAMPLES);
+    const int many = std::max((drawn - unexplainedSamples) / MOST_PART - unexplainedSamples,
+                              LEAST_SAMPLES);
+    const double rival = rivalInliers();
+    if (rivals < rival)
+        sampleUnexplained(indices, count, std::min(needed, few) - (state.iteration - drawn));
+    if (std::max(rivals, runnersUp.mostUnexplained()) >= rival)
+        sampleUnexplained(indices, count, std::min(needed, many) - (state.iteration - drawn));
+}
+
+void Ransac::sampleUnexplained(const int* indices, int count, int most)
+{
+    const int end = state.iteration +
+                    std::min(most, context.params.maxIterations - state.iteration);
+    Sample drawn[MinimalSolver::MAX_TOGETHER];
+    Hypotheses solved[MinimalSolver::MAX_TOGETHER];
+    for (int i = ahead; state.iteration < end && !stop(sampleWork); ++state.iteration, ++i)
+    {
+        if (i == ahead)
+        {
+            i = 0;
+            const int next = std::min(ahead, end - state.iteration);
+            for (int k = 0; k < next; ++k)
+                drawn[k] = drawUnexplained(indices, count, state.iteration + k);
+            solve(drawn, next, solved);
+        }
+        if (solved[i].rejectedSample)
+        {
+            ++state.report.rejectedSamples;
+            continue;
+        }
+        const int computed = solved[i].computed;
+        const Model* const models = solved[i].models;
+        checkModels(models, computed);
+        state.report.models += computed;
+        anyModel = anyModel || computed > 0;
+        state.report.degenerateSamples += computed == 0;
+        for (int k = 0; k < computed; ++k)
+            if (!validModel(drawn[i].val, models[k]))
+                ++state.report.rejectedModels;
+            else if (!addRival(drawn[i], models[k]))
+                ++state.report.droppedModels;
+    }
+}
+
+Sample Ransac::drawUnexplained(const int* indices, int count, int index) const
+{
+    Rng rng(context.params.seed, streamOf(STREAM_UNEXPLAINED, index));
+    Sample sample;
+    rng.distinct(count, m, sample.val);
+    for (int k = 0; k < m; ++k)
+        sample[k] = indices[sample[k]];
+    return sample;
+}
+
+bool Ransac::addRival(const Sample& sample, const Model& model)
+{
+    const InlierBits inliers(context, model);
+    const int own = inliers.without(runnersUp.best());
+    if (own < rivalInliers() || own <= m)
+        return false;
+    if (runnersUp.wants(own))
+        runnersUp.add(Candidate(sample, model, context.rate(model)), inliers);
+    return true;
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,66 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "optimization/significant_scale.hpp"
+#include "loop/reach.hpp"
+#include "significance/agreement.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+/** The reach is the ratio of the search threshold to the mask threshold. Suitable threshold of the
+search in standard deviations of the noise, about the same as that of Params::magsacPlusPlus for a
+threshold of 2 sigma. The reach grows if the search threshold is less than two thirds of it, and
+shrinks if it is more than 1.4 times as large; too large a reach costs time rather than accuracy.
+Far too large a value fails: a wider threshold contains larger errors, and the reach grows again.
+See doc/constants.md. */
+constexpr double REACH = 5;
+
+/** Points of another motion, or of a second plane, may look like wide noise. But real noise of that
+width has errors everywhere within the threshold. So the reach does not grow if the errors within
+the threshold fit small noise, with at least this fraction of the inliers found for the wide noise.
+See doc/constants.md. */
+constexpr double CORE = 1. / 3;
+
+//! Standard deviation of the noise in the errors of the model; 0 if none is significant.
+double noiseOf(const Context& context, const Model& model)
+{
+    const Correspondences& p = context.points;
+    const Residual& residual = *context.components.residual;
+    const int size = std::min<int>(p.size, SignificantScale::MOST),
+              degrees = p.problem->errorDimension(),
+              m = context.components.minimalSolver->sampleSize();
+    const double chance = p.problem->randomInlierRatio(p),
+                 widest = REACH_GROWS * p.threshold / REACH;
+    Arena::Scope scope(context.arena);
+    float* const errors = scope.take<float>(size);
+    residual.squaredErrors(p, model, 0, size, errors);
+    typedef SignificantScale Scale;
+    const Scale::Found all = Scale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m);
+    if (all.sigma <= widest)
+        return all.sigma;
+    const Scale::Found core = Scale::estimate(errors, size, 0, 0, p.threshold, chance, degrees, m,
+                                              1);
+    if (core.sigma > 0 && core.sigma <= widest && core.inliers >= CORE * all.inliers)
+        return core.sigma;
+    float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);  // needed only here
+    const int count = wrongErrors(residual, model, p, size, wrong, context.arena);
+    return Scale::estimate(errors, size, wrong, count, p.threshold, chance, degrees, m).sigma;
+}
+
+}  // namespace
+
+double suitableReach(const Context& context, const State& state, double current)
+{
+    if (!(state.bestQuality.cost <= DBL_MAX))
+        return current;
+    const double sigmas = noiseOf(context, state.best) / context.points.threshold * current;
+    return std::min(std::max(sigmas * REACH, context.params.reach), context.params.widestReach);
+}
+
+}  // namespace usacv20
+}  // namespace cv

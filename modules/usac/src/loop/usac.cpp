@@ -1,0 +1,439 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "loop/automatic_threshold.hpp"
+#include "components/check_components.hpp"
+#include "loop/factory.hpp"
+#include "loop/given_models.hpp"
+#include "problems/registry.hpp"
+#include "input/problem_data.hpp"
+#include "loop/ransac.hpp"
+#include "loop/reach.hpp"
+#include "control/watch.hpp"
+#include "significance/model_covariance.hpp"
+#include "significance/significance.hpp"
+#include "numeric/chi_square.hpp"
+#include "components/repetitions.hpp"
+#include "polishing/leverage.hpp"
+#include "polishing/restarts.hpp"
+#include "termination/termination.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
+
+//! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples.
+//! With 4 or 1, errors change by 2 % at most.
+constexpr int FIRST_LOOK = 2;
+
+//! For Params::significance 0: a model is rejected if Report::chance exceeds LIMIT, provided that
+//! there are enough points for a model with a fraction DECISIVE of inliers not to exceed it. With
+//! half or double these values, no correct model is rejected and no run differs; doc/design.md says
+//! which models are rejected.
+constexpr double LIMIT = 0.01, DECISIVE = 0.25;
+/* Fraction of the gain of a model (reduction of the cost relative to no model at all) that must
+remain after polishing; else polishing is undone. If the threshold is no larger than the noise, the
+error of H is 3.1 times that of least squares with 0.9, as polishing is undone, and 1.2 times with
+0.5. On the benchmark lists, 0.25 changes nothing, and 1 raises errors by 2 to 6 %. */
+constexpr double KEPT = 0.5;
+//! Values of Report::chance below this need not be exact. Halving or doubling it changes no run.
+constexpr double CLEAR = 1e-6;
+
+class UsacImpl : public Usac
+{
+public:
+    UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2,
+             const Params& params_)
+        : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false)
+    {
+        checkProblem(*problem, params.residual);  // before any of its methods is used
+        seeImage(problem->createResidual(params.residual));
+        keepsImage = !imageResidual.empty();
+        setPoints(points1, points2);
+        parts = made = createComponents(*problem, params);
+        imageParts = parts;  // so that its lists are allocated before the first run
+        fitted = rated = made.residual;
+        if (params.thresholdType == THRESHOLD_ESTIMATED)
+            automatic = makePtr<AutomaticThreshold>(*problem, params);
+    }
+
+    Components& components() CV_OVERRIDE { return parts; }
+    const Correspondences& points() const CV_OVERRIDE { return data.points(); }
+
+    void setPoints(InputArray points1, InputArray points2) CV_OVERRIDE
+    {
+        created = getTickCount();
+        data.read(*problem, points1, points2, params, arena, keepsImage);
+        readTicks = getTickCount() - created;
+    }
+
+    Mat run(OutputArray mask, Report* report) CV_OVERRIDE
+    {
+        const int64 begun = getTickCount();
+        if (created == 0)  // another run with the same points
+            readTicks = 0;
+        created = begun - readTicks;  // without the time that the caller used in between
+        Watch watch(params.maxTime, readTicks);
+        prepare();
+        const Context context(data.searchPoints(), parts, params, arena,
+                              watch.isActive() ? &watch : 0);
+        State state;
+        sampled = false;
+        watch.begin(state, data.points().size);
+        const bool enough = data.points().size >= parts.minimalSolver->sampleSize();
+        Model guess;
+        const bool guessed = automatic && enough && automatic->guess(context, data, guess);
+        parts.start(context);
+        if (parts.score != made.score)
+            checkScore(*parts.score);
+        if (enough)
+            search(context, state, guessed ? &guess : 0);
+        else
+            state.report.stop = STOP_TOO_FEW_POINTS;
+        created = 0;
+        const Context all(data.points(), parts, params, arena, context.watch);
+        if (data.points().size > data.searchPoints().size)
+            parts.start(all);
+        return finish(all, state, mask, report);
+    }
+
+    Mat fit(InputArray weights, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
+    {
+        prepare();
+        const Context context(data.points(), parts, params, arena);
+        parts.start(context);
+        return GivenModels(context, data, imageResidual, imageFit)
+            .fit(weights, chosen, mask, report);
+    }
+
+    Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
+    {
+        prepare();
+        const Context context(data.points(), parts, params, arena);
+        parts.start(context);
+        GivenModels given(context, data, imageResidual, imageFit);
+        if (!chosen.empty())
+            return given.refine(model, chosen, mask, report);
+        State state;
+        given.read(model, &state.best);
+        state.report.stop = STOP_NO_SEARCH;
+        if (automatic)
+        {
+            automatic->look(context, state.best);
+            state.report.sigma = automatic->settle(data);
+        }
+        polishAsSeen(context, state);
+        return given.give(state, mask, report);
+    }
+
+    Mat errors(InputArray model) CV_OVERRIDE
+    {
+        prepare();
+        const Context context(data.points(), parts, params, arena);
+        return GivenModels(context, data, imageResidual, imageFit).errors(model);
+    }
+
+private:
+    //! Resets everything that a previous run has changed.
+    void prepare()
+    {
+        data.restoreThreshold();
+        checkComponents(parts);
+        if (parts.residual != fitted && parts.nonMinimalSolver == made.nonMinimalSolver)
+        {
+            parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(
+                parts.residual);
+            fitted = parts.residual;
+        }
+        if (parts.residual != rated)
+            seeImage(parts.residual);
+        arena.clear();
+    }
+
+    //! @param guess begin with this model; null: none
+    void search(const Context& context, State& state, const Model* guess)
+    {
+        state.report.setupMs = milliseconds(created);
+        Ransac ransac(context, state, parts.sampler != made.sampler);
+        if (!params.initialModel.empty())
+            begin(context, ransac);
+        if (guess)
+            ransac.begin(*guess);
+        if (params.widestReach > params.reach && !automatic)
+            searchWithReach(context, state, ransac);
+        else
+            ransac.run();
+        if (automatic)
+            automatic->adapt(context, data, state, ransac);
+        state.report.iterations = state.iteration;
+        sampled = ransac.bestSample() != 0;
+        if (sampled)
+            std::copy(ransac.bestSample(), ransac.bestSample() + parts.minimalSolver->sampleSize(),
+                      sample);
+    }
+
+    void begin(const Context& context, Ransac& ransac)
+    {
+        Model model;
+        if (!problem->fromOutput(params.initialModel, context.points, model))
+            CV_Error_(Error::StsBadArg,
+                      ("initialModel: %d numbers, which are no model of the problem %s",
+                       (int)params.initialModel.size(), problem->name().c_str()));
+        ransac.begin(model);
+    }
+
+    /** Searches with a reach that grows if the errors of the best model show wide noise. This is
+    tested when the search ends, and once before, after half of Params::maxIterations: with a reach
+    that is far too small, models have few inliers, and no criterion ends the search. It is not
+    tested earlier, as a wrong model with more noise, between two planes for example, may still be
+    the best. At the end the reach may also shrink again, because poor models show more noise than
+    there is. */
+    void searchWithReach(const Context& context, State& state, Ransac& ransac)
+    {
+        for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
+        {
+            const bool ended = ransac.run(pause);
+            const double reach = suitableReach(context, state, data.reach());
+            if (context.watch && context.watch->stopped())
+                return;
+            if (reach > REACH_GROWS * data.reach())
+                setReach(reach, ransac);
+            else if (ended)
+                break;
+        }
+        for (double reach;
+             (reach = suitableReach(context, state, data.reach())) < REACH_SHRINKS * data.reach();)
+        {
+            setReach(reach, ransac);
+            if (!(state.bestQuality.cost <= DBL_MAX))  // a check has rejected the model
+                ransac.run();
+        }
+    }
+
+    void setReach(double reach, Ransac& ransac)
+    {
+        data.setReach(reach);
+        ransac.thresholdChanged();
+    }
+
+    //! Tests whether the model could have been found in random matches. @return false if it is to
+    //! be rejected
+    bool significant(const Context& context, const Model& model, Report& learned)
+    {
+        const bool unset = params.significance == 0;
+        const double limit = unset ? LIMIT : params.significance;
+        const double samples = automatic ? automatic->samples() : 0,
+                     models = automatic ? automatic->models() : 0;
+        const SearchEffort effort = {
+            parts.minimalSolver->sampleSize(), samples + learned.iterations,
+            models + learned.models - learned.rejectedModels,
+            parts.score->countsInliers() && parts.localOptimizer, !parts.score->usesThreshold()};
+        const double grown = std::max(data.reach() / params.reach,
+                                      1.);  // factor by which the reach has grown with the noise
+        Significance test(*parts.residual, model, data.points(), data.maskThreshold() * grown,
+                          effort, arena, &context);
+        learned.chance = test.chance(learned.inliers, std::min(CLEAR, limit / 100));
+        return learned.chance <= limit || (unset && !test.decisive(DECISIVE, limit));
+    }
+
+    /** Polishes the best model. Polishing minimizes a loss other than the score, and may end
+    between two models: if the score is clearly worse afterward, the model of the search is kept.
+    With few points, polishing is repeated from other initial models, and a model that was bent to
+    fit wrong matches of high leverage is freed from them.
+    @param search context of the search
+    @param context that of the polishing
+    @return score of the model */
+    Quality polish(const Context& search, const Context& context, State& state, Model& best)
+    {
+        const Model found = problem->closest(best);
+        const Quality before = context.rate(found);
+        if (!parts.polisher)
+        {
+            best = found;
+            return before;
+        }
+        parts.polisher->polish(context, best);
+        best = problem->closest(best);
+        Quality quality = context.rate(best);
+        const double size = context.points.size;
+        if (!(size - quality.cost >= KEPT * (size - before.cost)))  // true for NaN
+        {
+            best = found;
+            quality = before;
+        }
+        Restarts(search, context, state).improve(best, quality);
+        Leverage(search, context,
+                 context.points.threshold * data.maskThreshold() / search.points.threshold)
+            .improve(best, quality);
+        return quality;
+    }
+
+    //! Creates the residual for the original image points, which polishing and mask use instead of
+    //! that of the search, if the problem has one.
+    void seeImage(const Ptr<Residual>& residual)
+    {
+        rated = residual;
+        imageResidual = keepsImage ? problem->createImageResidual(residual) : Ptr<Residual>();
+        imageFit = imageResidual ? problem->createNonMinimalSolver(imageResidual)
+                                 : Ptr<NonMinimalSolver>();
+    }
+
+    //! Calls polish() with the original image points, unless the caller has replaced the solver,
+    //! which may not support them.
+    Quality polishAsSeen(const Context& context, State& state)
+    {
+        if (!seesImage())
+            return polish(context, context, state, state.best);
+        const Correspondences seen = data.imagePoints();
+        imageParts = parts;
+        imageParts.residual = imageResidual;
+        imageParts.nonMinimalSolver = imageFit;
+        imageFit->start(context);
+        return polish(context, Context(seen, imageParts, params, arena, context.watch), state,
+                      state.best);
+    }
+
+    //! Does polishAsSeen() use the original image points?
+    bool seesImage() const { return imageFit && parts.nonMinimalSolver == made.nonMinimalSolver; }
+
+    //! Report::covariance and, unless the threshold was estimated, Report::sigma of a polished
+    //! model. It follows polishAsSeen(), which has set imageParts.
+    void tellCertainty(const Context& context, const Model& model, Report& learned) const
+    {
+        const bool image = seesImage();
+        const Correspondences points = image ? data.imagePoints() : context.points;
+        const Context polishing(points, image ? imageParts : parts, params, context.arena,
+                                context.watch);
+        ModelCovariance covariance(polishing);
+        covariance.estimate(model);
+        learned.covariance = covariance.ofCaller();
+        if (!automatic)
+            learned.sigma = covariance.sigma() * (data.threshold() / data.maskThreshold());
+    }
+
+    //! Writes the sample as row indices of the caller's points. Allocates only if the capacity of
+    //! `rows` is too small.
+    void writeSample(const Context& context, std::vector<int>& rows) const
+    {
+        int row[MAX_SAMPLE_SIZE];
+        const int size = parts.minimalSolver->sampleSize();
+        for (int i = 0; i < size; ++i)
+            row[i] = context.points.inputIndex[sample[i]];
+        rows.assign(row, row + size);
+    }
+
+    //! Updates the stop reason, for example if the time ran out during polishing.
+    static void tellStop(const Context& context, Report& learned)
+    {
+        if (context.watch && context.watch->stopped() && learned.stop != STOP_CANCELLED)
+            learned.stop = context.watch->stopReason();
+    }
+
+    //! Polishes the best model and returns it in the caller's coordinates, with its mask.
+    Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
+    {
+        const int64 start = getTickCount();
+        Report& learned = state.report;
+        const int rows = context.points.inputSize;
+        if (context.watch)
+            context.watch->finish();
+        uchar* const inliers = arena.take<uchar>(rows);
+        std::fill(inliers, inliers + rows, (uchar)0);
+        Mat result;
+        if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
+            context.points.size > parts.minimalSolver->sampleSize())
+            sampled = !Restarts(context, context, state).begin(state.best, state.bestQuality) &&
+                      sampled;
+        if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
+        {
+            if (automatic)
+                learned.sigma = automatic->settle(data);
+            else
+                data.setThreshold(parts.score->threshold(context, state.best));
+            learned.cost = polishAsSeen(context, state).cost / context.points.size;
+            Model model;
+            if (problem->toInput(state.best, context.points, model))
+            {
+                result = problem->toOutput(model);
+                const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
+                learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model),
+                                            !imageResidual.empty(), inliers, arena);
+                if (learned.inliers == 0 && data.reach() <= params.reach)
+                    result.release();
+            }
+        }
+        learned.degenerate = state.degenerate;  // polishing may have found a plane
+        tellStop(context, learned);
+        if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)
+            learned.stop = STOP_NO_MODEL;
+        if (!result.empty() && (report || params.significance < 1) &&
+            !significant(context, state.best, learned))
+        {
+            tellStop(context, learned);
+            learned.stop = learned.stop < STOP_TIME ? (int)STOP_NOT_SIGNIFICANT : learned.stop;
+            learned.inliers = 0;
+            std::fill(inliers, inliers + rows, (uchar)0);
+            result.release();
+        }
+        if (report && params.covariance && !result.empty())
+            tellCertainty(context, state.best, learned);
+        if (mask.needed())
+            Mat(rows, 1, CV_8U, inliers).copyTo(mask);
+        const bool timely = learned.inliers <= ENOUGH ||
+                            !context.stopBefore(learned.inliers * REPETITION_WORK);
+        tellStop(context, learned);
+        data.tell(inliers, timely && report && !result.empty(), arena, learned);
+        learned.polishMs = milliseconds(start);
+        if (report)
+        {
+            *report = learned;
+            if (sampled && !result.empty())
+                writeSample(context, report->sample);
+        }
+        return result;
+    }
+
+    Arena arena;      //!< memory of the runs
+    int64 created;    //!< time at which the points were given, in ticks; 0: a run has used them
+    int64 readTicks;  //!< duration of reading them
+    const Params params;
+    const Ptr<Problem> problem;
+    ProblemData data;
+    Components parts;
+    Ptr<AutomaticThreshold> automatic;  //!< null: the threshold is given
+    Components made;                 //!< the defaults for `params`, before the caller replaced any
+    Ptr<Residual> fitted;            //!< the residual that made.nonMinimalSolver minimizes
+    Ptr<Residual> rated;             //!< the residual that imageResidual was created for
+    Ptr<Residual> imageResidual;     //!< Problem::createImageResidual(rated); may be empty
+    Ptr<NonMinimalSolver> imageFit;  //!< the least-squares solver for imageResidual
+    Components imageParts;           //!< components during polishing
+    bool keepsImage;                 //!< the original image points are stored, too
+    int sample[MAX_SAMPLE_SIZE];     //!< the sample that led to the best model of the run
+    bool sampled;                    //!< false if that model did not come from a sample
+};
+
+}  // namespace
+
+Ptr<Usac> Usac::create(ProblemType problem, InputArray points1, InputArray points2,
+                       const Params& params, InputArray cameraMatrix1, InputArray cameraMatrix2,
+                       InputArray distCoeffs1, InputArray distCoeffs2)
+{
+    return create(createProblem(problem, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2),
+                  points1, points2, params);
+}
+
+Ptr<Usac> Usac::create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
+                       const Params& params)
+{
+    if (!problem)
+        CV_Error(Error::StsNullPtr, "problem: it is empty");
+    return makePtr<UsacImpl>(problem, points1, points2, params);
+}
+
+}  // namespace usacv20
+}  // namespace cv

@@ -1,0 +1,70 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_BITS_HPP
+#define OPENCV_USACV20_BITS_HPP
+
+#include <cstring>
+#include "numeric/simd.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+//! Number of bits of a word.
+constexpr int WORD_BITS = 64;
+
+//! Number of 1 bits of a word, summed in parallel in fields of 2, 4 and 8 bits.
+inline int ones(uint64 word)
+{
+    word -= (word >> 1) & 0x5555555555555555ULL;
+    word = (word & 0x3333333333333333ULL) + ((word >> 2) & 0x3333333333333333ULL);
+    return (int)((((word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fULL) * 0x0101010101010101ULL) >> 56);
+}
+
+//! Index of the lowest 1 bit of a word other than 0.
+inline int lowestOne(uint64 word)
+{
+#ifdef __GNUC__
+    return __builtin_ctzll(word);
+#else
+    return ones((word & (0 - word)) - 1);
+#endif
+}
+
+/** A word whose bit i is 1 if errors[i] <= limit, for at most #WORD_BITS errors; NaN gives 0.
+Compilers vectorize the comparison; a multiplication then gathers the flags of eight bytes in the
+highest byte. */
+inline uint64 within(const float* errors, int count, float limit)
+{
+#if defined __BYTE_ORDER__ && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    const uint64 gather = 0x8040201008040201ULL;
+#else
+    const uint64 gather = 0x0102040810204080ULL;
+#endif
+    uchar flags[WORD_BITS];
+    if (count < WORD_BITS)
+        std::memset(flags, 0, WORD_BITS);
+    if (count == WORD_BITS)  // constant trip count, for vectorization
+    {
+        USAC_SIMD
+        for (int i = 0; i < WORD_BITS; ++i)
+            flags[i] = errors[i] <= limit ? 1 : 0;
+    }
+    else
+        for (int i = 0; i < count; ++i)
+            flags[i] = errors[i] <= limit ? 1 : 0;
+    uint64 word = 0;
+    for (int k = 0; k < WORD_BITS; k += 8)
+    {
+        uint64 eight;
+        std::memcpy(&eight, flags + k, 8);
+        word |= (eight * gather >> 56) << k;
+    }
+    return word;
+}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,136 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "support/lens_oracle.hpp"
+#include "support/contracts.hpp"
+
+// The removal of a lens's distortion from points of an image.
+
+namespace opencv_test {
+namespace {
+
+const Matx33d K(800, 3, 410, 0, 790, 305, 0, 0, 1);
+
+Mat lens(int coefficients)
+{
+    const double c[] = {-0.3,  0.1,   0.002,  -0.001, -0.01, 0.05, 0.02,
+                        -0.01, 0.003, -0.001, 0.002,  0.001, 0.02, -0.03};
+    return Mat(1, coefficients, CV_64F, (void*)c).clone();
+}
+
+//! Pixels without distortion, all over the image, and as the lens takes them.
+void makePoints(const Mat& distortion, std::vector<Point2d>& ideal, std::vector<Point2d>& taken)
+{
+    std::vector<Point3d> rays;
+    for (int y = 0; y <= 600; y += 60)
+        for (int x = 0; x <= 800; x += 80)
+        {
+            const Vec3d ray = K.inv() * Vec3d(x, y, 1);
+            rays.push_back(Point3d(ray[0], ray[1], 1));
+            ideal.push_back(Point2d(x, y));
+        }
+    projectPoints(rays, Vec3d(), Vec3d(), Matx33d::eye(), distortion, taken);
+    for (Point2d& p : taken)  // cv::projectPoints knows no skew
+    {
+        const Vec3d seen = K * Vec3d(p.x, p.y, 1);
+        p = Point2d(seen[0], seen[1]);
+    }
+}
+
+TEST(Usac_Lens, is_the_inverse_of_projectPoints)
+{
+    const int counts[] = {0, 4, 5, 8, 12, 14};
+    for (int coefficients : counts)
+    {
+        const Mat distortion = coefficients ? lens(coefficients) : Mat();
+        std::vector<Point2d> ideal, taken;
+        makePoints(distortion, ideal, taken);
+        const Mat found = removeDistortion(taken, K, distortion);
+        ASSERT_EQ(Size(2, (int)taken.size()), found.size());
+        ASSERT_EQ(CV_64F, found.type());
+        EXPECT_LT(cvtest::norm(found, column(ideal).reshape(1), NORM_INF), 1e-9) << coefficients;
+    }
+}
+
+//! What the contracts of E are checked with has a bound that holds, and that five steps of
+//! cv::undistortPoints leave.
+TEST(Usac_Lens, oracle)
+{
+    const int counts[] = {4, 5, 8, 12, 14};
+    for (int coefficients : counts)
+    {
+        const Mat distortion = lens(coefficients);
+        const LensOracle oracle(distortion);
+        std::vector<Point2d> ideal, taken, five;
+        makePoints(distortion, ideal, taken);
+        int off = 0;
+        for (size_t i = 0; i < taken.size(); ++i)
+        {
+            const Vec3d seen = K.inv() * Vec3d(taken[i].x, taken[i].y, 1),
+                        right = K.inv() * Vec3d(ideal[i].x, ideal[i].y, 1);
+            Bounded x(seen[0], 1e-15), y(seen[1], 1e-15);
+            ASSERT_EQ(LensOracle::SEEN, oracle.invert(x, y)) << coefficients << " " << i;
+            EXPECT_LE(std::abs((double)x.value - right[0]), (double)x.error);
+            EXPECT_LE(std::abs((double)y.value - right[1]), (double)y.error);
+            EXPECT_LT((double)x.error, 1e-9);
+            undistortPoints(std::vector<Point2d>(1, Point2d(seen[0], seen[1])), five,
+                            Matx33d::eye(), distortion);
+            off += std::abs(five[0].x - right[0]) > (double)x.error;
+        }
+        EXPECT_GT(off, (int)taken.size() / 4);
+    }
+    Bounded x(0.8), y(0);
+    EXPECT_EQ(LensOracle::NOT_SEEN, LensOracle(Mat(Vec4d(-0.25, 0, 0, 0))).invert(x, y));
+}
+
+TEST(Usac_Lens, layouts)
+{
+    const Mat distortion = lens(5);
+    std::vector<Point2d> ideal, taken;
+    makePoints(distortion, ideal, taken);
+    const Mat found = removeDistortion(taken, K, distortion), rows = column(taken).reshape(1);
+    EXPECT_TRUE(sameBits(found, removeDistortion(rows, Mat(K), distortion.t())));
+    EXPECT_TRUE(sameBits(found, removeDistortion(rows.t(), Mat(K) * 2, distortion)));
+    std::vector<Point3d> homogeneous;
+    for (const Point2d& p : taken)
+        homogeneous.push_back(Point3d(2 * p.x, 2 * p.y, 2));
+    EXPECT_TRUE(sameBits(found, removeDistortion(homogeneous, K, distortion)));
+    Mat single, changed = rows.clone();
+    rows.convertTo(single, CV_32F);
+    EXPECT_LT(cvtest::norm(removeDistortion(single, K, distortion), found, NORM_INF), 1e-3);
+    removeDistortion(changed, K, distortion);
+    EXPECT_TRUE(sameBits(rows, changed));
+    EXPECT_EQ(0, removeDistortion(std::vector<Point2d>(), K, distortion).rows);
+}
+
+//! r (1 - 0.25 r^2) turns back at r^2 = 4 / 3, where 0.77 is seen.
+TEST(Usac_Lens, what_is_not_seen_is_not_a_number)
+{
+    const Matx33d camera(1000, 0, 0, 0, 1000, 0, 0, 0, 1);
+    const Vec4d distortion(-0.25, 0, 0, 0);
+    std::vector<Point2d> points;
+    points.push_back(Point2d(769, 0));
+    points.push_back(Point2d(0, -771));
+    points.push_back(Point2d(5000, 5000));
+    points.push_back(Point2d(NAN, 3));
+    points.push_back(Point2d(3, INFINITY));
+    const Mat found = removeDistortion(points, camera, distortion);
+    EXPECT_GT(found.at<double>(0, 0), 1000);
+    EXPECT_NEAR(0, found.at<double>(0, 1), 1e-9);
+    for (int i = 1; i < found.rows; ++i)
+        for (int k = 0; k < 2; ++k)
+            EXPECT_TRUE(cvIsNaN(found.at<double>(i, k))) << i << " " << k;
+}
+
+TEST(Usac_Lens, mistakes_are_named)
+{
+    const std::vector<Point2d> points(3, Point2d(1, 2));
+    expectException([&]() { removeDistortion(Mat::zeros(1, 4, CV_64F), K, lens(4)); }, "points");
+    expectException([&]() { removeDistortion(points, Mat::zeros(3, 3, CV_64F), lens(4)); },
+                    "cameraMatrix");
+    expectException([&]() { removeDistortion(points, K, Vec3d(1, 2, 3)); }, "distCoeffs");
+}
+
+}
+}  // namespace

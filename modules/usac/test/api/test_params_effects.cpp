@@ -1,0 +1,395 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "support/contracts.hpp"
+#include "support/scene_geometry.hpp"
+
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <thread>
+
+// Each field of Params changed alone has an effect.
+
+namespace opencv_test {
+namespace {
+
+typedef UsacProblem UsacEffects;
+INSTANTIATE_TEST_CASE_P(/**/, UsacEffects, testing::ValuesIn(TWO_VIEW_PROBLEMS));
+
+Scene sceneOf(ProblemType problem, int inliers, int outliers)
+{
+    SceneOptions options;
+    options.inliers = inliers;
+    options.outliers = outliers;
+    options.seed = 3;
+    return makeScene(problem, options);
+}
+
+Report reportOf(const Scene& scene, const Params& params, OutputArray mask = noArray())
+{
+    Report report;
+    estimate(scene, params, mask, &report);
+    return report;
+}
+
+//! Uniform sampling, no local optimization, as many samples as allowed.
+Params plainParams()
+{
+    Params params = Params::ransac();
+    params.quality = QUALITY_MSAC;
+    params.termination = 0;
+    params.maxIterations = 200;
+    return params;
+}
+
+TEST_P(UsacEffects, threshold)
+{
+    const Scene scene = sceneOf(problem(), 200, 100);
+    int before = 0;
+    const double thresholds[] = {0.3, 0.6, 1.2, 2.4};
+    for (int i = 0; i < 4; ++i)
+    {
+        Params params;
+        params.threshold = thresholds[i];
+        Mat mask;
+        const int inliers = reportOf(scene, params, mask).inliers;
+        EXPECT_GT(inliers, before);
+        EXPECT_EQ(countNonZero(mask), inliers);
+        before = inliers;
+    }
+}
+
+TEST_P(UsacEffects, confidence)
+{
+    const bool single = sampleSizeOf(problem()) == 1;  // few samples are enough
+    const Scene scene = sceneOf(problem(), single ? 15 : 150, 150);
+    int before = 0;
+    const double confidences[] = {0.1, 0.9, 0.999999};
+    for (int i = 0; i < 3; ++i)
+    {
+        Params params = plainParams();
+        params.termination = TERMINATION_STANDARD;
+        params.maxIterations = 100000;
+        params.confidence = confidences[i];
+        const Report report = reportOf(scene, params);
+        EXPECT_GT(report.iterations, before);
+        EXPECT_EQ((int)STOP_STANDARD, report.stop);
+        before = report.iterations;
+    }
+}
+
+TEST_P(UsacEffects, maxIterations)
+{
+    const Scene scene = sceneOf(problem(), 100, 200);
+    const int limits[] = {1, 17, 100, 1000};
+    for (int i = 0; i < 4; ++i)
+    {
+        Params params = Params();
+        params.termination = 0;
+        params.maxIterations = limits[i];
+        EXPECT_EQ(limits[i], reportOf(scene, params).iterations);
+        params.sampler = SAMPLER_UNIFORM;
+        EXPECT_EQ(limits[i], reportOf(scene, params).iterations);
+    }
+}
+
+//! Keeps the samples that the default sampler draws.
+class SampleRecorder : public Sampler
+{
+public:
+    explicit SampleRecorder(const Ptr<Sampler>& sampler_) : sampler(sampler_) {}
+
+    void start(const Context& context) CV_OVERRIDE { sampler->start(context); }
+
+    void sample(const Context& context, State& state, int* out) CV_OVERRIDE
+    {
+        sampler->sample(context, state, out);
+        subsets.push_back(sampler->subsetSize(context));
+        for (int k = 0; k < context.components.minimalSolver->sampleSize(); ++k)
+            drawn.push_back(context.points.inputIndex[out[k]]);
+    }
+
+    Ptr<Sampler> sampler;
+    std::vector<int> drawn, subsets;
+};
+
+//! Rows of the first `maxIterations` samples.
+std::vector<int> samplesOf(const Scene& scene, Params params, int iterations = 100)
+{
+    params.maxIterations = iterations;
+    params.termination = 0;
+    Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<SampleRecorder> recorder = makePtr<SampleRecorder>(usac->components().sampler);
+    usac->components().sampler = recorder;
+    usac->run();
+    recorder->drawn.resize(iterations * sampleSizeOf(scene.problem));
+    return recorder->drawn;
+}
+
+TEST_P(UsacEffects, seed)
+{
+    const Scene scene = sceneOf(problem(), 150, 150);
+    Params params;
+    params.scores.assign(scene.size(), 0.5f);
+    params.scoreOrder = SCORES_HIGHER_IS_BETTER;  // SAMPLER_IMPORTANCE needs them
+    for (params.sampler = SAMPLER_UNIFORM; params.sampler <= SAMPLER_IMPORTANCE; ++params.sampler)
+    {
+        SCOPED_TRACE(cv::format("sampler %d", params.sampler));
+        std::set<std::vector<int>> sequences;
+        const int seeds[] = {0, 1, 2, -1, INT_MAX, INT_MIN};
+        for (int i = 0; i < 6; ++i)
+        {
+            params.seed = seeds[i];
+            const std::vector<int> samples = samplesOf(scene, params);
+            EXPECT_TRUE(sequences.insert(samples).second) << "seed " << seeds[i];
+            EXPECT_EQ(samples, samplesOf(scene, params));
+        }
+    }
+}
+
+//! A solver that knows which threads call it; it dallies until there are two, so that a fast one
+//! cannot do all the work.
+class ThreadRecorder : public MinimalSolver
+{
+public:
+    explicit ThreadRecorder(const Ptr<MinimalSolver>& solver_) : solver(solver_), calls(0) {}
+
+    int sampleSize() const CV_OVERRIDE { return solver->sampleSize(); }
+
+    int solve(const Correspondences& points, const int* sample, Model* models) const CV_OVERRIDE
+    {
+        bool dally;
+        {
+            std::lock_guard<std::mutex> lock(mutex);
+            threads.insert(std::this_thread::get_id());
+            dally = threads.size() < 2 && ++calls < 500;
+        }
+        if (dally)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return solver->solve(points, sample, models);
+    }
+
+    Ptr<MinimalSolver> solver;
+    mutable std::mutex mutex;
+    mutable std::set<std::thread::id> threads;
+    mutable int calls;
+};
+
+size_t threadsUsed(const Scene& scene, int threads)
+{
+    Params params = plainParams();
+    params.threads = threads;
+    params.maxIterations = 600;
+    Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<ThreadRecorder> recorder = makePtr<ThreadRecorder>(usac->components().minimalSolver);
+    usac->components().minimalSolver = recorder;
+    usac->run();
+    return recorder->threads.size();
+}
+
+TEST_P(UsacEffects, threads)
+{
+    const int before = getNumThreads();
+    setNumThreads(4);
+    const bool parallel = getNumThreads() > 1;
+    const Scene scene = sceneOf(problem(), 100, 100);
+    const size_t one = threadsUsed(scene, 1), four = threadsUsed(scene, 4),
+                 all = threadsUsed(scene, 0);
+    setNumThreads(1);
+    const size_t allOfOne = threadsUsed(scene, 0);
+    setNumThreads(before);
+    EXPECT_EQ((size_t)1, one);
+    EXPECT_EQ((size_t)1, allOfOne);
+    if (isAffine(problem()))
+    {
+        EXPECT_EQ((size_t)1, four) << "the samples are too cheap for threads";
+        EXPECT_EQ((size_t)1, all);
+    }
+    else if (parallel)  // else OpenCV was built without threads
+    {
+        EXPECT_GT(four, (size_t)1);
+        EXPECT_GT(all, (size_t)1);
+    }
+}
+
+//! The scene with its true matches first.
+Scene sorted(const Scene& scene)
+{
+    Scene result = scene;
+    int row = 0;
+    for (int wanted = 1; wanted >= 0; --wanted)
+        for (int i = 0; i < scene.size(); ++i)
+            if (scene.truth[i] == wanted)
+            {
+                result.points1[row] = scene.points1[i];
+                result.points2[row] = scene.points2[i];
+                result.clean1[row] = scene.clean1[i];
+                result.clean2[row] = scene.clean2[i];
+                result.truth[row++] = scene.truth[i];
+            }
+    return result;
+}
+
+//! How many of the rows are true matches.
+double goodPart(const Scene& scene, const std::vector<int>& rows)
+{
+    double good = 0;
+    for (size_t i = 0; i < rows.size(); ++i)
+        good += scene.truth[rows[i]];
+    return good / rows.size();
+}
+
+TEST_P(UsacEffects, sampler)
+{
+    const Scene scene = sorted(sceneOf(problem(), 60, 240));
+    Params params;
+    params.orderedEvery = 1;
+    params.ordering = ORDERING_INPUT_ORDER;
+    params.sampler = SAMPLER_PROSAC;
+    const std::vector<int> prosac = samplesOf(scene, params, 50);
+    params.sampler = SAMPLER_P_NAPSAC;
+    const std::vector<int> pNapsac = samplesOf(scene, params, 50);
+    params.sampler = SAMPLER_UNIFORM;
+    const std::vector<int> uniform = samplesOf(scene, params, 50);
+    EXPECT_EQ(1, goodPart(scene, prosac)) << "the first samples are of the best points";
+    EXPECT_NEAR(0.2, goodPart(scene, uniform), 0.1);
+    EXPECT_EQ(sampleSizeOf(problem()) == 1, prosac == pNapsac) << "one point has no neighbors";
+    EXPECT_GT(goodPart(scene, pNapsac), 0.4);
+}
+
+TEST_P(UsacEffects, ordering)
+{
+    const Scene scene = sorted(sceneOf(problem(), 60, 240));
+    for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
+    {
+        Params params;
+        params.orderedEvery = 1;
+        params.sampler = sampler;
+        std::vector<int> samples[4];
+        for (params.ordering = ORDERING_AUTO; params.ordering <= ORDERING_NONE; ++params.ordering)
+            samples[params.ordering] = samplesOf(scene, params);
+        EXPECT_EQ(samples[ORDERING_AUTO], samples[ORDERING_DENSITY]) << "no scores were given";
+        EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_NONE]);
+        EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_INPUT_ORDER]);
+        EXPECT_GT(goodPart(scene, samples[ORDERING_INPUT_ORDER]),
+                  goodPart(scene, samples[ORDERING_NONE]) + 0.2);
+        EXPECT_GT(goodPart(scene, samples[ORDERING_DENSITY]),
+                  goodPart(scene, samples[ORDERING_NONE]));
+    }
+}
+
+TEST_P(UsacEffects, scores_and_scoreOrder)
+{
+    const Scene scene = sceneOf(problem(), 60, 240);
+    Params params, none;
+    params.orderedEvery = none.orderedEvery = 1;
+    params.sampler = none.sampler = SAMPLER_PROSAC;
+    for (int i = 0; i < scene.size(); ++i)
+        params.scores.push_back(scene.truth[i] ? 0.4f : 0.8f);
+    EXPECT_EQ(1, goodPart(scene, samplesOf(scene, params, 50)));
+    params.scoreOrder = SCORES_HIGHER_IS_BETTER;
+    EXPECT_EQ(0, goodPart(scene, samplesOf(scene, params, 50)));
+    EXPECT_NE(samplesOf(scene, params), samplesOf(scene, none));
+    params.ordering = ORDERING_DENSITY;
+    none.ordering = ORDERING_DENSITY;
+    EXPECT_EQ(samplesOf(scene, none), samplesOf(scene, params))
+        << "the ordering decides whether scores are used";
+    params.ordering = ORDERING_AUTO;
+    params.scoreOrder = SCORES_LOWER_IS_BETTER;
+    for (int i = 0; i < scene.size(); i += 3)
+        params.scores[i] = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<int> rows = samplesOf(scene, params, 20);
+    for (size_t i = 0; i < rows.size(); ++i)
+        EXPECT_NE(0, rows[i] % 3) << "a match whose score is NaN is the worst";
+}
+
+//! Scores that are given are the order, also where a preset says that the points are sorted.
+TEST_P(UsacEffects, scores_beside_the_input_order)
+{
+    const Scene scene = sceneOf(problem(), 60, 240);
+    const Params presets[] = {Params::sorted(), Params::prosac(), Params::usac2013(),
+                              Params::fromMethod(USACV20_PROSAC)};
+    for (const Params& preset : presets)
+    {
+        Params params = preset;
+        params.degeneracy = Params().degeneracy;  // usac2013()'s is not one of all problems
+        params.orderedEvery = 1;
+        EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering);
+        EXPECT_LT(goodPart(scene, samplesOf(scene, params, 50)), 0.7) << "the rows are not sorted";
+        for (int i = 0; i < scene.size(); ++i)
+            params.scores.push_back(scene.truth[i] ? 0.4f : 0.8f);
+        EXPECT_EQ(1, goodPart(scene, samplesOf(scene, params, 50)));
+        const std::vector<int> rows = samplesOf(scene, params);
+        params.ordering = ORDERING_AUTO;
+        EXPECT_EQ(samplesOf(scene, params), rows);
+    }
+}
+
+//! Points in the order of the caller, true matches first: one sample in so many is of the first of
+//! them, the others are uniform.
+TEST_P(UsacEffects, orderedEvery)
+{
+    const Scene scene = sorted(sceneOf(problem(), 60, 240));
+    const int m = sampleSizeOf(problem());
+    Params params;
+    params.ordering = ORDERING_INPUT_ORDER;
+    params.sampler = SAMPLER_PROSAC;
+    for (params.orderedEvery = 1; params.orderedEvery <= 8; params.orderedEvery *= 2)
+    {
+        const std::vector<int> rows = samplesOf(scene, params, 40);
+        int good = 0;
+        for (int i = 0; i < 40; ++i)
+            good += goodPart(scene, std::vector<int>(rows.begin() + i * m,
+                                                     rows.begin() + (i + 1) * m)) == 1;
+        const int ordered = 40 / params.orderedEvery;
+        const double chance = m == 1 ? 0.2 : 0;  // of a uniform sample
+        EXPECT_NEAR(ordered + (40 - ordered) * chance, good, m == 1 ? 6 : 2);
+    }
+}
+
+TEST_P(UsacEffects, quality)
+{
+    const Scene scene = sceneOf(problem(), 150, 150);
+    Params params = plainParams();
+    Mat mask, model;
+    Report report;
+    model = estimate(scene, params, mask, &report);
+    const Matx33d M = squareModel(model);
+    double msac = 0;
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const double e = pixelError(scene, M, scene.points1[i], scene.points2[i]) /
+                         params.threshold;
+        msac += std::min(1., e * e) / scene.size();
+    }
+    EXPECT_NEAR(msac, report.cost, 1e-3);
+    params.quality = QUALITY_INLIERS;
+    const Report counted = reportOf(scene, params);
+    EXPECT_NEAR(1 - (double)counted.inliers / scene.size(), counted.cost, 0.5 / scene.size());
+    EXPECT_GT(std::abs(report.cost - counted.cost), 0.01);
+}
+
+//! The mask is that of the threshold, whatever the reach; the model is another one.
+TEST_P(UsacEffects, reach)
+{
+    const Scene scene = sceneOf(problem(), 200, 100);
+    Params params = Params::magsacPlusPlus();
+    params.threshold = 1.3;  // times 4 and divided by it in some coordinates, it would be another
+                             // number
+    Mat masks[2], models[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        params.reach = i == 0 ? 1 : 4;
+        Report report;
+        models[i] = estimate(scene, params, masks[i], &report);
+        EXPECT_EQ(params.threshold, report.threshold);
+        EXPECT_LT(modelError(scene, models[i]), 0.8);
+        checkResult(scene, params.threshold, models[i], masks[i], report);
+    }
+    EXPECT_FALSE(sameBits(models[0], models[1]));
+}
+
+}
+}  // namespace

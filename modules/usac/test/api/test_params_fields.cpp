@@ -1,0 +1,231 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "support/params_fields.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+
+// The list of the fields of Params (visitFields) against the class as it is declared and documented
+// in params.hpp.
+
+namespace opencv_test {
+namespace {
+
+std::string readHeader()
+{
+    const std::string path = std::string(USAC_TEST_DATA_DIR) +
+                             "/../modules/usac/include/opencv2/usac/params.hpp";
+    std::ifstream in(path.c_str());
+    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+}
+
+struct Declaration
+{
+    std::string type, name, comment;  //!< the comment as one line
+};
+
+//! The fields of the class, in the order of the header.
+std::vector<Declaration> declarationsOf(const std::string& header)
+{
+    std::istringstream lines(header.substr(header.find("struct CV_EXPORTS_W_SIMPLE Params")));
+    const std::regex field("^ *(?:CV_PROP_RW )?([a-z][a-zA-Z0-9:<>]*) ([a-zA-Z]+);$"),
+        marks("^ *(//!|/\\*\\*)? *");
+    std::vector<Declaration> result;
+    std::string line, comment;
+    std::smatch match;
+    while (std::getline(lines, line) && line != "};")
+        if (std::regex_search(line, match, field))
+        {
+            result.push_back(Declaration{match[1], match[2], comment});
+            comment.clear();
+        }
+        else
+        {
+            if (line.empty() || line.find("/**") != std::string::npos)
+                comment.clear();
+            comment += std::regex_replace(line, marks, "") + " ";
+        }
+    return result;
+}
+
+//! Values of the enumerators of the header, and of its enumerations the lowest, the highest and the
+//! sum.
+struct Enumerations
+{
+    struct Range
+    {
+        int low, high, sum;
+    };
+    std::map<std::string, int> values;
+    std::map<std::string, Range> ranges;
+
+    explicit Enumerations(const std::string& header)
+    {
+        const std::regex enumerator("([A-Z_]+) =\\s+([0-9]+)");
+        for (size_t at = header.find("\nenum "); at != std::string::npos;
+             at = header.find("\nenum ", at + 1))
+        {
+            const std::string text = header.substr(at, header.find("\n};", at) - at);
+            const std::string name = text.substr(6, text.find(' ', 6) - 6);
+            Range range = {INT_MAX, INT_MIN, 0};
+            for (std::sregex_iterator i(text.begin(), text.end(), enumerator), end; i != end; ++i)
+            {
+                const int value = values[(*i)[1]] = std::atoi((*i)[2].str().c_str());
+                range.low = std::min(range.low, value);
+                range.high = std::max(range.high, value);
+                range.sum += value;
+            }
+            ranges[name] = range;
+        }
+    }
+};
+
+//! What a comment says of the values. A field without a range may have all values.
+FieldValues documentedValues(const std::string& comment, const Enumerations& enumerations)
+{
+    const std::regex type("^ *(Set of )?@ref (\\w+)"),
+        interval("([0-9]+) ?(?:\\([a-z]+\\) )?\\.\\. ?([0-9]+(?:e[0-9])?)");
+    const std::regex initial("Default (#\\w+(?: \\| #\\w+)*|[0-9]+(?:\\.[0-9]+)?|all|none)"),
+        name("#(\\w+)");
+    FieldValues result = {FIELD_NUMBER, 0, INT_MIN, INT_MAX};
+    std::smatch match;
+    if (std::regex_search(comment, match, type))
+    {
+        EXPECT_EQ(1u, enumerations.ranges.count(match[2])) << match[2];
+        const Enumerations::Range range = enumerations.ranges.at(match[2]);
+        if (match[1].matched)
+            result = FieldValues::flags(0, range.sum);
+        else
+            result = FieldValues::option(0, range.low, range.high);
+    }
+    else if (comment.find("ixels") != std::string::npos &&
+             comment.find("; > 0.") != std::string::npos)
+        result = FieldValues::pixels(0);
+    else if (comment.find("in (0, 1).") != std::string::npos)
+        result = FieldValues::probability(0);
+    else if (comment.find(">= 1.") != std::string::npos)
+        result.low = 1;
+    else if (std::regex_search(comment, match, interval))
+    {
+        result.low = std::atof(match[1].str().c_str());
+        result.high = std::atof(match[2].str().c_str());
+    }
+    else if (comment.find("or none;") != std::string::npos)
+        result = FieldValues::scores();
+    else if (comment.find("or no model;") != std::string::npos)
+        result = FieldValues::model();
+    if (!std::regex_search(comment, match, initial))
+    {
+        ADD_FAILURE() << "no default: " << comment;
+        return result;
+    }
+    const std::string text = match[1];
+    for (std::sregex_iterator i(text.begin(), text.end(), name), end; i != end; ++i)
+        result.initial += enumerations.values.at((*i)[1]);
+    if (text == "all")
+        result.initial = result.high;
+    else if (text[0] != '#')
+        result.initial = std::atof(text.c_str());
+    return result;
+}
+
+//! Goes along with visitFields.
+struct DocumentationReader
+{
+    std::vector<Declaration> declarations;
+    Enumerations enumerations;
+    size_t count;
+
+    template <class T>
+    void operator()(const char* name, T Params::*, const FieldValues& values)
+    {
+        ASSERT_LT(count, declarations.size()) << name;
+        const Declaration& declared = declarations[count++];
+        SCOPED_TRACE(declared.name + ": " + declared.comment);
+        EXPECT_EQ(declared.name, name);
+        EXPECT_EQ(declared.type, typeName((T*)0));
+        const FieldValues documented = documentedValues(declared.comment, enumerations);
+        EXPECT_EQ(documented.kind, values.kind);
+        EXPECT_EQ(documented.initial, values.initial);
+        EXPECT_EQ(documented.low, values.low);
+        EXPECT_EQ(documented.high, values.high);
+    }
+
+    static const char* typeName(int*) { return "int"; }
+    static const char* typeName(double*) { return "double"; }
+    static const char* typeName(std::vector<float>*) { return "std::vector<float>"; }
+    static const char* typeName(std::vector<double>*) { return "std::vector<double>"; }
+};
+
+//! A field that the list lacks, or that has another default or range than its comment says, fails
+//! here.
+TEST(Usac_ParamsFields, are_as_declared_and_documented)
+{
+    const std::string header = readHeader();
+    ASSERT_FALSE(header.empty());
+    DocumentationReader reader = {declarationsOf(header), Enumerations(header), 0};
+    visitFields(reader);
+    for (size_t i = reader.count; i < reader.declarations.size(); ++i)
+        ADD_FAILURE() << "visitFields lacks " << reader.declarations[i].name;
+}
+
+//! Where the compiler puts a member that follows those before.
+struct Layout
+{
+    const Params& params;
+    size_t end;
+
+    static size_t aligned(size_t offset, size_t alignment)
+    {
+        return (offset + alignment - 1) / alignment * alignment;
+    }
+
+    template <class T>
+    void operator()(const char* name, T Params::*member, const FieldValues&)
+    {
+        const size_t offset = (size_t)((const char*)&(params.*member) - (const char*)&params);
+        EXPECT_EQ(aligned(end, alignof(T)), offset) << "visitFields lacks a field before " << name;
+        end = offset + sizeof(T);
+    }
+};
+
+//! The fields of the list, one after the other, are the class: also what the header declares in
+//! another form is listed.
+TEST(Usac_ParamsFields, fill_the_class)
+{
+    const Params params;
+    Layout layout = {params, 0};
+    visitFields(layout);
+    EXPECT_EQ(sizeof(Params), Layout::aligned(layout.end, alignof(Params)))
+        << "visitFields lacks the last field";
+}
+
+struct DefaultChecker
+{
+    Params params;
+    template <class T>
+    void operator()(const char* name, T Params::*member, const FieldValues& values)
+    {
+        EXPECT_EQ(values.initial, params.*member) << name;
+    }
+    template <class T>
+    void operator()(const char* name, std::vector<T> Params::*member, const FieldValues&)
+    {
+        EXPECT_TRUE((params.*member).empty()) << name;
+    }
+};
+
+TEST(Usac_ParamsFields, have_their_defaults)
+{
+    DefaultChecker checker;
+    visitFields(checker);
+}
+
+}
+}  // namespace

@@ -1,0 +1,140 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "support/contracts.hpp"
+
+// What a report says of a call whose result means nothing.
+
+namespace opencv_test {
+namespace {
+
+bool ends(const Report& report, const std::string& words)
+{
+    const std::string text = report.describe();
+    return text.size() >= words.size() &&
+           text.compare(text.size() - words.size(), words.size(), words) == 0;
+}
+
+bool says(const Report& report, const std::string& words)
+{
+    return std::string(report.describe()).find(words) != std::string::npos;
+}
+
+const char* const WIDE = "the threshold is as wide as all the points";
+const char* const CHANCE = "no better than chance";
+
+typedef UsacProblem UsacReport;
+INSTANTIATE_TEST_CASE_P(/**/, UsacReport, testing::ValuesIn(TWO_VIEW_PROBLEMS));
+
+//! Points of the normalized image plane and a threshold in pixels: any model has all of them as
+//! inliers.
+TEST_P(UsacReport, threshold_in_another_unit)
+{
+    const double focals[] = {350, 800, 2000};  // fields of view of 85 to 18 degrees
+    for (double f : focals)
+    {
+        SceneOptions options;
+        options.inliers = 150;
+        options.outliers = 150;
+        const Scene scene = makeScene(problem(), options);
+        std::vector<Point2d> points1, points2;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            points1.push_back((scene.points1[i] - Point2d(320, 240)) * (1 / f));
+            points2.push_back((scene.points2[i] - Point2d(320, 240)) * (1 / f));
+        }
+        Mat mask;
+        for (int right = 0; right < 2; ++right)
+        {
+            Params params;
+            params.threshold = right ? 1.5 / f : 1.5;
+            Report report;
+            const Mat model = estimatePoints(problem(), points1, points2, params, mask, report,
+                                             Matx33d::eye());
+            EXPECT_EQ(right == 0, report.wideThreshold) << f;
+            EXPECT_EQ(right == 0, says(report, WIDE)) << report.describe();
+            EXPECT_EQ(right == 0 && !model.empty(), ends(report, CHANCE)) << report.describe();
+            EXPECT_EQ(right == 0 && !model.empty(), report.chance > 0.01) << report.chance;
+        }
+    }
+}
+
+//! The same of poses and of motions of space, whose threshold is in the unit of the points.
+TEST(UsacReport_Space, threshold_in_another_unit)
+{
+    RNG rng(3);
+    std::vector<Point3d> space, moved;
+    std::vector<Point2d> image;
+    for (int i = 0; i < 100; ++i)
+    {
+        const Point3d X = Point3d(uniformVector(rng, Vec3d(-1., -1., 3.), Vec3d(1., 1., 5.)));
+        space.push_back(X);
+        moved.push_back(Point3d(X.y, -X.x, X.z + 1));
+        image.push_back(Point2d(X.x / X.z, X.y / X.z));
+    }
+    for (int right = 0; right < 2; ++right)
+    {
+        Params params;
+        params.threshold = right ? 1e-3 : 1.5;
+        Mat mask;
+        Report report;
+        estimateAbsolutePose(space, image, Matx33d::eye(), noArray(), params, mask, report);
+        EXPECT_EQ(right == 0, report.wideThreshold) << report.describe();
+        estimateRigid3D(space, moved, params, mask, report);
+        EXPECT_EQ(right == 0, report.wideThreshold) << report.describe();
+        estimateSimilarity3D(space, moved, params, mask, report);
+        EXPECT_EQ(right == 0, report.wideThreshold) << report.describe();
+    }
+}
+
+//! Half of the longest side is the limit; one point far away does not make the others wide.
+TEST(UsacReport_Wide, half_of_the_longest_side)
+{
+    std::vector<Point2d> points;
+    for (int y = 0; y <= 100; y += 10)
+        for (int x = 0; x <= 200; x += 10)
+            points.push_back(Point2d(x, y));
+    Params params;
+    params.significance = 1;
+    Mat mask;
+    Report report;
+    params.threshold = 98;
+    estimateAffinity2D(points, points, params, mask, report);
+    EXPECT_FALSE(report.wideThreshold);
+    params.threshold = 102;
+    estimateAffinity2D(points, points, params, mask, report);
+    EXPECT_TRUE(report.wideThreshold);
+    points.push_back(Point2d(1e6, 1e6));
+    params.threshold = 1e5;
+    estimateAffinity2D(points, points, params, mask, report);
+    EXPECT_TRUE(report.wideThreshold);
+    estimateAffinity2D(std::vector<Point2d>(), std::vector<Point2d>(), params, mask, report);
+    EXPECT_FALSE(report.wideThreshold);
+}
+
+//! Random points: with significance 1 a model is returned, and the report says what it is worth.
+TEST(UsacReport_Chance, random_points)
+{
+    RNG rng(1);
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 200; ++i)
+    {
+        points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+        points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+    }
+    for (int refuse = 0; refuse < 2; ++refuse)
+    {
+        Params params;
+        params.significance = refuse ? 0 : 1;
+        Mat mask;
+        Report report;
+        const Mat F = estimateFundamental(points1, points2, params, mask, report);
+        EXPECT_EQ(refuse != 0, F.empty());
+        EXPECT_EQ(refuse == 0, ends(report, CHANCE)) << report.describe();
+        EXPECT_FALSE(report.wideThreshold);
+    }
+}
+
+}
+}  // namespace

@@ -1,0 +1,346 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "support/run_context.hpp"
+#include "support/contracts.hpp"
+
+// A problem of one array of points: the plane n x + d = 0 of points of space, a model of four
+// numbers.
+
+namespace opencv_test {
+namespace {
+
+class PlaneDistance : public Residual
+{
+public:
+    void squaredErrors(const Correspondences& p, const Model& plane, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        for (int i = begin; i < end; ++i)
+            errors[i - begin] = (float)square(plane, p.exact[0][i], p.exact[1][i], p.exact[2][i]);
+    }
+
+    void squaredErrors(const Model& plane, const double* const* c, int count,
+                       double* errors) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+            errors[i] = square(plane, c[0][i], c[1][i], c[2][i]);
+    }
+
+private:
+    static double square(const Model& plane, double x, double y, double z)
+    {
+        const double* const v = plane.val;
+        const double distance = v[0] * x + v[1] * y + v[2] * z + v[3];
+        return distance * distance / (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+};
+
+//! Through the mean, along the two largest axes of the scatter.
+bool fitPlane(const Correspondences& p, const int* indices, int count, const double* weights,
+              Model& plane)
+{
+    Vec3d mean;
+    double sum = 0;
+    for (int k = 0; k < count; ++k)
+    {
+        const double w = weights ? weights[k] : 1;
+        mean += w * Vec3d(p.exact[0][indices[k]], p.exact[1][indices[k]], p.exact[2][indices[k]]);
+        sum += w;
+    }
+    mean *= 1 / sum;
+    Matx33d scatter = Matx33d::zeros();
+    for (int k = 0; k < count; ++k)
+    {
+        const Vec3d v = Vec3d(p.exact[0][indices[k]], p.exact[1][indices[k]],
+                              p.exact[2][indices[k]]) -
+                        mean;
+        scatter += (weights ? weights[k] : 1) * (v * v.t());
+    }
+    Matx31d values;
+    Matx33d vectors;
+    if (!eigen(scatter, values, vectors) || !(values(1) > 1e-9 * values(0)))
+        return false;
+    const Vec3d n(vectors(2, 0), vectors(2, 1), vectors(2, 2));
+    plane = Matx14d(n[0], n[1], n[2], -n.dot(mean));
+    return true;
+}
+
+class PlaneSolver : public MinimalSolver
+{
+public:
+    int sampleSize() const CV_OVERRIDE { return 3; }
+    int solve(const Correspondences& points, const int* sample, Model* models) const CV_OVERRIDE
+    {
+        return fitPlane(points, sample, 3, 0, models[0]);
+    }
+};
+
+class PlaneFit : public NonMinimalSolver
+{
+public:
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
+    {
+        return fitPlane(points, indices, count, weights, model);
+    }
+};
+
+class PlaneProblem : public Problem
+{
+public:
+    String name() const CV_OVERRIDE { return "plane"; }
+    int dimension() const CV_OVERRIDE { return 3; }
+    int errorDimension() const CV_OVERRIDE { return 1; }
+    int coordinates(int array) const CV_OVERRIDE { return array == 0 ? 3 : 0; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(300, 1); }
+    int normalization(int) const CV_OVERRIDE { return SCALE_EACH; }
+
+    bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
+    {
+        const Frame& frame = points.frame[1];
+        const double* const v = model.val;
+        const Vec3d n(v[0], v[1], v[2]);
+        const double d = v[3] - frame.scale * n.dot(Vec3d(frame.center));
+        result = Matx14d(n[0], n[1], n[2], d / frame.scale) * (1 / cv::norm(n));
+        return checkRange(Mat(1, 4, CV_64F, result.val));
+    }
+
+    Ptr<Residual> createResidual(int) const CV_OVERRIDE { return makePtr<PlaneDistance>(); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return makePtr<PlaneSolver>(); }
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>&) const CV_OVERRIDE
+    {
+        return makePtr<PlaneFit>();
+    }
+};
+
+//! Planes with a normal of unit length: two parameters turn the normal, the third one moves the
+//! plane along it.
+class PlaneParameterization : public cv::usacv20::Parameterization
+{
+public:
+    int dimension() const CV_OVERRIDE { return 3; }
+
+    bool tangent(const Model& plane, double* basis) const CV_OVERRIDE
+    {
+        const Axes turned = axesAround(plane);
+        for (int row = 0; row < 4; ++row)
+        {
+            basis[3 * row] = turned(row, 0);
+            basis[3 * row + 1] = turned(row, 1);
+            basis[3 * row + 2] = row == 3;
+        }
+        return checkRange(Mat(4, 3, CV_64F, basis));
+    }
+
+    Model plus(const Model& plane, const double* x) const CV_OVERRIDE
+    {
+        const Vec4d start = unit(Vec4d(plane.val));
+        const Matx41d moved = Matx41d(start) + axesAround(plane) * Matx21d(x);
+        Vec4d result = unit(Vec4d(moved(0), moved(1), moved(2), 0));
+        result[3] = start[3] + x[2];
+        return Matx14d(result.val);
+    }
+
+private:
+    typedef Matx<double, 4, 2> Axes;
+
+    static Vec4d unit(const Vec4d& v) { return v / std::sqrt(v.dot(v) - v[3] * v[3]); }
+
+    //! Two directions perpendicular to the normal and to each other.
+    static Axes axesAround(const Model& plane)
+    {
+        const Vec4d p = unit(Vec4d(plane.val));
+        const Vec3d n(p[0], p[1], p[2]),
+            other = std::abs(n[0]) < 0.5 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+        const Vec3d a = normalize(n.cross(other)), b = n.cross(a);
+        return Axes(a[0], b[0], a[1], b[1], a[2], b[2], 0, 0);
+    }
+};
+
+//! Has no fit of its own, but says how planes vary.
+class VaryingPlaneProblem : public PlaneProblem
+{
+public:
+    Ptr<cv::usacv20::Parameterization> createParameterization() const CV_OVERRIDE
+    {
+        return makePtr<PlaneParameterization>();
+    }
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return Problem::createNonMinimalSolver(residual);
+    }
+};
+
+const Vec4d TRUTH(0.48, -0.6, 0.64, -3);
+
+std::vector<Point3d> scene(int inliers, int outliers, double noise)
+{
+    RNG rng(11);
+    std::vector<Point3d> points;
+    for (int i = 0; i < inliers + outliers; ++i)
+    {
+        Point3d p = Point3d(uniformVector(rng, Vec3d(-5., -5., 0.), Vec3d(5., 5., 10.)));
+        if (i < inliers)
+            p.z = (-TRUTH[3] - TRUTH[0] * p.x - TRUTH[1] * p.y) / TRUTH[2] + rng.gaussian(noise);
+        points.push_back(p);
+    }
+    return points;
+}
+
+double errorOf(const Mat& plane)
+{
+    const Vec4d found(plane.ptr<double>());
+    return std::min(cv::norm(found - TRUTH), cv::norm(found + TRUTH));
+}
+
+TEST(Usac_CustomPlane, everyPreset)
+{
+    const std::vector<Point3d> points = scene(300, 200, 0.01);
+    const std::vector<NamedPreset> presets = allPresets();
+    for (size_t k = 0; k < presets.size(); ++k)
+    {
+        Params params = presets[k].params;
+        params.threshold = 0.04;
+        params.maxIterations = 5000;
+        Mat mask;
+        Report report;
+        const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
+                              ->run(mask, &report);
+        ASSERT_EQ(Size(4, 1), plane.size()) << presets[k].name;
+        EXPECT_LE(errorOf(plane), 0.02) << presets[k].name;
+        EXPECT_EQ(report.inliers, countNonZero(mask)) << presets[k].name;
+        EXPECT_LE(report.chance, 1e-6) << presets[k].name;
+        if (!findsThreshold(params))
+        {
+            EXPECT_NEAR(301, report.inliers, 6) << presets[k].name;
+        }
+    }
+}
+
+//! The module's fits take the place of a problem's own, if it says how its models vary.
+TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
+{
+    const PlaneParameterization planes;
+    EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(TRUTH.val))));
+    EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(3, 0.1, -0.2, 5))));
+    const std::vector<Point3d> points = scene(300, 200, 0.01);
+    for (const NamedPreset& preset : allPresets())
+    {
+        SCOPED_TRACE(preset.name);
+        Params params = preset.params;
+        params.threshold = 0.04;
+        params.maxIterations = 5000;
+        Mat models[2], masks[2];
+        models[0] = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)->run(masks[0]);
+        models[1] = Usac::create(makePtr<VaryingPlaneProblem>(), points, noArray(), params)
+                        ->run(masks[1]);
+        ASSERT_EQ(Size(4, 1), models[1].size());
+        EXPECT_LE(errorOf(models[1]), 0.02);
+        EXPECT_LE(std::abs(countNonZero(masks[0]) - countNonZero(masks[1])), 2);
+    }
+}
+
+//! Random points have planes within the threshold of several, which the report tells.
+TEST(Usac_CustomPlane, chanceOfRandomPoints)
+{
+    Params params;
+    params.threshold = 0.04;
+    params.significance = 1;
+    params.maxIterations = 2000;
+    Report report;
+    Usac::create(makePtr<PlaneProblem>(), scene(0, 300, 0), noArray(), params)
+        ->run(noArray(), &report);
+    EXPECT_GE(report.chance, 1e-3);
+}
+
+TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
+{
+    std::vector<Point3d> points = scene(100, 300, 0.01);
+    points[7].y = points[150].z = std::numeric_limits<double>::quiet_NaN();
+    for (int neighborhood = NEIGHBORHOOD_GRID; neighborhood <= NEIGHBORHOOD_RADIUS; ++neighborhood)
+        for (int ordering = ORDERING_NONE; ordering <= ORDERING_DENSITY; ++ordering)
+        {
+            Params params;
+            params.threshold = 0.04;
+            params.neighborhood = neighborhood;
+            params.ordering = ordering;
+            params.neighborRadius = 2;
+            Mat mask;
+            const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
+                                  ->run(mask);
+            ASSERT_FALSE(plane.empty()) << neighborhood << " " << ordering;
+            EXPECT_LE(errorOf(plane), 0.03);
+            EXPECT_EQ(0, mask.at<uchar>(7) + mask.at<uchar>(150));
+        }
+}
+
+//! Of points of space, against all distances.
+TEST(Usac_CustomPlane, nearestNeighbors)
+{
+    Params params;
+    params.neighborhood = NEIGHBORHOOD_KNN;
+    params.neighbors = 6;
+    const Ptr<Usac> usac = Usac::create(makePtr<PlaneProblem>(), scene(100, 100, 0.01), noArray(),
+                                        params);
+    const Correspondences& p = usac->points();
+    const RunContext run(p, usac->components(), params);
+    for (int i = 0; i < p.size; ++i)
+    {
+        std::vector<std::pair<double, int>> all;
+        for (int k = 0; k < p.size; ++k)
+        {
+            const Vec3d d(p.exact[0][k] - p.exact[0][i], p.exact[1][k] - p.exact[1][i],
+                          p.exact[2][k] - p.exact[2][i]);
+            all.push_back(std::make_pair(d.dot(d), k));
+        }
+        std::sort(all.begin(), all.end());
+        const int* members = 0;
+        ASSERT_EQ(7, usac->components().neighborhood->members(run, 0, i, members));
+        for (int k = 0; k < 7; ++k)
+            EXPECT_EQ(all[k].second, members[k]) << i;
+    }
+}
+
+TEST(Usac_CustomPlane, layoutsOfPoints)
+{
+    const std::vector<Point3d> points = scene(30, 0, 0.01);
+    const Mat rows = column(points).reshape(1), columns = rows.t();
+    Mat floats, one[5];
+    rows.convertTo(floats, CV_32F);
+    const Mat layouts[] = {Mat(points), rows, columns, Mat(points).reshape(3, 1), floats};
+    Params params;
+    params.threshold = 0.04;
+    for (int k = 0; k < 5; ++k)
+    {
+        one[k] = Usac::create(makePtr<PlaneProblem>(), layouts[k], noArray(), params)->run();
+        EXPECT_LE(cv::norm(one[0], one[k], NORM_INF), k < 4 ? 0. : 1e-5) << k;
+    }
+    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows.colRange(0, 2), noArray(), params),
+                 cv::Exception);
+    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows, rows, params), cv::Exception)
+        << "a second array";
+}
+
+//! A solver that writes numbers into a model of no size.
+class ShapelessSolver : public PlaneSolver
+{
+public:
+    int solve(const Correspondences&, const int*, Model* models) const CV_OVERRIDE
+    {
+        models[0].val[0] = 1;
+        return 1;
+    }
+};
+
+TEST(Usac_CustomPlane, modelsHaveAShape)
+{
+    const Ptr<Usac> usac = Usac::create(makePtr<PlaneProblem>(), scene(30, 0, 0.01), noArray());
+    usac->components().minimalSolver = makePtr<ShapelessSolver>();
+    EXPECT_THROW(usac->run(), cv::Exception);
+}
+
+}
+}  // namespace

@@ -1,0 +1,170 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "support/contracts.hpp"
+#include "../../../../samples/affine_problem.hpp"
+
+// A problem that the library does not know: the affine map of samples/custom_problem.cpp.
+
+namespace opencv_test {
+namespace {
+
+const Matx23d TRUTH(0.9, 0.2, 30, -0.15, 1.1, -20);
+
+struct AffineScene
+{
+    AffineScene(int inliers, int outliers, double noise)
+    {
+        RNG rng(7);
+        for (int i = 0; i < inliers + outliers; ++i)
+        {
+            const Point2d p = uniformPoint(rng, 0., 640., 0., 480.);
+            const Vec2d q = TRUTH * Vec3d(p.x, p.y, 1);
+            const Point2d right = Point2d(q[0], q[1]) + gaussianPoint(rng, noise);
+            points1.push_back(p);
+            points2.push_back(i < inliers ? right : uniformPoint(rng, 0., 640., 0., 480.));
+        }
+    }
+
+    Mat estimate(const Params& params, OutputArray mask = noArray(), Report* report = 0) const
+    {
+        return Usac::create(makePtr<custom::AffineProblem>(), points1, points2, params)
+            ->run(mask, report);
+    }
+
+    //! Largest error of a corner of the image, pixels.
+    static double error(const Mat& model)
+    {
+        double largest = 0;
+        for (int corner = 0; corner < 4; ++corner)
+        {
+            const Vec3d x(corner % 2 * 640, corner / 2 * 480, 1);
+            const Vec2d difference = Matx23d(model.ptr<double>()) * x - TRUTH * x;
+            largest = std::max(largest, std::hypot(difference[0], difference[1]));
+        }
+        return largest;
+    }
+
+    std::vector<Point2d> points1, points2;
+};
+
+//! Every preset finds it: samplers, scores, verification, local optimizations, criteria, polishing.
+TEST(Usac_CustomProblem, everyPreset)
+{
+    const AffineScene scene(200, 200, 0.5);
+    const std::vector<NamedPreset> presets = allPresets();
+    for (size_t p = 0; p < presets.size(); ++p)
+    {
+        Params params = presets[p].params;
+        params.threshold = 2;
+        params.maxIterations = 5000;
+        if (params.quality == QUALITY_LMEDS)
+            continue;  // half of the points are wrong
+        Mat mask;
+        Report report;
+        const Mat A = scene.estimate(params, mask, &report);
+        ASSERT_FALSE(A.empty()) << presets[p].name;
+        EXPECT_LE(AffineScene::error(A), 0.6) << presets[p].name;
+        EXPECT_EQ(Size(3, 2), A.size());
+        EXPECT_GE(report.inliers, 190) << presets[p].name;
+        EXPECT_EQ(report.inliers, countNonZero(mask));
+    }
+}
+
+TEST(Usac_CustomProblem, anyNumberOfThreads)
+{
+    const AffineScene scene(60, 240, 0.5);
+    Params params;
+    params.threshold = 2;
+    params.maxIterations = 20000;
+    const Mat one = scene.estimate(params);
+    for (params.threads = 2; params.threads <= 4; ++params.threads)
+        EXPECT_EQ(0, cv::norm(one, scene.estimate(params), NORM_INF));
+}
+
+//! A custom component beside a custom problem: confidence holds with its sample size.
+TEST(Usac_CustomProblem, endsWhereTheConfidenceSays)
+{
+    const AffineScene scene(100, 100, 0.5);
+    Params params = Params::ransac();
+    params.threshold = 2;
+    Report report;
+    EXPECT_FALSE(scene.estimate(params, noArray(), &report).empty());
+    EXPECT_EQ((int)STOP_STANDARD, report.stop);
+    // log(0.01) / log(1 - 0.5^3) = 34.5 samples for half of the points, more while the best model
+    // has less
+    EXPECT_GE(report.iterations, 30);
+    EXPECT_LE(report.iterations, 300);
+}
+
+//! Numbers of a problem that do not fit each other.
+class WrongProblem : public custom::AffineProblem
+{
+public:
+    explicit WrongProblem(int mistake_) : mistake(mistake_) {}
+    int dimension() const CV_OVERRIDE { return mistake == 0 ? 7 : 6; }
+    int errorDimension() const CV_OVERRIDE { return mistake == 1 ? 3 : 2; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(mistake == 2 ? 0 : 100, 1); }
+    int coordinates(int array) const CV_OVERRIDE
+    {
+        return mistake == 4 ? 4 : mistake == 5 && array == 1 ? 1 : 2;
+    }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE
+    {
+        return mistake == 3 ? Ptr<MinimalSolver>() : AffineProblem::createMinimalSolver();
+    }
+
+private:
+    const int mistake;
+};
+
+TEST(Usac_CustomProblem, mistakesAreNamed)
+{
+    const AffineScene scene(20, 0, 0.5);
+    for (int mistake = 0; mistake <= 6; ++mistake)
+    {
+        std::string message;
+        try
+        {
+            Usac::create(makePtr<WrongProblem>(mistake), scene.points1, scene.points2,
+                         Params::magsac());
+        }
+        catch (const cv::Exception& e)
+        {
+            message = e.err;
+        }
+        EXPECT_EQ(mistake < 6, message.find("problem affine:") == 0) << mistake << " " << message;
+    }
+}
+
+TEST(Usac_CustomProblem, impossiblePoints)
+{
+    const std::vector<Point2d> same(50, Point2d(3, 4));
+    std::vector<Point2d> line;
+    for (int i = 0; i < 50; ++i)
+        line.push_back(Point2d(i, 2 * i));
+    Params params;
+    params.maxIterations = 500;
+    const std::vector<Point2d>* cases[] = {&same, &line};
+    for (int i = 0; i < 2; ++i)
+    {
+        Mat mask;
+        Report report;
+        const Ptr<Usac> usac = Usac::create(makePtr<custom::AffineProblem>(), *cases[i], *cases[i],
+                                            params);
+        EXPECT_TRUE(usac->run(mask, &report).empty());
+        EXPECT_EQ(0, countNonZero(mask));
+        EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
+    }
+    const std::vector<Point2d> two(2, Point2d(0, 0));
+    Report report;
+    EXPECT_TRUE(Usac::create(makePtr<custom::AffineProblem>(), two, two, params)
+                    ->run(noArray(), &report)
+                    .empty());
+    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
+}
+
+}
+}  // namespace

@@ -1,0 +1,119 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "components/repetitions.hpp"
+
+#include <set>
+
+namespace opencv_test {
+namespace {
+
+//! Points of an image, for independentInliers.
+struct Points
+{
+    void add(double a1, double b1, double a2, double b2, bool inlier = true)
+    {
+        x1.push_back(a1);
+        y1.push_back(b1);
+        x2.push_back(a2);
+        y2.push_back(b2);
+        mask.push_back(inlier);
+    }
+
+    int independent(double threshold1 = 1, double threshold2 = 1) const
+    {
+        Arena arena;
+        const double* const columns[] = {x1.data(), y1.data(), x2.data(), y2.data()};
+        const int coordinates[] = {2, 2};
+        return independentInliers(columns, coordinates, mask.data(), (int)mask.size(), threshold1,
+                                  threshold2, arena);
+    }
+
+    std::vector<double> x1, y1, x2, y2;
+    std::vector<uchar> mask;
+};
+
+TEST(Usac_Repetitions, independentInliers)
+{
+    Points points;
+    EXPECT_EQ(0, points.independent());
+    for (int i = 0; i < 10; ++i)
+        points.add(5 * i + 0.5, -3 * i + 0.5, 2 * i + 0.5, 7 * i + 0.5);
+    EXPECT_EQ(10, points.independent());
+    for (int i = 0; i < 10; ++i)
+        points.add(5 * i + 0.6, -3 * i + 0.4, 2 * i + 0.7, 7 * i + 0.6);
+    EXPECT_EQ(10, points.independent()) << "the same matches again";
+    for (int i = 0; i < 10; ++i)
+        points.add(100 + 5 * i, 3 * i, 3, 0.5);
+    EXPECT_EQ(11, points.independent()) << "ten points that match one";
+    for (int i = 0; i < 10; ++i)
+        points.add(-3, 0.5, 100 + 5 * i, 3 * i);
+    EXPECT_EQ(21, points.independent()) << "one point that matches ten";
+    for (int i = 0; i < 10; ++i)
+        points.add(500 + 5 * i, i, 500 + 5 * i, i, false);
+    EXPECT_EQ(21, points.independent()) << "outliers";
+    EXPECT_EQ(3, points.independent(1e9, 1)) << "three of the four cells around the origin";
+    EXPECT_EQ(1, points.independent(1, 1e9));
+}
+
+TEST(Usac_Repetitions, independentInliersAgainstASet)
+{
+    RNG rng(1);
+    for (double side = 0.01; side < 100; side *= 7)
+    {
+        Points points;
+        std::set<std::pair<double, double>> cells1, cells2;
+        for (int i = 0; i < 2000; ++i)
+        {
+            const double p[4] = {rng.uniform(-50., 50.), rng.uniform(-50., 50.), rng.gaussian(20),
+                                 rng.gaussian(1)};
+            points.add(p[0], p[1], p[2], p[3], i % 3 != 0);
+            if (i % 3 == 0)
+                continue;
+            cells1.insert(std::make_pair(std::floor(p[0] / side), std::floor(p[1] / side)));
+            cells2.insert(
+                std::make_pair(std::floor(p[2] / (2 * side)), std::floor(p[3] / (2 * side))));
+        }
+        EXPECT_EQ((int)std::min(cells1.size(), cells2.size()), points.independent(side, 2 * side))
+            << side;
+    }
+}
+
+//! Of the inliers of a cell all are marked but the one that the order has first.
+TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
+{
+    RNG rng(2);
+    const int N = 500;
+    std::vector<double> x(N), y(N);
+    std::vector<int> order(N);
+    std::vector<uchar> mask(N), repeated(N, 0);
+    for (int i = 0; i < N; ++i)
+    {
+        x[i] = rng.uniform(0., 20.);
+        y[i] = rng.uniform(0., 20.);
+        order[i] = (i * 7 + 3) % N;
+        mask[i] = i % 4 != 1;
+    }
+    repeated[5] = 1;  // of the other image
+    Arena arena;
+    const double* const columns[] = {x.data(), y.data()};
+    const int sum = markRepeated(columns, 2, order.data(), mask.data(), N, 2, repeated.data(),
+                                 arena);
+    std::set<std::pair<int, int>> seen;
+    int expectedSum = 0;
+    for (int i = 0; i < N; ++i)
+    {
+        const std::pair<int, int> cell(cvFloor(x[order[i]] / 2), cvFloor(y[order[i]] / 2));
+        const bool expected = i == 5 || (mask[i] && seen.count(cell));
+        if (mask[i])
+            seen.insert(cell);
+        EXPECT_EQ(expected, repeated[i] != 0) << i;
+        expectedSum += expected;
+    }
+    EXPECT_EQ(expectedSum, sum);
+}
+
+}
+}  // namespace

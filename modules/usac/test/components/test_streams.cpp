@@ -1,0 +1,24 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "components/streams.hpp"
+
+namespace opencv_test {
+namespace {
+
+//! Nobody meets the numbers of somebody else, however many iterations there are, nor those of a
+//! sample.
+TEST(Usac_Streams, doNotMeet)
+{
+    uint64 end = INT_MAX;
+    for (int stream = STREAM_ROTATION; stream <= STREAM_RESTARTS; ++stream)
+    {
+        EXPECT_GT(streamOf((Stream)stream), end) << stream;
+        end = streamOf((Stream)stream, (uint64)2 * INT_MAX);
+    }
+}
+
+}
+}  // namespace

@@ -1,0 +1,118 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include <ctime>
+#include "test_precomp.hpp"
+#include "control/watch.hpp"
+
+// How late a run of a million points ends that has to, by Params::maxTime or a ProgressScope.
+
+namespace opencv_test {
+namespace {
+
+//! Milliseconds of the processor: what other programs take does not count. A tenth of a second is
+//! promised; twice that may pass where others use the caches.
+double processorTime() { return 1e3 * std::clock() / CLOCKS_PER_SEC; }
+const double LATE = 200;
+
+Params presetOfMany(int preset)
+{
+    return preset == 0   ? Params()
+           : preset == 1 ? Params::gcRansac()
+           : preset == 2 ? Params::usac2013()
+                         : Params::magsac();
+}
+
+//! The neighborhoods, the order, PROSAC's criterion, the chance and the independent inliers of a
+//! million points take up to seconds each.
+TEST(Usac_StopLate, a_million_points)
+{
+    for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
+        for (double ratio : {0.5, 0.})
+        {
+            SceneOptions options;
+            options.setSize(1000000, ratio);
+            const Scene scene = makeScene((ProblemType)problem, options);
+            for (int preset = 0; preset < 4; ++preset)
+            {
+                SCOPED_TRACE(
+                    cv::format("problem %d, preset %d, %g right matches", problem, preset, ratio));
+                Params params = presetOfMany(preset);
+                params.maxIterations = INT_MAX;
+                params.maxTime = 400;
+                const Ptr<Usac> usac = createUsac(scene, params);
+                const double start = processorTime();
+                Mat mask;
+                Report report;
+                const Mat model = usac->run(mask, &report);
+                EXPECT_LE(processorTime() - start, params.maxTime + LATE) << report.describe();
+                EXPECT_EQ(report.inliers, countNonZero(mask));
+                EXPECT_EQ(model.empty(), report.inliers == 0);
+                EXPECT_TRUE(!model.empty() || report.stop == (int)STOP_TIME) << report.describe();
+            }
+        }
+}
+
+class CountingOrder : public Ordering
+{
+public:
+    CountingOrder() : calls(0) {}
+    void sort(const Context&, int*) CV_OVERRIDE { ++calls; }
+
+    int calls;
+};
+
+//! A step that can be left out does not end a run that has time for others: the order of a million
+//! points takes 130 ms.
+TEST(Usac_StopLate, no_time_for_the_order)
+{
+    Correspondences points = Correspondences();
+    points.size = 1000000;
+    const Ptr<CountingOrder> order = makePtr<CountingOrder>();
+    Components parts;
+    parts.ordering = order;
+    const Params params;
+    Arena arena;
+    for (int enough = 0; enough < 2; ++enough)
+    {
+        Watch watch(enough ? 1e6 : 100, 0);
+        State state;
+        const Context context(points, parts, params, arena, &watch);
+        const int* const sorted = state.bestFirst(context);
+        EXPECT_EQ(enough, order->calls);
+        EXPECT_EQ(999999, sorted[999999]);
+        EXPECT_FALSE(watch.stopped());
+    }
+}
+
+//! The same from the moment at which a function says no: no clock can tell these steps to be left
+//! out before.
+TEST(Usac_StopLate, a_million_points_cancelled)
+{
+    for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL})
+    {
+        SceneOptions options;
+        options.setSize(1000000, 0.5);
+        const Scene scene = makeScene((ProblemType)problem, options);
+        for (int preset = 0; preset < 4; ++preset)
+        {
+            Params params = presetOfMany(preset);
+            params.maxIterations = INT_MAX;
+            params.termination = 0;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            double said = 0;
+            const ProgressScope scope([&](const Report& now) {
+                said = processorTime();
+                return now.localOptimizations == 0 && now.iterations < 50;
+            });
+            Report report;
+            usac->run(noArray(), &report);
+            EXPECT_EQ((int)STOP_CANCELLED, report.stop);
+            EXPECT_LE(processorTime() - said, LATE) << problem << " " << preset;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace opencv_test

@@ -1,0 +1,355 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "components/sample_counts.hpp"
+#include "../../../../samples/line_distance.hpp"
+
+// A component of a caller's does what it says, and what does not fit ends in a message.
+
+namespace opencv_test {
+namespace {
+
+//! The sample's distance in image 2 to the epipolar line, with its derivative or without.
+class LineDistance : public custom::LineDistance
+{
+public:
+    explicit LineDistance(bool derived_) : derived(derived_) {}
+
+    int linearize(const Model& F, const double* match, double* out,
+                  double* derivative) const CV_OVERRIDE
+    {
+        return derived ? custom::LineDistance::linearize(F, match, out, derivative)
+                       : Residual::linearize(F, match, out, derivative);
+    }
+
+private:
+    const bool derived;
+};
+
+//! Root of the mean squared distance of the marked matches to their lines in image 2, pixels.
+double lineError(const Scene& scene, const Mat& model, const Mat& mask)
+{
+    const Matx33d F((const double*)model.ptr());
+    double sum = 0;
+    for (int i = 0; i < scene.size(); ++i)
+        if (mask.at<uchar>(i))
+        {
+            const Vec3d line = F * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
+            const double d = line.dot(Vec3d(scene.points2[i].x, scene.points2[i].y, 1)) /
+                             std::hypot(line[0], line[1]);
+            sum += d * d;
+        }
+    return std::sqrt(sum / countNonZero(mask));
+}
+
+Scene zoomedScene()
+{
+    SceneOptions options;
+    options.motion = MOTION_FORWARD;
+    options.outliers = 60;
+    options.noise = 1;
+    return makeScene(FUNDAMENTAL, options);
+}
+
+//! What is scored is fitted, and what the mask says: least squares over the mask cannot lower the
+//! error any more.
+TEST(Usac_Replacement, residual)
+{
+    const Scene scene = zoomedScene();
+    Params params;
+    params.threshold = 3;
+    params.polishing = POLISHING_LEAST_SQUARES;
+    params.polishingSteps = 100;
+    Mat models[2];
+    for (int derived = 0; derived < 2; ++derived)
+    {
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Ptr<Residual> residual = makePtr<LineDistance>(derived != 0);
+        usac->components().residual = residual;
+        Mat mask;
+        models[derived] = usac->run(mask);
+        ASSERT_FALSE(models[derived].empty());
+        const double found = lineError(scene, models[derived], mask);
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            Mat one = Mat::zeros(scene.size(), 1, CV_8U);
+            one.at<uchar>(i) = 1;
+            EXPECT_EQ(lineError(scene, models[derived], one) <= params.threshold,
+                      mask.at<uchar>(i) != 0)
+                << i;
+        }
+        RNG rng(5);
+        for (int i = 0; i < 200; ++i)  // other models of rank 2 beside it
+        {
+            Matx33d other((const double*)models[derived].ptr());
+            for (int k = 0; k < 9; ++k)
+                other.val[k] *= 1 + rng.gaussian(1e-3);
+            Matx33d U, Vt;
+            Vec3d w;
+            SVD::compute(other, w, U, Vt);
+            const Mat near(U * Matx33d::diag(Vec3d(w[0], w[1], 0)) * Vt, true);
+            EXPECT_GE(lineError(scene, near, mask), found * (1 - 1e-9));
+        }
+    }
+    EXPECT_LE(cv::norm(models[0], models[1]), 1e-6);
+    const Mat sampson = estimate(scene, params);
+    EXPECT_GT(cv::norm(models[0], sampson), 1e-5) << "another error has another minimum";
+}
+
+//! The fit follows the residual back, too.
+TEST(Usac_Replacement, residualAndBack)
+{
+    const Scene scene = zoomedScene();
+    const Params params;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<Residual> given = usac->components().residual;
+    usac->components().residual = makePtr<LineDistance>(true);
+    const Mat first = usac->run();
+    EXPECT_EQ(0, cv::norm(first, usac->run(), NORM_INF));
+    usac->components().residual = given;
+    const Mat back = usac->run();
+    EXPECT_EQ(0, cv::norm(back, estimate(scene, params), NORM_INF));
+    EXPECT_GT(cv::norm(first, back), 1e-5);
+}
+
+//! The residual of one component of a caller's that has not written any derivative.
+TEST(Usac_Replacement, derivativeByDifferences)
+{
+    RNG rng(3);
+    const LineDistance derived(true), plain(false);
+    for (int i = 0; i < 100; ++i)
+    {
+        Model F(3, 3);
+        for (int k = 0; k < 9; ++k)
+            F.val[k] = rng.gaussian(1);
+        const double match[] = {rng.gaussian(1), rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)};
+        double a, b, exact[9], differences[9];
+        EXPECT_EQ(1, derived.linearize(F, match, &a, exact));
+        EXPECT_EQ(1, plain.linearize(F, match, &b, differences));
+        EXPECT_NEAR(a, b, 1e-12 * (1 + std::abs(a)));
+        const double length = std::hypot(F.val[0] * match[0] + F.val[1] * match[1] + F.val[2],
+                                         F.val[3] * match[0] + F.val[4] * match[1] + F.val[5]);
+        for (int k = 0; k < 9 && length > 0.1; ++k)
+            EXPECT_NEAR(exact[k], differences[k], 1e-6 * (1 + a * a) / std::pow(length, 3));
+    }
+}
+
+//! Uniform whatever Params::sampler says; it may make mistakes.
+class OwnSampler : public Sampler
+{
+public:
+    explicit OwnSampler(int mistake_ = 0) : mistake(mistake_) {}
+
+    void sample(const Context& context, State& state, int* out) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        state.rng.distinct(context.points.size, m, out);
+        if (mistake == 1)
+            out[1] = context.points.size;
+        if (mistake == 2)
+            out[1] = out[0];
+        if (mistake == 3)
+            out[0] = -1;
+    }
+
+private:
+    const int mistake;
+};
+
+//! The same as one of the module's scores, as a program would write it.
+class InliersOnly : public Score
+{
+public:
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            sum.inliers += squaredErrors[i] <= squaredThreshold;
+            sum.cost += !(squaredErrors[i] <= squaredThreshold);
+        }
+    }
+    bool countsInliers() const CV_OVERRIDE { return true; }
+};
+
+//! What the run does with a score follows from the score in use, not from Params::quality.
+TEST(Usac_Replacement, score)
+{
+    for (int problem : TWO_VIEW_PROBLEMS)
+    {
+        SceneOptions options;
+        options.setSize(60, 0.4);
+        const Scene scene = makeScene((ProblemType)problem, options);
+        Params params;
+        const Ptr<Usac> replaced = createUsac(scene, params);
+        replaced->components().score = makePtr<InliersOnly>();
+        params.quality = QUALITY_INLIERS;
+        Mat masks[2];
+        Report reports[2];
+        const Mat model = replaced->run(masks[0], &reports[0]);
+        EXPECT_EQ(0,
+                  cv::norm(model, createUsac(scene, params)->run(masks[1], &reports[1]), NORM_INF));
+        EXPECT_EQ(0, cv::norm(masks[0], masks[1], NORM_INF));
+        EXPECT_EQ(reports[1].iterations, reports[0].iterations);
+        EXPECT_EQ(reports[1].chance, reports[0].chance);
+    }
+}
+
+//! Uniform samples end a run where the theory says; PROSAC's criterion, which knows nothing of
+//! them, does not.
+TEST(Usac_Replacement, uniformSampler)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    for (int sorted = 0; sorted < 2; ++sorted)
+    {
+        int asComputed = 0;
+        for (int seed = 0; seed < 20; ++seed)
+        {
+            Params params = Params::prosac();
+            params.sampler = sorted ? SAMPLER_PROSAC : SAMPLER_P_NAPSAC;
+            params.termination = TERMINATION_STANDARD | TERMINATION_EXACT | TERMINATION_PROSAC;
+            params.polishing = POLISHING_NONE;
+            params.maxIterations = 100000;
+            params.seed = seed;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            usac->components().sampler = makePtr<OwnSampler>();
+            Report report;
+            EXPECT_FALSE(usac->run(noArray(), &report).empty());
+            EXPECT_EQ((int)STOP_STANDARD, report.stop);
+            const double good = goodSampleProbability(report.inliers, scene.size(), 4);
+            const int needed = samplesNeeded(good, std::log(1 - params.confidence));
+            EXPECT_GE(report.iterations, needed);
+            asComputed += report.iterations == needed;  // else the best model came later
+        }
+        EXPECT_GE(asComputed, 15);
+    }
+}
+
+//! Says that it keeps so many of the good models only, so that more samples are needed.
+class DroppingVerifier : public Verifier
+{
+public:
+    explicit DroppingVerifier(double kept_) : kept(kept_) {}
+    int nextBlock(int) const CV_OVERRIDE { return 256; }
+    bool proceed(int, int) const CV_OVERRIDE { return true; }
+    double keptProbability(const Context&, double, bool) const CV_OVERRIDE { return kept; }
+    void sampleTested(State&, int, int) CV_OVERRIDE {}
+    void adapt(const Context&, State&) CV_OVERRIDE {}
+
+private:
+    const double kept;
+};
+
+TEST(Usac_Replacement, verifierThatDropsGoodModels)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    Params params = Params::ransac();
+    params.confidence = 0.999999;
+    params.maxIterations = 1000000;
+    int iterations[2];
+    for (int drops = 0; drops < 2; ++drops)
+    {
+        const Ptr<Usac> usac = createUsac(scene, params);
+        usac->components().verifier = makePtr<DroppingVerifier>(drops ? 0.01 : 1.);
+        Report report;
+        EXPECT_FALSE(usac->run(noArray(), &report).empty());
+        EXPECT_EQ((int)STOP_STANDARD, report.stop);
+        iterations[drops] = report.iterations;
+    }
+    EXPECT_GT(iterations[1], 50 * iterations[0]);
+}
+
+//! A score that counts no inliers, or whose cost is out of range.
+class BadScore : public Score
+{
+public:
+    explicit BadScore(int mistake_) : mistake(mistake_) {}
+
+    void accumulate(float*, int count, float, Quality& sum) const CV_OVERRIDE
+    {
+        sum.cost += mistake == 0 ? 0.5 * count : mistake == 1 ? 2. * count : -1;
+        sum.inliers += mistake == 0 ? 0 : count;
+    }
+
+private:
+    const int mistake;
+};
+
+//! The message of what a run throws.
+std::string complaint(const Ptr<Usac>& usac)
+{
+    try
+    {
+        usac->run();
+    }
+    catch (const cv::Exception& e)
+    {
+        return e.err;
+    }
+    return "";
+}
+
+#define EXPECT_COMPLAINT(name, usac)                                                               \
+    EXPECT_EQ(0u, complaint(usac).find("components()." name)) << complaint(usac)
+
+TEST(Usac_Replacement, mistakesAreNamed)
+{
+    for (int problem : TWO_VIEW_PROBLEMS)
+    {
+        if (sampleSizeOf(problem) == 1)
+            continue;
+        const Scene scene = makeScene((ProblemType)problem);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        const Components given = usac->components();
+        Components& parts = usac->components();
+        parts.residual.release();
+        EXPECT_COMPLAINT("residual", usac);
+        parts = given;
+        parts.score.release();
+        EXPECT_COMPLAINT("score", usac);
+        parts = given;
+        parts.sampler.release();
+        EXPECT_COMPLAINT("sampler", usac);
+        parts = given;
+        parts.minimalSolver.release();
+        EXPECT_COMPLAINT("minimalSolver", usac);
+        parts = given;
+        parts.degeneracies.push_back(Ptr<Degeneracy>());
+        EXPECT_COMPLAINT("degeneracies[", usac);
+        parts = given;
+        parts.terminations.push_back(Ptr<Termination>());
+        EXPECT_COMPLAINT("terminations[", usac);
+        for (int mistake = 1; mistake <= 3; ++mistake)
+        {
+            parts = given;
+            parts.sampler = makePtr<OwnSampler>(mistake);
+            EXPECT_COMPLAINT("sampler", usac);
+        }
+        for (int mistake = 0; mistake < 3; ++mistake)
+        {
+            parts = given;
+            parts.score = makePtr<BadScore>(mistake);
+            EXPECT_COMPLAINT("score", usac);
+        }
+        parts = given;
+        parts.nonMinimalSolver.release();
+        EXPECT_COMPLAINT("nonMinimalSolver", usac);
+        parts = given;
+        parts.neighborhood.release();
+        EXPECT_COMPLAINT("neighborhood", usac);
+        parts = createUsac(scene, Params())->components();
+        EXPECT_EQ("", complaint(usac)) << "all are there again";
+    }
+}
+
+//! A problem without a fit for a residual, and no problem at all.
+TEST(Usac_Replacement, problem)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    EXPECT_THROW(Usac::create(Ptr<Problem>(), scene.points1, scene.points2), cv::Exception);
+}
+
+}
+}  // namespace

@@ -1,0 +1,84 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_CONTRACTS_HPP
+#define OPENCV_USACV20_TEST_CONTRACTS_HPP
+
+// What contracts/, test_find*.cpp, test_params*.cpp and some of the other tests share; in
+// contracts.cpp.
+
+#include "test_precomp.hpp"
+#include "support/result_oracle.hpp"
+
+namespace opencv_test {
+
+//! Name of a problem for the trace of a failure.
+const char* nameOf(ProblemType problem);
+
+//! Camera matrix of all scenes of makeScene.
+Matx33d sceneCamera();
+
+//! The public function of the problem; K is used for E only.
+Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
+                   const Params& params, OutputArray mask, Report& report,
+                   InputArray K = sceneCamera());
+
+//! An estimation of the scene, for the oracle.
+EstimatorCall callOf(const Scene& scene, const Params& params);
+
+//! What is promised of any result of the standard residual with a threshold in pixels; the second
+//! form is for points that need not be doubles, with their camera matrix.
+void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask,
+                 const Report& report, double widestReach = 1);
+void checkResult(ProblemType problem, const std::vector<Point2d>& points1,
+                 const std::vector<Point2d>& points2, double pixels, const Mat& model,
+                 const Mat& mask, const Report& report, const Matx33d& K = sceneCamera(),
+                 double widestReach = 1);
+
+struct NamedPreset
+{
+    const char* name;
+    Params params;
+};
+
+std::vector<NamedPreset> allPresets();
+//! But for H, F and E usac2013() is without DEGENSAC, which the others refuse.
+std::vector<NamedPreset> allPresets(ProblemType problem);
+
+/** Every preset on the points, by the estimate function and by Usac::create, and every flag by the
+find functions: no exception, the same bits by each way, and whatever comes back is what is
+promised. @return the models of the presets */
+std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
+                               const std::vector<Point2d>& points2, double pixels = 1.5,
+                               int maxIterations = 200, const Matx33d& K = sceneCamera());
+
+//! Same type, same size, same bits.
+bool sameBits(const Mat& a, const Mat& b);
+
+//! Runs `call`, which has to raise a cv::Exception with `words` in its message.
+template <class Call>
+void expectException(const Call& call, const std::string& words)
+{
+    try
+    {
+        call();
+        ADD_FAILURE() << "no exception, expected one about: " << words;
+    }
+    catch (const cv::Exception& e)
+    {
+        EXPECT_NE(std::string::npos, std::string(e.what()).find(words))
+            << e.what() << " does not name " << words;
+    }
+}
+
+//! One test a problem.
+class UsacProblem : public testing::TestWithParam<int>
+{
+protected:
+    ProblemType problem() const { return (ProblemType)GetParam(); }
+};
+
+}  // namespace opencv_test
+
+#endif

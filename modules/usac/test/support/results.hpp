@@ -1,0 +1,48 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_RESULTS_HPP
+#define OPENCV_USACV20_TEST_RESULTS_HPP
+
+// All that a call returns, and hashes of it.
+
+#include "support/contracts.hpp"
+
+namespace opencv_test {
+
+//! The hash FNV-1a of 64 bits.
+class Hash
+{
+public:
+    Hash() : state(0xcbf29ce484222325ULL) {}
+
+    Hash& add(const void* data, size_t size);
+    Hash& add(const Mat& mat);
+    template <class T>
+    Hash& number(T value)
+    {
+        return add(&value, sizeof(value));
+    }
+    uint64 value() const { return state; }
+
+private:
+    uint64 state;
+};
+
+struct Result
+{
+    Mat model, mask;
+    Report report;
+
+    //! Of the bits of the model, the mask and all of the report but the times.
+    uint64 exact() const;
+    //! Of the mask, the number of iterations and why they ended.
+    uint64 robust() const;
+};
+
+Result resultOf(const Scene& scene, const Params& params);
+
+}  // namespace opencv_test
+
+#endif
