@@ -2,10 +2,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The programs of samples/benchmark, for builds inside OpenCV and stand-alone. The caller defines usac_add_program(name sources) and
+# The programs of benchmark/, for builds inside OpenCV and stand-alone. The caller defines usac_add_program(name sources) and
 # usac_add_sample_library(name sources).
 
-set(_benchmark "${USAC_PROJECT_DIR}/samples/benchmark")
+set(_benchmark "${USAC_MODULE_DIR}/benchmark")
 
 # The benchmark without its main(), for programs that register methods of their own, see doc/benchmark.md.
 file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/*.cpp" "${_benchmark}/*.hpp" "${_benchmark}/problems/*.cpp"

@@ -21,7 +21,7 @@ include(CheckCXXSourceCompiles)
 get_filename_component(USAC_MODULE_DIR "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 get_filename_component(USAC_PROJECT_DIR "${USAC_MODULE_DIR}/../.." ABSOLUTE)
 
-# File names in exceptions begin with modules/usac/src/ or, for programs, samples/, without the folder of the project.
+# File names in exceptions begin with modules/usac/ or, for samples, samples/, without the folder of the project.
 check_cxx_compiler_flag(-fmacro-prefix-map=a=b USAC_COMPILER_MAPS_PATHS)
 set(USAC_PATH_FLAGS "")
 if(USAC_COMPILER_MAPS_PATHS)

@@ -81,7 +81,7 @@ python_package_tests()
 # Tests the benchmark's readers of data sets and its plots; without matplotlib and scipy some tests are skipped.
 benchmark_tests()
 {
-    cd "$project/samples/benchmark" &&
+    cd "$project/modules/usac/benchmark" &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader" USAC_BENCHMARK="$work/consumer/build/bin/usac_benchmark" \
         /usr/bin/python3 -c "$run_unittests" "test_*.py"
 }

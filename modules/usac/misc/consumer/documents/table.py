@@ -42,10 +42,10 @@ usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --in
 usac_synthetic --out=DATA --scene=view --name=pnp --pairs=1 --size=200 --inliers=0.6 > /dev/null
 ln -sfn DATA DIR"""
 FIRST_LIST = """usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 > /dev/null
-ln -s ../clone/samples ."""
+ln -s ../clone/modules ."""
 FEW = {"--pairs=25": "--pairs=1"}  # scenes
-BENCHMARK_TESTS = "samples/benchmark/test_"
-FILES = "import sys; sys.path.insert(0, '../clone/samples/benchmark')\n"
+BENCHMARK_TESTS = "modules/usac/benchmark/test_"
+FILES = "import sys; sys.path.insert(0, '../clone/modules/usac/benchmark')\n"
 RUNS = "usac_benchmark --list=DATA/lists/homogr.H.list --runs=runs.csv --methods=USACV20,cv:USAC_DEFAULT,cv:RANSAC > /dev/null"
 LIST_IS_READ = "import subprocess\nsubprocess.run(['usac_benchmark', '--list=DATA/lists/mine.{}.list', '--methods=USACV20'], check=True)"
 PREFIX = {"<prefix>": "{work}/prefix"}
@@ -73,7 +73,7 @@ OPTIONS_OF_COLMAP = {"--SiftExtraction.use_gpu": "--FeatureExtraction.use_gpu", 
 if not shutil.which("colmap") or b"FeatureExtraction.use_gpu" not in subprocess.run(
         ["colmap", "feature_extractor", "--help"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout:
     OPTIONS_OF_COLMAP = {}  # 3
-COURT = """PYTHONPATH={project}/samples/benchmark/collection python3 -c "
+COURT = """PYTHONPATH={project}/modules/usac/benchmark/collection python3 -c "
 from streets import Options, Street
 Street(Options('court', 24, seed=0)).write('court.db')"
 python3 -m usacv20.collection verify court.db"""
@@ -226,7 +226,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "sh modules/usac/misc/sanitize.sh": Elsewhere(RUN_TESTS, "sanitized_tests", ("misc/sanitize.sh",)),
         "sh modules/usac/misc/sanitize.sh fuzz 3600": Impossible("it takes an hour: .github/workflows/tools.yml runs it"),
         "sh modules/usac/misc/matrix.sh": Impossible("it needs root, a mirror of Debian and some hours")})),
-    (CONTRIBUTING, "Results that change", "python3 samples/benchmark/measure.py --build=build --data=DATA",
+    (CONTRIBUTING, "Results that change", "python3 modules/usac/benchmark/measure.py --build=build --data=DATA",
         Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
     (CONTRIBUTING, "Results that change", "sh 1", Shell(elsewhere={  # they write the stored hashes
         "USAC_WRITE_HASHES=test_data/hashes.txt build/bin/opencv_test_usac --gtest_filter=Usac_Hashes.stored":
@@ -236,13 +236,13 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
 
     # Lists of one pair.
     (BENCHMARK, "Quick start", "sh 1", Shell("benchmark", before=FIRST_LIST, leaves=("tables.csv", "pictures"), elsewhere={
-        "python3 samples/benchmark/dataset.py strecha --images=DIR/strecha --out=DATA --pairs=50":
+        "python3 modules/usac/benchmark/dataset.py strecha --images=DIR/strecha --out=DATA --pairs=50":
             Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", ("--images", "--out", "--pairs"))})),
     (BENCHMARK, "Format of pairs and lists", "text 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_poses")),
     (BENCHMARK, "Format of pairs and lists", "python 1", Python(
         FILES + "gt_points = np.c_[points1, points2][right]", LIST_IS_READ.format("H"))),
     (BENCHMARK, "Data sets", "python3 dataset.py <command> --help", Shell(
-        "clone/samples/benchmark", names={"<command>": "strecha"}, prints=("--images",))),
+        "clone/modules/usac/benchmark", names={"<command>": "strecha"}, prints=("--images",))),
     (BENCHMARK, "Building pairs", "sh 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", (
         "--images", "--out", "--pairs", "--seed", "--ratio", "--max", "--features"))),
     (BENCHMARK, "Synthetic scenes", "sh 1", Shell(
@@ -253,9 +253,9 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
     (BENCHMARK, "Your own method", "cmake 1", CMake(
         ("-DCMAKE_LINK_LIBRARIES_ONLY_TARGETS=ON",), names={"/path/to/opencv_usac": "{project}"}, whole="mine.cpp", build=False)),
     (BENCHMARK, "Comparing pair by pair", "sh 1", Shell(
-        "benchmark", names={"compare.py": "samples/benchmark/compare.py", "[": "", "]": "", " --other=...": ""}, before=RUNS, prints=("homogr",))),
+        "benchmark", names={"compare.py": "modules/usac/benchmark/compare.py", "[": "", "]": "", " --other=...": ""}, before=RUNS, prints=("homogr",))),
     (BENCHMARK, "Drawing", "sh 1", Shell(
-        "benchmark", names={"plot.py": "samples/benchmark/plot.py", "[": "", "]": "", "--out=DIR": "--out=drawn"}, before=RUNS, leaves=("drawn",))),
+        "benchmark", names={"plot.py": "modules/usac/benchmark/plot.py", "[": "", "]": "", "--out=DIR": "--out=drawn"}, before=RUNS, leaves=("drawn",))),
     (BENCHMARK, "Measurements", "sh 1", Elsewhere(BENCHMARK_TESTS + "measure.py", "test_check_fails_after_a_change_of_results", ("--check", "--logs="))),
     (BENCHMARK, "Scale", "sh 1", Shell("benchmark", names={
         "> scale.md": "--problems=H --sizes=100,1000 --parts=0.8,0.5 --boundParts=0.3 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},

@@ -23,8 +23,7 @@ from usac_collection import Collection, Recipe
 from usac_common import once, package
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-PROGRAM = os.path.normpath(os.path.join(FOLDER, "..", "..", "..", "..", "..", "samples", "benchmark", "collection",
-                                        "compare_colmap.py"))
+PROGRAM = os.path.normpath(os.path.join(FOLDER, "..", "..", "..", "benchmark", "collection", "compare_colmap.py"))
 
 
 @once

@@ -24,8 +24,7 @@ if not IN_TREE:
     from usacv20.collection._pair import CollectionError, Configuration, TwoView
     from usacv20.collection._poses import quaternion
 
-SAMPLES = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "..", "samples",
-                                        "benchmark", "collection"))
+PROGRAMS = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "benchmark", "collection"))
 RESULTS = ("two_view_geometries", "usacv20_pairs")
 
 
@@ -143,7 +142,7 @@ class LoopsOfDatabaseTest(DatabaseCase):
 
 @once
 @package
-@unittest.skipUnless(os.path.exists(SAMPLES), "the samples are not here")
+@unittest.skipUnless(os.path.exists(PROGRAMS), "the programs of the benchmark are not here")
 class CourtTest(unittest.TestCase):
     """A court whose opposite sides have the same windows."""
 
@@ -151,8 +150,8 @@ class CourtTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.mkdtemp()
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        sys.path.insert(0, SAMPLES)
-        cls.addClassCleanup(sys.path.remove, SAMPLES)
+        sys.path.insert(0, PROGRAMS)
+        cls.addClassCleanup(sys.path.remove, PROGRAMS)
         from streets import Options, Street
         cls.street = Street(Options("court", 16, seed=1))
 

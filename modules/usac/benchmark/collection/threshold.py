@@ -15,8 +15,7 @@ import time
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "modules", "usac", "misc", "python",
-                                "test"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "misc", "python", "test"))
 from usac_collection_noise import NONE, noisyPairs  # noqa: E402
 from usacv20.collection import _threshold  # noqa: E402
 from usacv20.collection._geometry import verifyPairs  # noqa: E402

@@ -7,7 +7,7 @@
 // and its kernel need alone.
 //
 //     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
-//     python3 samples/benchmark/plot_scale.py scale.csv --out=pictures
+//     python3 modules/usac/benchmark/plot_scale.py scale.csv --out=pictures
 
 #include <iostream>
 #include "module_method.hpp"

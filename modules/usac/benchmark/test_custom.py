@@ -20,9 +20,8 @@ import pairs
 from test_benchmark import C1, C2, K, R1, R2, SIZE, FolderTest, project, text
 
 PROGRAMS = os.path.dirname(os.environ.get("USAC_BENCHMARK", ""))
-TEST_DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "test_data")
-PARAMS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "modules", "usac", "include", "opencv2", "usac",
-                      "params.hpp")
+TEST_DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "test_data")
+PARAMS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "include", "opencv2", "usac", "params.hpp")
 REPEATS = 5
 #: What a run comes to, but for its time.
 FIGURES = ("pair", "repeat", "error", "failed", "pose_error", "iterations", "inliers", "cost")

@@ -34,7 +34,7 @@ import gate_logs
 import threshold
 from figures import FOLDER, HASHES, FiguresError, Measurement, Project, Rows, block, inline_block, read_text
 
-ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 TWO_VIEWS = ("graf", "aloe", "office12_F", "office01_E")  # the sets of hashes.txt for H, F and E
 OWN = ("USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_MAGSAC", "USACV20+scores")
 OWN_ROWS = ("usacV20", "fast", "accurate", "magsacPlusPlus", "scores")
@@ -107,7 +107,7 @@ class Run:
         """Its standard output. The stamp has the command without files of output and with DATA and SCENES for the folders."""
         words = [program if program.endswith(".py") else os.path.join(self.build, "bin", program)] + list(arguments)
         if program.endswith(".py"):
-            words = [sys.executable, os.path.join(ROOT, "samples", "benchmark", program)] + list(arguments)
+            words = [sys.executable, os.path.join(ROOT, "modules", "usac", "benchmark", program)] + list(arguments)
         if shown:
             kept = [a for a in arguments if not re.match(r"--(csv|boundCsv|runs|program)=", a)]
             line = " ".join([program] + [shlex.quote(a) for a in kept])
@@ -308,7 +308,7 @@ def project():
 
 def state():
     """Commit of the sources, named so if they differ from it."""
-    changed = git("status", "--porcelain", "--", "modules/usac/src", "modules/usac/include", "samples/benchmark")
+    changed = git("status", "--porcelain", "--", "modules/usac/src", "modules/usac/include", "modules/usac/benchmark")
     return (git("rev-parse", "--short", "HEAD") or "-") + (" and changes" if re.search(r"\.[ch]pp$", changed, re.M) else "")
 
 

@@ -24,7 +24,7 @@ def cpp(name):
 
 
 def python(name):
-    return [sys.executable, os.path.join(HERE, "..", "python", name + ".py")]
+    return [sys.executable, os.path.join(HERE, "..", "..", "..", "samples", "python", name + ".py")]
 
 
 needsCpp = unittest.skipUnless(os.path.isfile(cpp("stabilize")[0]), "there are no samples beside USAC_BENCHMARK")
