@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "optimization/caller_basis.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "problems/predictions.hpp"
 #include "problems/registry.hpp"
-#include "input/read_points.hpp"
+#include "input/read_arrays.hpp"
 
 #include <Eigen/QR>
 

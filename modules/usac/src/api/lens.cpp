@@ -3,8 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "input/read_points.hpp"
-#include "input/camera_arguments.hpp"
+#include "input/read_arrays.hpp"
 #include "problems/distortion.hpp"
 
 namespace cv {

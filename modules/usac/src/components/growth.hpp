@@ -5,6 +5,8 @@
 #ifndef OPENCV_USACV20_GROWTH_HPP
 #define OPENCV_USACV20_GROWTH_HPP
 
+#include "opencv2/usac/components.hpp"
+
 namespace cv {
 namespace usacv20 {
 
@@ -56,6 +58,13 @@ private:
     int total;
     double drawn;  //!< number of samples including the current one, t in the paper
 };
+
+//! True if the order of the points is given, by scores or by the caller; false if it is guessed.
+inline bool orderIsKnown(const Context& context)
+{
+    const Ptr<Ordering>& ordering = context.components.ordering;
+    return ordering && ordering->informative(context);
+}
 
 }  // namespace usacv20
 }  // namespace cv

@@ -3,12 +3,97 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include <atomic>
-#include "control/batch_progress.hpp"
 #include "control/batch_tasks.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+namespace {
+
+//! Milliseconds between two calls of the progress functions, as in a single run (watch.cpp).
+constexpr int PERIOD = 5;
+
+}  // namespace
+
+BatchProgress::Worker::Worker(BatchProgress& batch_) : batch(batch_)
+{
+    if (!batch.scopes)
+        return;
+    Progress progress = [this](const Report&) { return !batch.stopped; };
+    if (batch.isCaller())
+        progress = [this](const Report& report) { return batch.ask(report); };
+    scope.reset(new ProgressScope(progress, 0));
+    if (batch.isCaller())
+        return;
+    const std::lock_guard<std::mutex> lock(batch.mutex);
+    ++batch.working;
+}
+
+BatchProgress::Worker::~Worker()
+{
+    if (!batch.scopes)
+        return;
+    if (batch.isCaller())
+    {
+        batch.waitForOthers();
+        return;
+    }
+    const std::lock_guard<std::mutex> lock(batch.mutex);
+    --batch.working;
+    batch.changed.notify_all();
+}
+
+BatchProgress::BatchProgress()
+    : scopes(ProgressScope::current()), caller(std::this_thread::get_id()), stopped(false),
+      asked(getTickCount()), working(0)
+{}
+
+bool BatchProgress::goesOn()
+{
+    if (scopes && isCaller())
+        askNowAndThen();
+    return !stopped;
+}
+
+void BatchProgress::askNowAndThen()
+{
+    if ((getTickCount() - asked) / getTickFrequency() * 1e3 >= PERIOD)
+        ask(Report());
+}
+
+bool BatchProgress::ask(const Report& report)
+{
+    try
+    {
+        if (!stopped && !scopes->ask(report))
+            stopped = true;
+    }
+    catch (...)
+    {
+        thrown = std::current_exception();
+        stopped = true;
+    }
+    asked = getTickCount();
+    return !stopped;
+}
+
+void BatchProgress::waitForOthers()
+{
+    std::unique_lock<std::mutex> lock(mutex);
+    while (
+        !changed.wait_for(lock, std::chrono::milliseconds(PERIOD), [this] { return working == 0; }))
+    {
+        lock.unlock();
+        askNowAndThen();
+        lock.lock();
+    }
+}
+
+void BatchProgress::finish()
+{
+    if (thrown)
+        std::rethrow_exception(thrown);
+}
 
 void forEachTask(int count, int threads, const std::function<void(int)>& estimate,
                  const std::function<void(int)>& leave)

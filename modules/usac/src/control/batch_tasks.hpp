@@ -5,11 +5,69 @@
 #ifndef OPENCV_USACV20_BATCH_TASKS_HPP
 #define OPENCV_USACV20_BATCH_TASKS_HPP
 
+#include <atomic>
+#include <condition_variable>
+#include <exception>
 #include <functional>
-#include "opencv2/core.hpp"
+#include <memory>
+#include <mutex>
+#include <thread>
+#include "opencv2/usac/progress.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+/** @brief Lets the ProgressScopes of the thread that calls estimateBatch cancel the work of all
+threads of the batch.
+
+Only the calling thread calls the progress functions: during its own estimations, between them, and
+while it waits for the other threads. These read the answer from a flag. Without a
+ProgressScope nothing is called, and no thread waits. */
+class BatchProgress
+{
+public:
+    BatchProgress();
+    //! True if the calling thread has a ProgressScope, so that its estimations may be cancelled.
+    static bool isWatched() { return ProgressScope::current() != 0; }
+
+    //! Registers a thread while it works for the batch.
+    class Worker
+    {
+    public:
+        explicit Worker(BatchProgress& batch);
+        //! In the calling thread: waits until all other threads that have begun are done, and
+        //! meanwhile calls the progress functions.
+        ~Worker();
+
+    private:
+        BatchProgress& batch;
+        std::unique_ptr<ProgressScope> scope;
+    };
+
+    //! True if the next estimation may begin.
+    bool goesOn();
+    //! Rethrows an exception from a progress function.
+    void finish();
+
+private:
+    bool isCaller() const { return std::this_thread::get_id() == caller; }
+    //! Calls the progress functions, in the calling thread only. Their exception is stored for
+    //! finish(): thrown during an estimation, it would be taken for an error of that task.
+    //! @return false if the batch is cancelled
+    bool ask(const Report& report);
+    //! Calls ask() if PERIOD has passed since the last call.
+    void askNowAndThen();
+    void waitForOthers();
+
+    const ProgressScope* const scopes;  //!< innermost one of the calling thread; null: none
+    const std::thread::id caller;
+    std::atomic<bool> stopped;
+    std::exception_ptr thrown;
+    int64 asked;  //!< time of the last call, in ticks
+    std::mutex mutex;
+    std::condition_variable changed;
+    int working;  //!< number of other threads at work; guarded by the mutex
+};
 
 /** @brief Runs many estimations in parallel: each thread of cv::parallel_for_ takes the next
 estimation when it has finished one.

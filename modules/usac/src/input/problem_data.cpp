@@ -4,9 +4,8 @@
 
 #include "precomp.hpp"
 #include "input/problem_data.hpp"
-#include "input/read_points.hpp"
-#include "input/run_memory.hpp"
-#include "numeric/simd.hpp"
+#include "input/read_arrays.hpp"
+#include "numeric/instruction_set.hpp"
 #include "input/robust_frame.hpp"
 #include "components/repetitions.hpp"
 
@@ -48,6 +47,26 @@ bool allFinite(const double* values, int count)
 //! With half of it, 160 px would be wide in an image of 640 px; with double, a threshold of 1.5,
 //! meant as pixels, would not be wide for normalized points of a field of view of 90 degrees.
 constexpr double WIDE = 0.5;
+
+/** Numbers of bytes. OF_POINT, for each point: 88 for the point itself and 150 for temporary data,
+mostly of polishing and significance. OF_SEARCH, for each point of the search: 62 for order and
+graph, 28 for sampler and checks, and 24 to spare. OF_RUN: batches, runners-up and tables.
+OF_PLANES: the search for planes. OF_BATCH, with several threads: the hypotheses of the largest
+batch. Too small a value only costs another block; memory that is not written to costs nothing. */
+constexpr size_t OF_POINT = 238, OF_SEARCH = 114, OF_RUN = 64 << 10, OF_PLANES = 64 << 10,
+                 OF_BATCH = 512 << 10;
+
+//! Bytes of arena memory that a run with this many points usually needs.
+size_t runMemory(int points, const Params& params)
+{
+    size_t bytes = (size_t)points * OF_POINT +
+                   std::min<int>(points, ProblemData::SEARCHED) * OF_SEARCH + OF_RUN;
+    if (params.degeneracy & DEGENERACY_DEGENSAC)
+        bytes += OF_PLANES;
+    if (params.threads != 1)
+        bytes += OF_BATCH;
+    return bytes;
+}
 
 }  // namespace
 

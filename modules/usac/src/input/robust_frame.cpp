@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "numeric/simd.hpp"
-#include "numeric/median.hpp"
+#include "numeric/instruction_set.hpp"
+#include "numeric/selection.hpp"
 #include "input/robust_frame.hpp"
 
 namespace cv {

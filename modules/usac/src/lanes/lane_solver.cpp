@@ -3,10 +3,41 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "numeric/instruction_set.hpp"
+#include "lanes/lane_kernels.inl.hpp"
 #include "lanes/lane_solver.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+namespace lanes {
+
+Kernels baselineKernels() { return allKernels(); }
+
+//! @param widest allows the widest registers, too, which are slower for few samples
+static Kernels bestKernels(bool widest)
+{
+    const InstructionSet instructions = fastestInstructions();
+#ifdef USACV20_HAVE_AVX512
+    if (instructions == INSTRUCTIONS_AVX512 && widest)
+        return avx512Kernels();
+#endif
+#ifdef USACV20_HAVE_AVX2
+    if (instructions >= INSTRUCTIONS_AVX2)
+        return avx2Kernels();
+#endif
+    CV_UNUSED(instructions);
+    CV_UNUSED(widest);
+    return baselineKernels();
+}
+
+const Kernels& kernelsFor(int samples)
+{
+    static const Kernels few = bestKernels(false), many = bestKernels(true);
+    return samples <= 4 ? few : many;  // as many as the lanes of AVX2
+}
+
+}  // namespace lanes
 
 int LaneSolver::solve(const Correspondences& points, const int* sample, Model* models) const
 {

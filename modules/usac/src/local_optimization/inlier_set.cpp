@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "numeric/bits.hpp"
-#include "numeric/random_part.hpp"
+#include "numeric/selection.hpp"
 #include "local_optimization/inlier_set.hpp"
 
 namespace cv {

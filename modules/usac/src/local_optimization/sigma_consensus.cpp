@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "numeric/random_part.hpp"
+#include "numeric/selection.hpp"
 #include "local_optimization/inlier_set.hpp"
 #include "local_optimization/local_optimization.hpp"
 #include "local_optimization/sigma_consensus.hpp"

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "loop/automatic_threshold.hpp"
-#include "components/sample_counts.hpp"
+#include "components/sample_statistics.hpp"
 #include "loop/factory.hpp"
 #include "scoring/scores.hpp"
 

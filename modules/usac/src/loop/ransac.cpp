@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "components/check_components.hpp"
-#include "components/known_order.hpp"
+#include "components/growth.hpp"
 #include "components/streams.hpp"
 #include "loop/ransac.hpp"
 #include "scoring/scores.hpp"

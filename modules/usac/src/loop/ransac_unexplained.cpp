@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "components/check_components.hpp"
-#include "components/sample_counts.hpp"
+#include "components/sample_statistics.hpp"
 #include "components/streams.hpp"
 #include "loop/ransac.hpp"
 

@@ -6,7 +6,7 @@
 #define OPENCV_USACV20_BITS_HPP
 
 #include <cstring>
-#include "numeric/simd.hpp"
+#include "numeric/instruction_set.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -5,6 +5,20 @@
 #ifndef OPENCV_USACV20_INSTRUCTION_SET_HPP
 #define OPENCV_USACV20_INSTRUCTION_SET_HPP
 
+#ifdef _MSC_VER
+#define USAC_RESTRICT __restrict
+#else
+#define USAC_RESTRICT __restrict__
+#endif
+
+//! Keeps compilers from unrolling a short loop before they can vectorize it. Needs -fopenmp-simd,
+//! but not OpenMP.
+#if defined __GNUC__
+#define USAC_SIMD _Pragma("omp simd")
+#else
+#define USAC_SIMD
+#endif
+
 namespace cv {
 namespace usacv20 {
 

@@ -94,6 +94,16 @@ private:
     const Around around;
 };
 
+/** @brief The derivatives of the entries of a model by the parameters of Report::covariance: those
+of the parameterization. If its basis of the tangent space depends on how rounding turns singular
+vectors (Parameterization::smooth is false), it is replaced by an orthonormal one that depends on
+the tangent space alone: the rows of the pivoted Cholesky decomposition of the projection onto it.
+@param model as Parameterization::plus returns it
+@param basis output, Model::size() x Parameterization::dimension()
+@return false if the model is degenerate */
+bool callerBasis(const Parameterization& rule, const Model& model,
+                 AnyParameterization::Basis& basis);
+
 }  // namespace usacv20
 }  // namespace cv
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "numeric/random_part.hpp"
+#include "numeric/selection.hpp"
 #include "optimization/marginalized_fit.hpp"
 #include "scoring/marginalized_weights.hpp"
 

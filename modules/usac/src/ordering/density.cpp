@@ -5,7 +5,6 @@
 #include "precomp.hpp"
 #include "components/joint_cells.hpp"
 #include "ordering/ordering.hpp"
-#include "ordering/repeated_last.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -17,6 +17,11 @@ Ptr<Ordering> createScoreOrdering();
 //! In the caller's order, see InputOrderOrdering.
 Ptr<Ordering> createInputOrderOrdering();
 
+/** Moves matches that equal an earlier one to the end of the order: they add no information, and a
+growing set that contains only copies of one match gives no valid sample. The other matches keep
+their order. O(N), by a hash table. */
+void repeatedLast(const Context& context, int* order);
+
 }  // namespace usacv20
 }  // namespace cv
 

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "ordering/repeated_last.hpp"
+#include "ordering/ordering.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -4,7 +4,6 @@
 
 #include "precomp.hpp"
 #include "ordering/ordering.hpp"
-#include "ordering/repeated_last.hpp"
 
 namespace cv {
 namespace usacv20 {

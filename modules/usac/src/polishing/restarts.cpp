@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "polishing/restarts.hpp"
-#include "numeric/random_part.hpp"
+#include "numeric/selection.hpp"
 #include "components/streams.hpp"
 
 namespace cv {

@@ -5,7 +5,6 @@
 #ifndef OPENCV_USACV20_FORMULA_RESIDUAL_HPP
 #define OPENCV_USACV20_FORMULA_RESIDUAL_HPP
 
-#include "numeric/indices.hpp"
 #include "residual/kernels.hpp"
 
 namespace cv {

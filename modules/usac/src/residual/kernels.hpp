@@ -10,6 +10,23 @@
 namespace cv {
 namespace usacv20 {
 
+//! A list of indices at compile time, like std::index_sequence of C++14: it passes the columns of
+//! a datum to a formula as separate arguments.
+template <int... K>
+struct Indices
+{};
+
+//! The member Type is Indices<0, ..., N - 1>.
+template <int N, int... K>
+struct IndicesTo : IndicesTo<N - 1, N - 1, K...>
+{};
+
+template <int... K>
+struct IndicesTo<0, K...>
+{
+    typedef Indices<K...> Type;
+};
+
 //! Squared errors of the points begin .. end-1 under a model.
 typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end,
                             float* errors);

@@ -9,9 +9,8 @@ those compiled for other instruction sets. */
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include "numeric/indices.hpp"
-#include "numeric/simd.hpp"
 #include "residual/kernels.hpp"
+#include "numeric/instruction_set.hpp"
 #include "residual/sums.inl.hpp"
 
 namespace cv {

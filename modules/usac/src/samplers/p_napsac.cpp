@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "components/known_order.hpp"
+#include "components/growth.hpp"
 #include "samplers/samplers.hpp"
 
 namespace cv {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "numeric/median.hpp"
+#include "numeric/selection.hpp"
 #include "scoring/scores.hpp"
 #include "numeric/chi_square.hpp"
 #include "scoring/mixture.hpp"

@@ -4,7 +4,6 @@
 
 #include "precomp.hpp"
 #include "residual/kernels.hpp"
-#include "scoring/inliers.hpp"
 #include "scoring/scores.hpp"
 
 namespace cv {

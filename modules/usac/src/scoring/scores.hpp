@@ -10,6 +10,17 @@
 namespace cv {
 namespace usacv20 {
 
+/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold,
+else 1. One pass over the points, fused with the residual. */
+class InlierScore : public Score
+{
+public:
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE;
+    FusedKernel fused(const Residual& residual) const CV_OVERRIDE;
+    bool countsInliers() const CV_OVERRIDE { return true; }
+};
+
 //! Number of inliers @cite fischler1981random; the cost of a point is 0 or 1.
 Ptr<Score> createInlierScore();
 //! MSAC @cite torr2000mlesac; the cost of a point is min(error^2 / threshold^2, 1).

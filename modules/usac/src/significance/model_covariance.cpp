@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "numeric/chi_square.hpp"
-#include "optimization/caller_basis.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "optimization/error_mixture.hpp"
 #include "residual/kernels.hpp"
 #include "significance/model_covariance.hpp"

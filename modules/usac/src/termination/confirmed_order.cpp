@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "components/joint_cells.hpp"
-#include "components/known_order.hpp"
+#include "components/growth.hpp"
 #include "components/repetitions.hpp"
 #include "termination/confirmed_order.hpp"
 #include "termination/termination.hpp"

@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "components/growth.hpp"
 #include "components/repetitions.hpp"
-#include "termination/non_randomness.hpp"
+#include "components/sample_statistics.hpp"
 #include "termination/termination.hpp"
 
 namespace cv {

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TERMINATION_HPP
 #define OPENCV_USACV20_TERMINATION_HPP
 
-#include "components/sample_counts.hpp"
+#include "components/sample_statistics.hpp"
 #include "opencv2/usac/components.hpp"
 
 namespace cv {

@@ -4,9 +4,8 @@
 
 #include "precomp.hpp"
 #include "numeric/unit_norm.hpp"
-#include "control/batch_progress.hpp"
-#include "input/camera_arguments.hpp"
-#include "input/read_points.hpp"
+#include "control/batch_tasks.hpp"
+#include "input/read_arrays.hpp"
 #include "two_view/pair_models.hpp"
 
 namespace cv {

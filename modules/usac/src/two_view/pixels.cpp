@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include <Eigen/LU>
-#include "numeric/median.hpp"
+#include "numeric/selection.hpp"
 #include "optimization/closest_rotation.hpp"
 #include "two_view/pixels.hpp"
 

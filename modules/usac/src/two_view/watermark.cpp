@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "numeric/median.hpp"
-#include "input/read_points.hpp"
+#include "numeric/selection.hpp"
+#include "input/read_arrays.hpp"
 #include "two_view/watermark.hpp"
 
 namespace cv {

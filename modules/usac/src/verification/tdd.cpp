@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "components/sample_counts.hpp"
+#include "components/sample_statistics.hpp"
 #include "verification/verification.hpp"
 
 namespace cv {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "components/sample_counts.hpp"
+#include "components/sample_statistics.hpp"
 #include "../../../../samples/line_distance.hpp"
 
 // A component of a caller's does what it says, and what does not fit ends in a message.

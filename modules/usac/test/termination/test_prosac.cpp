@@ -4,7 +4,7 @@
 
 #include "support/draw.hpp"
 #include "support/problem_objects.hpp"
-#include "termination/non_randomness.hpp"
+#include "components/sample_statistics.hpp"
 #include "termination/termination.hpp"
 
 namespace opencv_test {

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "problems/absolute_pose/camera.hpp"
-#include "input/camera_arguments.hpp"
+#include "input/read_arrays.hpp"
 
 namespace cv {
 namespace usacv20 {

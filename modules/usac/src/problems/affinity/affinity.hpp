@@ -5,10 +5,29 @@
 #ifndef OPENCV_USACV20_AFFINITY_HPP
 #define OPENCV_USACV20_AFFINITY_HPP
 
-#include "opencv2/usac/problem.hpp"
+#include "problems/two_view/plane_parameterization.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+//! The parameters of an affine map: the entries of its first two rows.
+struct AffinityMap
+{
+    enum { DIMENSION = 6 };
+
+    static void read(const double* m, double* p) { std::copy(m, m + 6, p); }
+    static void write(const double* p, double* m) { std::copy(p, p + 6, m); }
+    static bool isRegular(const double* p)
+    {
+        // A determinant of at most this part of the sum of the squared entries can be due to
+        // rounding alone.
+        const double LEAST_DETERMINANT = 1e-9;
+        const double a = p[0], b = p[1], c = p[3], d = p[4];
+        return std::abs(a * d - b * c) > LEAST_DETERMINANT * (a * a + b * b + c * c + d * d);
+    }
+};
+
+typedef PlaneParameterization<AffinityMap> AffinityParameterization;
 
 //! Affine map from image 1 to image 2, as for a plane that is small or far from the camera.
 Ptr<Problem> createAffinity2DProblem();

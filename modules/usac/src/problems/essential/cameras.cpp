@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "input/camera_arguments.hpp"
+#include "input/read_arrays.hpp"
 #include "problems/essential/cameras.hpp"
 
 namespace cv {

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "numeric/unit_norm.hpp"
+#include "lanes/lane_solver.hpp"
 #include "optimization/any_parameterization.hpp"
 #include "problems/essential/cameras.hpp"
 #include "problems/essential/essential.hpp"
@@ -16,6 +17,19 @@ namespace cv {
 namespace usacv20 {
 
 namespace {
+
+//! Up to ten essential matrices from five points of calibrated cameras, see five_points.inl.hpp.
+class Essential5Solver : public LaneSolver
+{
+public:
+    int sampleSize() const CV_OVERRIDE { return 5; }
+
+protected:
+    SolverKernel kernelOf(const lanes::Kernels& kernels) const CV_OVERRIDE
+    {
+        return kernels.fivePoints;
+    }
+};
 
 //! The epipolar geometry of two calibrated views: x2^T E x1 = 0 on the normalized image planes,
 //! singular values (s, s, 0).
@@ -102,6 +116,8 @@ private:
 };
 
 }  // namespace
+
+Ptr<MinimalSolver> createEssential5Solver() { return makePtr<Essential5Solver>(); }
 
 Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2,
                                     InputArray distCoeffs1, InputArray distCoeffs2)

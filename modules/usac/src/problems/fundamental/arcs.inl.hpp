@@ -5,7 +5,7 @@
 // Included by problems/kernels.inl.hpp, once for each instruction set.
 
 #include "problems/fundamental/arcs.hpp"
-#include "numeric/simd.hpp"
+#include "numeric/instruction_set.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "numeric/unit_norm.hpp"
+#include "lanes/lane_solver.hpp"
 #include "optimization/any_parameterization.hpp"
 #include "problems/fundamental/fundamental.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
@@ -15,6 +16,19 @@ namespace cv {
 namespace usacv20 {
 
 namespace {
+
+//! One to three fundamental matrices from seven points, see seven_points.inl.hpp.
+class Fundamental7Solver : public LaneSolver
+{
+public:
+    int sampleSize() const CV_OVERRIDE { return 7; }
+
+protected:
+    SolverKernel kernelOf(const lanes::Kernels& kernels) const CV_OVERRIDE
+    {
+        return kernels.sevenPoints;
+    }
+};
 
 /** The closest matrix of rank 2, scaled to unit norm. The product T2^T F T1 has rank 2 up to the
 rounding of its largest terms. If these cancel, as when both epipoles are at the origin and
@@ -105,6 +119,8 @@ public:
 };
 
 }  // namespace
+
+Ptr<MinimalSolver> createFundamental7Solver() { return makePtr<Fundamental7Solver>(); }
 
 Ptr<Problem> createFundamentalProblem() { return makePtr<FundamentalProblem>(); }
 

@@ -6,7 +6,7 @@
 #include "numeric/unit_norm.hpp"
 #include "problems/fundamental/plane_parallax.hpp"
 #include "problems/kernels.hpp"
-#include "components/sample_counts.hpp"
+#include "components/sample_statistics.hpp"
 
 namespace cv {
 namespace usacv20 {

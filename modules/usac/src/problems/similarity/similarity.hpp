@@ -5,10 +5,36 @@
 #ifndef OPENCV_USACV20_SIMILARITY_HPP
 #define OPENCV_USACV20_SIMILARITY_HPP
 
-#include "opencv2/usac/problem.hpp"
+#include "problems/two_view/plane_parameterization.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+//! The parameters of a similarity with the rows (a -b x) and (b a y): a, b, x, y.
+struct SimilarityMap
+{
+    enum { DIMENSION = 4 };
+
+    //! Entries that should be equal are averaged.
+    static void read(const double* m, double* p)
+    {
+        p[0] = (m[0] + m[4]) / 2;
+        p[1] = (m[3] - m[1]) / 2;
+        p[2] = m[2];
+        p[3] = m[5];
+    }
+    static void write(const double* p, double* m)
+    {
+        m[0] = m[4] = p[0];
+        m[1] = -p[1];
+        m[3] = p[1];
+        m[2] = p[2];
+        m[5] = p[3];
+    }
+    static bool isRegular(const double* p) { return p[0] != 0 || p[1] != 0; }
+};
+
+typedef PlaneParameterization<SimilarityMap> SimilarityParameterization;
 
 //! Rotation, uniform scale and translation from image 1 to image 2.
 Ptr<Problem> createSimilarity2DProblem();

@@ -4,7 +4,6 @@
 
 #include "precomp.hpp"
 #include "problems/translation/translation.hpp"
-#include "problems/translation/translation_parameterization.hpp"
 #include "problems/two_view/plane_map.hpp"
 
 namespace cv {

@@ -5,10 +5,34 @@
 #ifndef OPENCV_USACV20_TRANSLATION_HPP
 #define OPENCV_USACV20_TRANSLATION_HPP
 
-#include "opencv2/usac/problem.hpp"
+#include "problems/two_view/plane_parameterization.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+//! The parameters of a translation with the rows (1 0 x) and (0 1 y): x, y.
+struct TranslationMap
+{
+    enum { DIMENSION = 2 };
+
+    //! The translation that does to the origin, which is the center of the points, what the map
+    //! does.
+    static void read(const double* m, double* p)
+    {
+        p[0] = m[2];
+        p[1] = m[5];
+    }
+    static void write(const double* p, double* m)
+    {
+        m[0] = m[4] = 1;
+        m[1] = m[3] = 0;
+        m[2] = p[0];
+        m[5] = p[1];
+    }
+    static bool isRegular(const double*) { return true; }
+};
+
+typedef PlaneParameterization<TranslationMap> TranslationParameterization;
 
 //! Translation from image 1 to image 2.
 Ptr<Problem> createTranslation2DProblem();

@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 #include "problems/share_a_point.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/counted_once.hpp"
+#include "components/point_subset.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -11,6 +11,24 @@
 namespace cv {
 namespace usacv20 {
 
+/** @brief Weighted means and second moments of matches, from which the least-squares map x2 = A x1
++ t of an affinity or a similarity is computed: the problem is linear, and the rows of A separate
+once the means are at the origin @cite umeyama1991least. One pass over the matches, about 30
+operations each. */
+struct Moments
+{
+    /** Moments of `count` matches. Coordinates are relative to the first match, to lose little
+    precision if all are close together far from the origin. If `weights` is null, all are 1. */
+    Moments(const Correspondences& points, const int* indices, int count, const double* weights);
+
+    //! The map with the linear part (a b; c d) that maps the means of the images to each other.
+    Matx33d map(double a, double b, double c, double d) const;
+
+    double mean[4];         //!< x1, y1, x2, y2
+    double xx, xy, yy;      //!< of image 1, about the means
+    double xu, xv, yu, yv;  //!< x1 x2, x1 y2, y1 x2, y1 y2 about the means
+};
+
 /** @brief Common base of the problems whose model is an affine map of the plane, x2 = A x1 + t. A
 model is a homography with the last row 0 0 1, so that errors, kernels and sums are those of a
 homography; the caller gets the 2x3 matrix [A t], as from cv::estimateAffine2D. */

@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "problems/share_a_point.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/counted_once.hpp"
+#include "components/point_subset.hpp"
 
 namespace cv {
 namespace usacv20 {

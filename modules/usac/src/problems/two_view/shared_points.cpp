@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "scoring/counted_once.hpp"
+#include "components/point_subset.hpp"
 #include "problems/share_a_point.hpp"
 #include "residual/kernels.hpp"
 

@@ -6,9 +6,9 @@
 #include "support/linear_map.hpp"
 #include "support/own_points.hpp"
 #include "support/contracts.hpp"
-#include "problems/affinity/affinity_parameterization.hpp"
+#include "problems/affinity/affinity.hpp"
 #include "problems/registry.hpp"
-#include "problems/similarity/similarity_parameterization.hpp"
+#include "problems/similarity/similarity.hpp"
 
 #include "opencv2/usac/geometry.hpp"
 

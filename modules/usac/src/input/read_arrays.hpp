@@ -2,13 +2,23 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_USACV20_CAMERA_ARGUMENTS_HPP
-#define OPENCV_USACV20_CAMERA_ARGUMENTS_HPP
+#ifndef OPENCV_USACV20_READ_ARRAYS_HPP
+#define OPENCV_USACV20_READ_ARRAYS_HPP
 
-#include "opencv2/core.hpp"
+#include "opencv2/usac/arena.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+/** @brief Reads the points of one of the caller's arrays, in any layout and depth that OpenCV's
+functions accept.
+@param points N points
+@param coordinates coordinates per point, 1 to 3; 2-D points may also be given by three homogeneous
+coordinates
+@param name of the argument, for messages
+@param scope memory
+@return N x coordinates, CV_64F, continuous, in memory of the scope or of the caller. */
+Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope);
 
 /** @brief Reads a camera matrix.
 @param array 3x3, any depth; multiples of a camera matrix describe the same camera

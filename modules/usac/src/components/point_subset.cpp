@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "scoring/counted_once.hpp"
+#include "components/point_subset.hpp"
 
 namespace cv {
 namespace usacv20 {

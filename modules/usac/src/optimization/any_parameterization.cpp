@@ -3,8 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "optimization/caller_basis.hpp"
-
+#include "optimization/any_parameterization.hpp"
 #include <Eigen/QR>
 
 namespace cv {

@@ -2,14 +2,22 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#ifndef OPENCV_USACV20_RANDOM_PART_HPP
-#define OPENCV_USACV20_RANDOM_PART_HPP
+#ifndef OPENCV_USACV20_SELECTION_HPP
+#define OPENCV_USACV20_SELECTION_HPP
 
 #include <algorithm>
 #include "opencv2/usac/rng.hpp"
 
 namespace cv {
 namespace usacv20 {
+
+//! Of an even number of values, the upper median; `count` > 0. Reorders the values.
+template <class T>
+T median(T* values, int count)
+{
+    std::nth_element(values, values + count / 2, values + count);
+    return values[count / 2];
+}
 
 /** Moves `count` random items out of `size` to the front: a partial Fisher-Yates shuffle.
 @param exchange swaps the items at two indices */

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "scoring/counted_once.hpp"
+#include "components/point_subset.hpp"
 
 namespace opencv_test {
 namespace {

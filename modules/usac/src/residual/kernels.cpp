@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "residual/kernels.hpp"
-#include "numeric/simd.hpp"
+#include "numeric/instruction_set.hpp"
 
 namespace cv {
 namespace usacv20 {

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "termination/non_randomness.hpp"
+#include "components/sample_statistics.hpp"
 
 namespace opencv_test {
 namespace {
