@@ -23,7 +23,15 @@ Three levels of use:
    between two images (calibrated, planar, pure rotation and so on), determined from several of
    these models: usacv20::estimateTwoViewGeometry.
 3. Components of your own: usacv20::Usac::create builds the default set, and each component can be
-   replaced before usacv20::Usac::run.
+   replaced before usacv20::Usac::run. See @ref usacv20_extend.
+
+@{
+    @defgroup usacv20_extend Extension interface, not yet stable
+
+    What a program replaces or adds: components, problems, residuals, parameterizations, and what
+    they work with. A minor version may change these classes as the algorithms need; the functions,
+    usacv20::Params and usacv20::Report stay as they are.
+@}
 */
 
 /** @namespace cv OpenCV's namespace. This module adds cv::UsacV20Method and overloads of OpenCV's

@@ -14,7 +14,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 /** @brief The memory of the runs of a Usac: usually one block (several above 31 MB), which the next

@@ -17,7 +17,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 /** @name Components

@@ -14,7 +14,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 /** @name Data that components work on

@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 /** @brief One estimation: the points, the options and the components.

@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 /** @brief How least squares varies the models of a problem: a parameterization of all valid models

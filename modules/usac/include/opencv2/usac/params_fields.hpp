@@ -15,7 +15,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 //! Kinds of values of the fields of Params.

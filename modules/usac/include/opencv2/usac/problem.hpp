@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 //! Cost of a sample. The unit of time is a test of one point by the built-in kernels, about 2 ns.

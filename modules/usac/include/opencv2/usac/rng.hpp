@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! @addtogroup usacv20
+//! @addtogroup usacv20_extend
 //! @{
 
 /** @brief Counter-based pseudo-random generator: the k-th number of a stream depends only on seed,
