@@ -169,7 +169,6 @@ int Residual::linearize(const Model& model, const double* datum, double* error,
     return components;
 }
 
-int Sampler::subsetSize(const Context& context) const { return context.points.size; }
 double Sampler::growingShare(const Context&) const { return 0; }
 
 FusedKernel Score::fused(const Residual&) const { return 0; }

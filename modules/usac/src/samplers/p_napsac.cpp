@@ -71,8 +71,6 @@ public:
             global(state, m, n, sample);
     }
 
-    int subsetSize(const Context&) const CV_OVERRIDE { return growth.size(); }
-
     double growingShare(const Context& context) const CV_OVERRIDE
     {
         return (1 - 1. / localEvery(context)) / context.params.orderedEvery;

@@ -43,8 +43,6 @@ public:
             sample[k] = order[sample[k]];
     }
 
-    int subsetSize(const Context&) const CV_OVERRIDE { return growth.size(); }
-
     double growingShare(const Context& context) const CV_OVERRIDE
     {
         return 1. / context.params.orderedEvery;

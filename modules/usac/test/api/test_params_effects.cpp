@@ -106,13 +106,12 @@ public:
     void sample(const Context& context, State& state, int* out) CV_OVERRIDE
     {
         sampler->sample(context, state, out);
-        subsets.push_back(sampler->subsetSize(context));
         for (int k = 0; k < context.components.minimalSolver->sampleSize(); ++k)
             drawn.push_back(context.points.inputIndex[out[k]]);
     }
 
     Ptr<Sampler> sampler;
-    std::vector<int> drawn, subsets;
+    std::vector<int> drawn;
 };
 
 //! Rows of the first `maxIterations` samples.

@@ -39,7 +39,6 @@ TEST(Usac_Napsac, uniformAmongNeighbors)
         {
             draw.next();
             ASSERT_TRUE(draw.valid());
-            ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
             ++centers[draw.sample[0]];
             const int* members = 0;
             const int count = neighborhood.members(draw.context, neighborhood.layers() - 1,

@@ -50,7 +50,6 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
         for (int i = 0; i < WINDOW; ++i)
         {
             draw.next();
-            ASSERT_EQ(N, draw.sampler->subsetSize(draw.context));
             for (int k = 0; k < 2; ++k)
                 ++singles[draw.sample[k]];
         }
@@ -72,17 +71,21 @@ void expectGrowth(int ordering, int period)
     const bool
         known = ordering ==
                 ORDERING_INPUT_ORDER;  // then the set grows with the samples that follow the order
+    GrowingSet set(draw.m, N);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
     for (int t = 1; t <= 20000; ++t)
     {
-        grown += !known || (t - 1) % period == 0;
+        if (!known || (t - 1) % period == 0)
+        {
+            ++grown;
+            set.next();
+        }
         while (n < N && grown > limit[n])
             ++n;
         draw.next();
         ASSERT_TRUE(draw.valid());
-        wrongSize += draw.sampler->subsetSize(draw.context) != n;
-        const std::vector<int>::const_iterator end = draw.order.begin() +
-                                                     draw.sampler->subsetSize(draw.context);
+        wrongSize += set.size() != n;
+        const std::vector<int>::const_iterator end = draw.order.begin() + set.size();
         const bool out = std::find(draw.order.cbegin(), end, draw.sample[0]) == end;
         const bool ordered = (t - 1) % period == 0 && (t > first || period == 1);
         EXPECT_EQ(!ordered || period == 1, draw.state.counts) << t;
@@ -91,8 +94,8 @@ void expectGrowth(int ordering, int period)
             early += out;
             continue;
         }
-        if (draw.sampler->subsetSize(draw.context) < N)
-            notNewest += draw.sample[0] != draw.order[draw.sampler->subsetSize(draw.context) - 1];
+        if (set.size() < N)
+            notNewest += draw.sample[0] != draw.order[set.size() - 1];
         outside += out;
     }
     EXPECT_LE(wrongSize, 30);

@@ -18,25 +18,23 @@ TEST(Usac_Samplers, prosacGrowsAsPublished)
             const int N = sizes[k];
             Draw draw((ProblemType)problem, N, createProsacSampler());
             const std::vector<double> limit = publishedGrowth(N, draw.m);
+            GrowingSet set(draw.m, N);
             int n = draw.m, wrongSize = 0, withoutNewest = 0, outside = 0;
             for (int t = 1; t <= 30000; ++t)
             {
                 while (n < N && t > limit[n])
                     ++n;
+                set.next();
                 draw.next();
                 ASSERT_TRUE(draw.valid());
                 // where a difference T_{n+1} - T_n is an integer, rounding may decide: one size
                 // more or less for a while
-                wrongSize += draw.sampler->subsetSize(draw.context) != n;
-                if (draw.sampler->subsetSize(draw.context) < N)
-                    withoutNewest += !draw.contains(
-                        draw.order[draw.sampler->subsetSize(draw.context) - 1]);
+                wrongSize += set.size() != n;
+                if (set.size() < N)
+                    withoutNewest += !draw.contains(draw.order[set.size() - 1]);
+                const std::vector<int>::const_iterator end = draw.order.begin() + set.size();
                 for (int i = 0; i < draw.m; ++i)
-                    outside += std::find(draw.order.begin(),
-                                         draw.order.begin() +
-                                             draw.sampler->subsetSize(draw.context),
-                                         draw.sample[i]) ==
-                               draw.order.begin() + draw.sampler->subsetSize(draw.context);
+                    outside += std::find(draw.order.cbegin(), end, draw.sample[i]) == end;
             }
             EXPECT_LE(wrongSize, 30) << "N " << N << " m " << draw.m;
             EXPECT_EQ(0, withoutNewest);
@@ -48,8 +46,10 @@ TEST(Usac_Samplers, prosacEndsUniform)
 {
     const int N = 25, SAMPLES = 60000;
     Draw draw(HOMOGRAPHY, N, createProsacSampler());
-    while (draw.sampler->subsetSize(draw.context) < N)
+    GrowingSet set(draw.m, N);
+    while (set.size() < N)
     {
+        set.next();
         draw.next();
         ASSERT_LT(draw.state.iteration, 210000);
     }

@@ -207,9 +207,6 @@ public:
     @param context, state the fixed and the changing data of the run
     @param sample output, as many distinct point indices as the minimal solver needs */
     virtual void sample(const Context& context, State& state, int* sample) = 0;
-    //! Samples that are not uniform are currently drawn from this many points, the first ones of
-    //! State::bestFirst(). Default: all.
-    virtual int subsetSize(const Context& context) const;
     //! Fraction of the samples that are drawn from a growing set as in PROSAC: only these count for
     //! PROSAC's termination criterion. Default: 0, so that this criterion never ends the search.
     virtual double growingShare(const Context& context) const;
