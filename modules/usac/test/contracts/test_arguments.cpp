@@ -346,9 +346,8 @@ TEST(Usac_Arguments, degeneracies_of_maps_of_points)
 TEST(Usac_Arguments, problem)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
-    expectException(
-        [&]() { Usac::create((ProblemType)(SIMILARITY + 1), scene.points1, scene.points2); },
-        "problem");
+    expectException([&]() { Usac::create((ProblemType)15, scene.points1, scene.points2); },
+                    "problem: one of ProblemType is expected");
 }
 
 }
