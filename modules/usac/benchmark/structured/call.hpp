@@ -12,8 +12,8 @@ namespace benchmark {
 //! One call of a method, and what it tells of itself.
 struct Call
 {
-    //! Runs it. An exception counts as no model. @param initial the model to begin with, for methods
-    //! of this module only; empty: none
+    //! Runs it. An exception counts as no model. @param initial the model to begin with, for
+    //! methods of this module only; empty: none
     Call(Method& method, const ImagePair& pair, const Settings& settings,
          const cv::Mat& initial = cv::Mat());
 

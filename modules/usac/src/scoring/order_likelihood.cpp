@@ -32,8 +32,8 @@ double orderLogLikelihood(const uchar* inliers, int size, int* blocks)
         counts[last] = 1;
         all += ones[last];
         // blocks whose probability would not be lower than that of the block before are merged
-        for (; last > 0 && (double)ones[last] * counts[last - 1] >=
-                               (double)ones[last - 1] * counts[last];
+        for (; last > 0 &&
+               (double)ones[last] * counts[last - 1] >= (double)ones[last - 1] * counts[last];
              --last)
         {
             ones[last - 1] += ones[last];
