@@ -18,6 +18,9 @@ constexpr double NEAR = 0.94;
 //! Two models have other inliers if more than this fraction of those of one are no inliers of the
 //! other.
 constexpr double DIFFERENT = 0.1;
+//! An alternative shares at least this fraction of its inliers with the model of largest gain. A
+//! model that shares few is that of another motion: there, the number of matches decides.
+constexpr double SHARED = 1. / 3;
 //! The gain (the cost of an outlier is 1) that one unit of log-likelihood of the order is worth.
 //! MSAC's unit of cost is a log-likelihood of 1.9 (errors with one component) or 3, if the errors
 //! were independent.
@@ -94,6 +97,9 @@ const Alternative* Alternatives::chosen(const Context& context, const int* order
     double most = 0;
     for (int i = 1; i < count; ++i)
     {
+        const int own = kept[i].inliers.without(kept[0].inliers);
+        if (own > (1 - SHARED) * kept[i].inliers.count())
+            continue;
         const double points = parts * difference(kept[i].inliers, kept[0].inliers);
         const double advantage = kept[i].gain +
                                  WORTH * orderOf(context, kept[i].candidate.model, order) - first -
