@@ -25,9 +25,9 @@ With repeated structure or planes, a wrong model may explain a few more matches 
 and no search can tell by the cost. But if the order of the matches is known, the inliers of the
 right model come earlier in it: the descriptor of a repeated corner has a second neighbor that is
 nearly as close. So another model than the one of lowest cost is chosen if its gain is nearly as
-large, they share inliers, and the order is more likely with its inliers (orderLogLikelihood()) by more than what it
-loses in gain and by more than chance. As the gains are nearly equal, misleading scores can do
-little harm. */
+large, they share inliers, and the order is more likely with its inliers (orderLogLikelihood()) by
+more than what it loses in gain and by more than chance. As the gains are nearly equal, misleading
+scores can do little harm. */
 class Alternatives
 {
 public:
