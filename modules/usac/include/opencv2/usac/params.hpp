@@ -281,8 +281,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @ref OrderingType. Default #ORDERING_AUTO.
     CV_PROP_RW int ordering;
     //! Score of each correspondence, N values or none: they order the samples and, with
-    //! `runnersUp`, choose between models of like cost; #SAMPLER_IMPORTANCE: they are weights.
-    //! Default none.
+    //! `runnersUp`, choose between models of like cost; #SAMPLER_IMPORTANCE: weights. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** Entries, row by row, of an initial model as the estimator returns it (for example that of
     the previous frame), or no model; see setInitialModel(). It is scored and optimized before the
