@@ -7,6 +7,9 @@
 
     measure.py --build=BUILD --data=DATA [NAME ...]   runs measurements (default: those that README.md quotes)
     measure.py --logs=USAC_BUILD_DIR                  counts of tests, coverage and times of run_tests.sh and sanitize.sh
+    measure.py --build=BUILD --structured [SECTION ...]
+                                                      runs the commands above the tables of structured_tables.md, of all sections or of
+                                                      those whose headings begin so
     measure.py --fill                                 writes the quotations anew from the files
     measure.py --copied NAME                          after a table of constants_tables, structured_tables or collections_tables was
                                                       replaced by the output of its command
@@ -31,6 +34,7 @@ import tempfile
 
 import figure_tables as tables
 import gate_logs
+import structured_tables
 import threshold
 from figures import FOLDER, HASHES, FiguresError, Measurement, Project, Rows, block, inline_block, read_text
 
@@ -372,6 +376,15 @@ def take_copied(root, name):
     m.write(root)
 
 
+def measure_structured(build, sections):
+    """Makes tables of structured_tables.md anew; `results` stays that of the oldest table, unless all are made."""
+    m = Measurement.read(ROOT, "structured_tables")
+    run = Run(build, "", None, "")
+    m.body = structured_tables.renewed(m.body, sections, state(), lambda arguments: run.call(structured_tables.PROGRAM, *arguments))
+    m.stamp.update({"date": today(), "OpenCV": run.opencv})
+    m.write(ROOT)
+
+
 def check(out):
     """The number of mistakes."""
     state_of_all = project()
@@ -392,22 +405,25 @@ def main(arguments=None):
     parser.add_argument("--repeats", type=int, help="other than the measurement has")
     parser.add_argument("--logs", metavar="DIR", help="of run_tests.sh or sanitize.sh")
     parser.add_argument("--copied", metavar="NAME", help=", ".join(COPIED))
+    parser.add_argument("--structured", nargs="*", metavar="SECTION")
     parser.add_argument("--fill", action="store_true")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args(arguments)
     try:
         if options.check:
             return 1 if check(sys.stdout) else 0
-        names = options.names or ([name for name, kind in KINDS.items() if kind.current] if options.build else [])
+        names = options.names or ([name for name, kind in KINDS.items() if kind.current] if options.build and options.structured is None else [])
         unknown = [name for name in names if name not in KINDS or not KINDS[name].measure]
         if unknown:
             raise FiguresError("no measurement %s" % ", ".join(unknown))
-        if names and not options.build:
+        if (names or options.structured is not None) and not options.build:
             raise FiguresError("--build is missing")
-        if not names and not options.logs and not options.fill and not options.copied:
+        if not names and options.structured is None and not options.logs and not options.fill and not options.copied:
             parser.error("nothing to do")
         if names:
             subprocess.run(["cmake", "--build", options.build, "--target"] + list(PROGRAMS), check=True, stdout=sys.stderr)
+        if options.structured is not None:
+            measure_structured(options.build, options.structured)
         for name in names:
             measure(name, options.build, options.data, options.repeats)
         if options.logs:

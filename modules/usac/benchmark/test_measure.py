@@ -20,6 +20,7 @@ import figure_tables
 import figures
 import gate_logs
 import measure
+import structured_tables
 from figures import FiguresError, Measurement, Project, Rows
 from test_benchmark import FolderTest
 
@@ -202,6 +203,40 @@ class CopiedTest(FolderTest):
         for name in ("lists", "tests", "none"):
             with self.assertRaisesRegex(FiguresError, name + " is none of constants_tables, "):
                 measure.take_copied(self.folder, name)
+
+
+class StructuredTablesTest(unittest.TestCase):
+
+    BODY = ("Text.\n\n## First\n\nCommit `0123456`, of an earlier state. Words.\n\n```sh\nusac_structured --a=1 \\\n    --b=2\n"
+            "usac_structured --c=3\n```\n\n| old |\n|---|\n\n| old, too |\n\nLast words.\n\n## Second\n\nCommit `0123456`. From a test.\n\n| kept |\n")
+
+    def test_commands_and_tables(self):
+        calls = []
+
+        def run(arguments):
+            calls.append(arguments)
+            return "# Title\n\nwords\n\n| %s |\n|---|\n| 1 |\n" % arguments[0]
+
+        new = structured_tables.renewed(self.BODY, [], "abcdef0", run)
+        self.assertEqual(calls, [["--a=1", "--b=2"], ["--c=3"]])
+        self.assertEqual(new, self.BODY.replace("`0123456`, of an earlier state", "`abcdef0`").replace(
+            "| old |\n|---|\n\n| old, too |", "| --a=1 |\n|---|\n| 1 |\n\n| --c=3 |\n|---|\n| 1 |"))
+        self.assertEqual(structured_tables.renewed(new, ["Fir"], "abcdef0", run), new, "another run changes nothing")
+
+    def test_unknown_sections(self):
+        for name in ("Second", "Third"):  # the second has no command
+            with self.assertRaisesRegex(ValueError, name):
+                structured_tables.renewed(self.BODY, [name], "abcdef0", None)
+
+    def test_document(self):
+        """Every command of the document is one that the program has options for."""
+        body = Measurement.read(measure.ROOT, "structured_tables").body
+        found = [c for _, text in structured_tables.sections(body) for block in structured_tables.BLOCK.findall(text)
+                 for c in structured_tables.commands(block)]
+        self.assertGreater(len(found), 12)
+        for arguments in found:
+            for argument in arguments:
+                self.assertRegex(argument, "^--[a-zA-Z]+=")
 
 
 class TablesTest(FolderTest):
