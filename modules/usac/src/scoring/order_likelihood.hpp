@@ -14,7 +14,7 @@ namespace usacv20 {
 
 Logarithm of the ratio of two likelihoods of the inlier flags: with a probability of being an inlier
 that does not increase along the order, fitted by isotonic regression @cite barlow1972statistical;
-and with the same probability for all points. If the order is random, it is about log(size) / 2 or
+and with the same probability for all points. If the order is random, it is about log(size) / 2, or
 less; if the inliers come late, 0.
 @param inliers flags, best point first @param size their number
 @param blocks room for 2 * size numbers

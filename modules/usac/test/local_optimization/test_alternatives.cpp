@@ -29,7 +29,7 @@ Scene twoEpipoles(int others, uint64 seed)
             from.push_back(scene.clean1[i]);
             to.push_back(scene.clean2[i]);
         }
-    const Matx33d H = findHomography(from, to);
+    const Matx33d H = cv::findHomography(from, to, 0);
     RNG rng(seed);
     const Point2d epipole(rng.uniform(-600., 0.), rng.uniform(0., 480.));
     for (int i = 0; i < scene.size() && others > 0; ++i)
