@@ -280,7 +280,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int sampler;
     //! @ref OrderingType. Default #ORDERING_AUTO.
     CV_PROP_RW int ordering;
-    //! Score of each correspondence, N values or none: they order the samples and, with
+    //! Score of each correspondence, N values or none; they order the samples and, with
     //! `runnersUp`, choose between models of like cost; #SAMPLER_IMPORTANCE: weights. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** Entries, row by row, of an initial model as the estimator returns it (for example that of
