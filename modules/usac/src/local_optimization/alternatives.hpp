@@ -31,7 +31,7 @@ scores can do little harm. */
 class Alternatives
 {
 public:
-    //! @param active false: keep none
+    //! @param active false: keep none, as the order is not known, or the cost is no sum over points
     Alternatives(bool active, Arena& arena);
 
     bool active() const { return kept != 0; }

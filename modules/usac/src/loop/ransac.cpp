@@ -59,8 +59,10 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0),
       hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
-      alternatives(!runnersUp.none() && orderIsKnown(context_), context_.arena), sampled(false),
-      forgotten(0), unexplainedSamples(0), rivals(0),
+      alternatives(!runnersUp.none() && orderIsKnown(context_) &&
+                       !context_.components.score->wholeModel(),
+                   context_.arena),
+      sampled(false), forgotten(0), unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
                             LARGEST_BATCH)),
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
