@@ -15,7 +15,8 @@ README, MODULE, CONTRIBUTING, BENCHMARK = "README.md", "modules/usac/README.md",
 FLAGS = "modules/usac/tutorials/ransac_to_usacv20/ransac_to_usacv20.markdown"
 COLLECTIONS = "modules/usac/tutorials/collections/collections.markdown"
 THRESHOLD = "modules/usac/tutorials/threshold/threshold.markdown"
-DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, THRESHOLD, COLLECTIONS, CONTRIBUTING, BENCHMARK)
+COVARIANCE = "modules/usac/tutorials/covariance/covariance.markdown"
+DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, THRESHOLD, COVARIANCE, COLLECTIONS, CONTRIBUTING, BENCHMARK)
 
 CHECK = "modules/usac/misc/consumer/check.sh"
 RUN_TESTS, MATRIX = "modules/usac/misc/run_tests.sh", "modules/usac/misc/matrix.sh"
@@ -54,6 +55,17 @@ POSES = "const std::vector<cv::Point3f> nextObjectPoints = objectPoints; const s
 PARAMS = "cv::usacv20::Params params; params.threshold = 1;"
 MASK = "cv::Mat mask;"
 REPORT = "cv::usacv20::Report report;"
+NOISE = """cv::RNG rng(2);
+for (cv::Point2f& point : points2)
+    point += cv::Point2f((float)rng.gaussian(0.3), (float)rng.gaussian(0.3));
+"""
+WITH_COVARIANCE = NOISE + PARAMS + " params.covariance = 1;"
+NOISE_PYTHON = """import usacv20
+points2 = points2 + np.random.RandomState(2).normal(0, 0.3, points2.shape)
+params = usacv20.Params(covariance=1, threshold=1)"""
+FOUND = """
+cv::Mat mask; cv::usacv20::Report report;
+const cv::Mat H = cv::usacv20::estimateHomography(points1, points2, params, mask, report);"""
 SCORES_OF_HLOC = """python3 -c "
 import sqlite3, h5py, numpy as np
 db = sqlite3.connect('scene.db')
@@ -143,6 +155,18 @@ REQUIRE(frame::near(cv::usacv20::estimateHomography(points1, points2, params, ma
     (THRESHOLD, "A flag", "cpp 1", Cpp(after="REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);")),
     (THRESHOLD, "A flag", "cpp 2", Cpp(before=MASK, after="REQUIRE(report.sigma > 0 && report.threshold < 10 && cv::countNonZero(mask) >= 80);")),
     (THRESHOLD, "A flag", "python 1", Python(before="import usacv20", after="require(0 < report.sigma < report.threshold < 10)")),
+    (COVARIANCE, "To ask for it", "cpp 1", Cpp(before=NOISE, after="""
+REQUIRE(frame::near(H, truth::H, 0.05)); REQUIRE(report.sigma > 0.2 && report.sigma < 1.5); REQUIRE(report.covariance.rows == 8);""")),
+    (COVARIANCE, "To ask for it", "python 1", Python(before=NOISE_PYTHON, after="""
+require(near(H, TRUTH["H"], 0.05) and 0.2 < report.sigma < 1.5 and report.covariance.shape == (8, 8))""")),
+    (COVARIANCE, "A corner", "cpp 1", Cpp(before=WITH_COVARIANCE + FOUND, after="""
+REQUIRE(rows.rows == 4 && rows.cols == 4); REQUIRE(cv::checkRange(rows) && rows.at<double>(0, 0) > 0);""")),
+    (COVARIANCE, "A corner", "python 1", Python(before=NOISE_PYTHON + """
+H, mask, report = usacv20.estimateHomography(points1, points2, params)""", after="require(0 < values[0] <= values[1] < 100)")),
+    (COVARIANCE, "A motion", "cpp 1", Cpp(before=WITH_COVARIANCE, after="""
+REQUIRE(frame::near(R, truth::R, 0.05)); REQUIRE(rotation > 0 && rotation < 2 && direction > 0 && direction < 10);""")),
+    (COVARIANCE, "A motion", "python 1", Python(before=NOISE_PYTHON, after="""
+require(near(R, TRUTH["R"], 0.05) and 0 < rotation < 2 and 0 < direction < 10)""")),
     (FLAGS, "To stop a run", "cpp 1", Cpp(before=MASK + " const auto show = [](int, int) {};", after="REQUIRE(frame::near(H, truth::H));")),
     (FLAGS, "To stop a run", "python 1", Python(before="import threading, usacv20", after='require(near(H, TRUTH["H"]))')),
     (FLAGS, "What comes next", "python 1", Python(cv2=True, before="""
