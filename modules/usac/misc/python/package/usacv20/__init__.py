@@ -102,7 +102,7 @@ __all__ += [
 
 if TYPE_CHECKING:
     class error(Exception):
-        """A mistake in the arguments, named in the message; a subclass of cv2.error where cv2 can be imported."""
+        """Raised for a mistake in the arguments, which the message names; a subclass of cv2.error where cv2 can be imported."""
 
         code: int
         err: str
@@ -113,7 +113,7 @@ if TYPE_CHECKING:
 
 
 def isUsacV20Method(method: int) -> bool:
-    """True for the values of UsacV20Method."""
+    """Returns True if the number is a value of UsacV20Method."""
     return bool(_compiled.isUsacV20Method(method))
 
 

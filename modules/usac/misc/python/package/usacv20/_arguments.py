@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What functions of C++ take: arguments by their names, numbers, arrays. A mistake raises an error that names the argument."""
+"""Checks arguments and converts them to what the functions of C++ take; a mistake raises an error that names the argument."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _TAKEN = frozenset(np.dtype(kind) for kind in ("u1", "i1", "u2", "i2", "i4", "f4
 
 def bind(function: str, names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any], args: Tuple[Any, ...],
          kwargs: Dict[str, Any]) -> Dict[str, Any]:
-    """The arguments of a call by their names; TypeError for one that is missing, unknown or there twice."""
+    """Returns the arguments of a call by their names; raises TypeError for one that is missing, unknown or given twice."""
     if len(args) > len(names):
         raise TypeError("{}() takes at most {} arguments ({} given)".format(function, len(names), len(args)))
     values = dict(defaults)
@@ -60,7 +60,7 @@ def signed(names: typing.Sequence[str], required: int, defaults: typing.Mapping[
 
 
 def shown(value: Any) -> str:
-    """A value for a message, not too long."""
+    """Returns a value as text for a message, not too long."""
     if isinstance(value, np.ndarray):
         return "an array of {} with shape {}".format(value.dtype, value.shape)
     text = repr(value)
@@ -68,7 +68,7 @@ def shown(value: Any) -> str:
 
 
 def isReal(value: Any) -> bool:
-    """True for numbers of Python and NumPy, and for NumPy arrays without dimensions that contain a number; false for bool."""
+    """Returns True for numbers of Python and NumPy, and for NumPy arrays without dimensions that contain a number; False for bool."""
     if isinstance(value, (bool, np.bool_)):
         return False
     if isinstance(value, (int, float, np.integer, np.floating)):
@@ -77,17 +77,17 @@ def isReal(value: Any) -> bool:
 
 
 def isInteger(value: Any) -> bool:
-    """Like isReal(), but only for integers."""
+    """Does the same as isReal(), but for integers only."""
     return isReal(value) and not isinstance(value, (float, np.floating)) and getattr(value, "dtype", np.dtype(int)).kind in "iu"
 
 
 def isOfAnother(value: Any, enumeration: type) -> bool:
-    """True for an enumerator of another enumeration: its integer value has no meaning in this one."""
+    """Returns True for an enumerator of another enumeration, whose integer value has no meaning in this one."""
     return isinstance(value, enum.Enum) and not isinstance(value, enumeration)
 
 
 def real(value: Any, name: str, default: Optional[float] = None) -> float:
-    """A float; None is replaced by the default, as in cv2."""
+    """Converts a number to float; None is replaced by the default, as in cv2."""
     if value is None and default is not None:
         return default
     if not isReal(value):
@@ -96,7 +96,7 @@ def real(value: Any, name: str, default: Optional[float] = None) -> float:
 
 
 def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT_MIN, high: int = INT_MAX) -> int:
-    """An int from low to high; None is replaced by the default, as in cv2."""
+    """Converts an integer from low to high to int; None is replaced by the default, as in cv2."""
     if value is None and default is not None:
         return default
     if not isInteger(value):
@@ -136,7 +136,7 @@ def _converted(value: Any, name: str) -> npt.NDArray[Any]:
 
 
 def array(value: Any, name: str) -> npt.NDArray[Any]:
-    """An array that C++ can read: `value` itself where it is one, whatever its layout, else a copy."""
+    """Returns an array that C++ can read: `value` itself where it is one, whatever its layout, else a copy."""
     if type(value) is np.ndarray and value.dtype in _TAKEN and value.ndim > 0 and value.flags.aligned:
         given = value
     else:
@@ -147,7 +147,7 @@ def array(value: Any, name: str) -> npt.NDArray[Any]:
 
 
 def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
-    """Like array(), but returns None for None."""
+    """Does the same as array(), but returns None for None."""
     return None if value is None else array(value, name)
 
 
@@ -173,7 +173,7 @@ _ROWS, _MOST_ROWS, _SURE, _INDEPENDENT, _EXPLAINED = 50, 1000, 4.0, 0.5, 0.9
 
 
 def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
-    """Whether the third coordinate has nothing to do with the first two, as the size of a feature has.
+    """Returns whether the third coordinate is independent of the first two, as the size of a feature is.
 
     Homogeneous coordinates (w x, w y, w) grow with w: log(w x) has the slope 1 over log(w), whatever w is, a depth, say. By a
     projective map w is linear in the other two. No criterion is certain: points of a box seen by a camera whose principal point
@@ -203,9 +203,9 @@ def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
 
 
 def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
-    """As array(), for one list of points, of a plane or of space. What looks like something else is refused: several lists, and
-    a third column that is a confidence (0..1, not all 1) where C++ would divide by it, as by a homogeneous coordinate. Of one
-    that looks like sizes, which may still be homogeneous, a warning tells."""
+    """Converts one list of points of a plane or of space, as array() does. It refuses what looks like something else: several lists, and
+    a third column that is a confidence (0..1, not all 1) where C++ would divide by it, as by a homogeneous coordinate. If the
+    column looks like sizes of features, but may be homogeneous, a warning is issued."""
     given = array(value, name)
     if given.ndim == 3 and min(given.shape[0], given.shape[1]) > 1 and given.shape[2] > 1:
         raise fail("{}: one list of points is expected, Nx{k} or Nx1x{k}, not the shape {}; many lists are for the functions of many "
@@ -235,7 +235,7 @@ def checkOutput(given: Any, name: str) -> None:
 
 
 def checkMask(given: Any, name: str) -> None:
-    """Like checkOutput(), for a mask: raises usacv20.error for a type other than uint8 and bool."""
+    """Does the same as checkOutput() for a mask, and raises usacv20.error for a type other than uint8 and bool."""
     checkOutput(given, name)
     if isinstance(given, np.ndarray) and given.dtype not in (np.uint8, np.bool_):
         raise fail("{}: an array of uint8 or bool receives the mask, not of {}".format(name, given.dtype))

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""`native`, the compiled part: inside OpenCV cv2._native.usacv20, else the extension module `_native`; both in the same form."""
+"""Chooses `native`, the compiled part: cv2._native.usacv20 inside OpenCV, else the extension module `_native`, with equal functions."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Many estimations in one call, side by side in C++, for the functions of each problem (_problems.py)."""
+"""Runs many estimations in one call, in parallel in C++, for the functions of each problem (_problems.py)."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "") 
 
 
 class _Mistakes:
-    """What is wrong with some of the tasks, by their numbers. Without `kept` the first one is raised at once."""
+    """Collects the exceptions of tasks by their numbers; unless they are to be kept, the first one is raised at once."""
 
     def __init__(self, kept: bool) -> None:
         self.kept = kept
         self.found: Dict[int, Exception] = {}
 
     def guard(self, task: int, make: typing.Callable[[], Any], instead: Any) -> Any:
-        """What `make` returns, or `instead` if it raises."""
+        """Returns what `make` returns, or `instead` if it raises an exception."""
         try:
             return make()
         except Exception as mistake:
@@ -51,7 +51,8 @@ class _Mistakes:
 
 
 def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
-    """An array for each task, one for all, or none. One is an array, or a list of numbers or of rows of numbers."""
+    """Returns an array for each task, from a list of arrays, from one array for all tasks, or None. One array is an array, or a list of
+    numbers or of rows of numbers."""
     if given is None:
         return []
     isList = isinstance(given, (list, tuple)) and any(item is None or np.ndim(item) >= 1 for item in given)
@@ -88,7 +89,7 @@ def _lists(given: Any, name: str) -> List[Any]:
 
 
 def _some(entry: Any) -> List[Any]:
-    """The first rows of an entry."""
+    """Returns the first rows of an entry."""
     return list(entry[:1]) if isinstance(entry, (list, tuple, np.ndarray)) and np.ndim(entry[:1]) else []
 
 
@@ -100,7 +101,7 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
 def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
                  cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
                  distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
-    """Any of the problems; `names` are those of the arguments that are lists, as the caller knows them."""
+    """Estimates models of one problem for all entries of the lists; `names` are the caller's names of these arguments."""
     first, second = _lists(points1, names[0]), _lists(points2, names[1])
     count = len(first)
     if len(second) != count:

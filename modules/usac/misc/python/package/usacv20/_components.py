@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Components written in Python: a sampler or a score of one's own in the search that the package runs."""
+"""Components written in Python: the search of the package with a sampler or a score of your own."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ Rng = native.Rng
 
 
 class Correspondences(typing.NamedTuple):
-    """The points as components see them: those with finite coordinates, in a fixed pseudo-random order, in coordinates of the
-    search (about unit size; E: of the normalized image plane)."""
+    """The points as components see them: only those with finite coordinates, in a fixed pseudo-random order, in the coordinates that the
+    search uses (scaled to about unit size; for E those of the normalized image plane)."""
 
     data: npt.NDArray[np.float64]  #: N x columns; of two views x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, index of each point in the caller's arrays
@@ -42,14 +42,14 @@ class Correspondences(typing.NamedTuple):
 
 class _Component(abc.ABC):
     def start(self, points: Correspondences) -> None:
-        """A run begins. Called once a run, before anything else; the arrays are copies and may be kept. Default: nothing."""
+        """Is called once at the beginning of each run; the arrays are copies and may be kept. By default it does nothing."""
 
     def _begin(self, *points: Any) -> None:
         self.start(Correspondences(*points))
 
 
 class Sampler(_Component):
-    """How minimal samples are drawn; to be subclassed.
+    """Base class of samplers, which draw the minimal samples.
 
     sample() is called once a sample, by one thread. A call costs about a microsecond beside what it does itself: 5000 samples
     of fundamental matrices of 1000 matches take 10 milliseconds with the one below, 5 with that of C++.
@@ -85,7 +85,7 @@ class Sampler(_Component):
 
 
 class Score(_Component):
-    """Converts errors to costs; to be subclassed.
+    """Base class of scores, which convert the errors of points to costs.
 
     accumulate() is called for each block of points of each model, by Params.threads threads at once, which wait for the
     interpreter's lock. A call takes about 10 microseconds with NumPy, as below: the homography of 1000 matches takes 14 times
@@ -116,7 +116,7 @@ class Score(_Component):
 
     @abc.abstractmethod
     def accumulate(self, squaredErrors: npt.NDArray[np.float32], squaredThreshold: float) -> Tuple[float, int]:
-        """Rates a block of points.
+        """Returns the cost and the number of inliers of a block of points.
 
         squaredErrors -- float32, a copy; NaN and infinite ones are outliers
         squaredThreshold -- in the unit of the errors
@@ -131,7 +131,7 @@ def _noComponent(name: str) -> str:
 
 
 class Components:
-    """The parts of an estimator that can be replaced; None is the part that Params has chosen.
+    """The parts of an estimator that can be replaced; None stands for the part that Params chose.
 
     Python can replace two of them, sampler (Sampler) and score (Score); all others, and the problem, only C++ can."""
 
@@ -154,7 +154,7 @@ class Components:
 
     @property
     def sampler(self) -> Optional[Sampler]:
-        """How minimal samples are drawn."""
+        """The Sampler that draws the minimal samples; None is the one that Params chose."""
         return self._sampler
 
     @sampler.setter

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""How sure a model is: what Report.covariance means for its entries, for the motion of a camera, and for points."""
+"""How sure a model is: these functions convert Report.covariance to that of the entries, of the motion of a camera, and of points."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 
 
 def tangentOfModel(problem: Union[int, str], model: npt.ArrayLike) -> _Numbers:
-    """Derivatives of the entries of a model by the parameters of Report.covariance, an n x d array: n entries row by row.
+    """Returns the derivatives of the n entries of a model, row by row, by its d parameters, whose covariance is Report.covariance.
+
+    The parameters of H, F and E are directions in which a matrix of unit norm can vary and remain valid; those of other models are
+    listed in help(usacv20.Report).
 
     problem -- ProblemType, or its name, see fitModel
     model -- as the function estimate* of the problem returns it; another scale of H, F and E is changed to that first"""
@@ -32,7 +35,7 @@ def tangentOfModel(problem: Union[int, str], model: npt.ArrayLike) -> _Numbers:
 
 
 def covarianceOfModel(problem: Union[int, str], model: npt.ArrayLike, covariance: npt.ArrayLike) -> _Numbers:
-    """Covariance of the entries of a model, n x n, of rank d at most: T C T^T with T of tangentOfModel.
+    """Returns the covariance of the entries of a model, an n x n array of rank d at most: T C T^T, where T is tangentOfModel's result.
 
     covariance -- Report.covariance
 
@@ -43,14 +46,14 @@ def covarianceOfModel(problem: Union[int, str], model: npt.ArrayLike, covariance
 
 
 def covarianceOfPose(essential: npt.ArrayLike, covariance: npt.ArrayLike, R: npt.ArrayLike, t: npt.ArrayLike) -> _Numbers:
-    """Covariance of rotation and direction of translation from that of an essential matrix.
+    """Converts the covariance of an essential matrix to that of the rotation and the direction of the translation.
 
     essential -- 3x3, a multiple of [t]x R
-    covariance -- Report.covariance of it, 5x5
-    R, t -- the motion, as estimateRelativePose or cv2.recoverPose has it; any length of t
+    covariance -- Report.covariance of this matrix, 5x5
+    R, t -- the motion that estimateRelativePose or cv2.recoverPose returns; t may have any length
 
-    Returns a 6x6 array of rank 5: of the rotation vector w in radians, where exp(w) R is the rotation with an error, and of t / |t|,
-    whose errors are perpendicular to it."""
+    Returns a 6x6 array of rank 5. The first three rows are those of the rotation vector w in radians, where exp(w) R is the rotation
+    with an error; the last three are those of t / |t|, whose errors are perpendicular to it."""
     found: Any = native.covarianceOfPose(array(essential, "essential"), array(covariance, "covariance"), array(R, "R"), array(t, "t"))
     result: _Numbers = found
     return result
@@ -58,7 +61,8 @@ def covarianceOfPose(essential: npt.ArrayLike, covariance: npt.ArrayLike, R: npt
 
 def pointCovariance(problem: Union[int, str], model: npt.ArrayLike, covariance: npt.ArrayLike, points1: npt.ArrayLike,
                     points2: _Optional = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None) -> _Numbers:
-    """How sure a model is at given points: the error that the model alone makes there, in squared units of points2.
+    """Returns how sure a model is at given points: the covariance of the error that the model alone causes there, in squared units of
+    points2 (pixels).
 
     problem, model, covariance -- as for covarianceOfModel
     points1 -- N points of image 1, or of space

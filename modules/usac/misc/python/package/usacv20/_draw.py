@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A picture of matches, drawn by cv2 or, if that cannot be imported, matplotlib."""
+"""Pictures of matches, drawn by cv2 or, if that cannot be imported, by matplotlib."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _imported(name: str) -> Any:
 
 
 def _image(value: Any, name: str) -> _Image:
-    """Height x width x 3, bytes, the colors pale gray so that lines are seen."""
+    """Returns an image as height x width x 3 bytes, in pale gray, so that lines can be seen on it."""
     given = np.asarray(value)
     channels = given.shape[2] if given.ndim == 3 else 1
     if given.ndim not in (2, 3) or channels not in (1, 3, 4) or given.size == 0 or given.dtype.kind not in "buif":
@@ -97,8 +97,8 @@ def _drawnByMatplotlib(figures: Any, canvas: _Image, ends: npt.NDArray[np.float6
 
 def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
                  mask: Optional[npt.ArrayLike] = None, lines: int = 60) -> _Image:
-    """A picture of both images side by side, in gray, with dots at the matches, green for inliers and magenta for the others, and
-    lines between the two ends of some inliers. cv2 draws it, or matplotlib; an ImportError says that neither is there.
+    """Draws both images side by side, in gray, with dots at the matches, green for inliers and magenta for the others, and lines between
+    the two ends of some inliers. cv2 draws it, or matplotlib; if there is neither, ImportError is raised.
 
         picture = usacv20.draw_matches(image1, image2, points1, points2, mask)
         cv2.imwrite("matches.png", picture)  # or matplotlib.pyplot.imshow(picture)
@@ -106,7 +106,7 @@ def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.Arra
     image1, image2 -- gray or colors, of bytes or of floats from 0 to 1
     points1, points2 -- N points of each in pixels: Nx2, 2xN, Nx1x2 or 1xNx2; what is not finite is not drawn
     mask -- N numbers, as they are found; None: all are inliers
-    lines -- how many inliers are joined, spread over all of them; 0: none
+    lines -- number of inliers that are joined by lines, spread over all of them; 0: none
 
     Returns an array of uint8, height x width x 3."""
     first, second = _image(image1, "image1"), _image(image2, "image2")

@@ -23,7 +23,7 @@ func, line and msg, as those of cv2."""
 
 
 def _cv2Error() -> Type[Exception]:
-    """cv2.error, or Exception if cv2 cannot be imported, for whatever reason."""
+    """Returns cv2.error, or Exception if cv2 cannot be imported, for whatever reason."""
     try:
         if "cv2" not in sys.modules and importlib.util.find_spec("cv2") is None:
             return Exception
@@ -34,7 +34,7 @@ def _cv2Error() -> Type[Exception]:
 
 
 def errorClass() -> Type[Exception]:
-    """usacv20.error, created at first use, so that importing the package does not import cv2."""
+    """Returns the class usacv20.error, which is made when it is used first, so that importing the package does not import cv2."""
     if not _made:
         base = _cv2Error()
         if _PACKAGE.startswith("cv2."):
@@ -46,7 +46,7 @@ def errorClass() -> Type[Exception]:
 
 
 def fail(message: str) -> Exception:
-    """The exception, to be raised."""
+    """Returns the exception for the caller to raise."""
     return errorClass()(message)
 
 
@@ -71,13 +71,13 @@ def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args
 
 
 def inWordsOf(names: typing.Mapping[str, str], message: str) -> str:
-    """A message "argument: what is wrong with it" with other names of arguments."""
+    """Returns a message "argument: what is wrong with it" with the caller's names of arguments."""
     head, colon, rest = message.partition(":")
     return re.sub(r"\w+", lambda word: names.get(word.group()) or word.group(), head) + colon + rest if colon else message
 
 
 def fromNative(message: str, **attributes: Any) -> Exception:
-    """The exception for one of C++."""
+    """Returns the exception of this package for one of C++."""
     result = fail(message)
     for name, value in attributes.items():
         setattr(result, name, value)

@@ -37,7 +37,8 @@ def _placeOfParams(args: Tuple[Any, ...]) -> int:
 
 
 def _form(args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Tuple[str, ...]:
-    """The names of the arguments, by what is where. A Params may be in the place of the flag of each."""
+    """Returns the names of the arguments of the form that is called, which the types of the arguments tell. In each form a Params may
+    stand in place of the flag."""
     place = _placeOfParams(args)
     if "params" in kwargs or "dist_coeff1" in kwargs or "dist_coeff2" in kwargs or (place == 6):
         return _PARAMS

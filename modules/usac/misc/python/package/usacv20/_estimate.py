@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""One estimation with all options and a report: of any problem, for the functions of each problem (_problems.py)."""
+"""Runs one estimation of any problem with all options and a report, for the functions of each problem (_problems.py)."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ POSE = ("objectPoints", "imagePoints", "cameraMatrix", "", "distCoeffs", "")  # 
 
 
 def inPlane(problem: int) -> Tuple[bool, bool]:
-    """Whether the points of both arrays are those of a plane."""
+    """Returns whether the points of both arrays are points of a plane."""
     return _IN_PLANE[ARGUMENTS[problem]]
 
 
 def problemOf(problem: Union[int, str]) -> int:
-    """The value of a ProblemType, of which the caller gives the value or the name."""
+    """Returns the value of a ProblemType, given as value or name."""
     if isinstance(problem, str) and problem.upper() in ProblemType.__members__:
         return int(ProblemType[problem.upper()])
     known = _arguments.isInteger(problem) and not _arguments.isOfAnother(problem, ProblemType)
@@ -51,7 +51,7 @@ def problemOf(problem: Union[int, str]) -> int:
 def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, cameraMatrix1: Any = None,
              cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None,
              names: Tuple[str, ...] = NAMES, maskName: str = "mask") -> _Estimate:
-    """Any of the problems; `names` are those of the arguments that are arrays, as the caller knows them."""
+    """Estimates a model of any problem; `names` are the caller's names of the arguments that are arrays."""
     options = optionsOf(params)
     _arguments.checkMask(mask, maskName)
     plane1, plane2 = inPlane(problem)
@@ -64,8 +64,8 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
 
 
 def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, params: Any, mask: Any) -> Tuple[Any, Any, Any, Any]:
-    """The arguments of (..., cameraMatrix, params, mask), where one camera has taken both images, in the places of those of two
-    cameras: cameraMatrix2, distCoeffs1, params, mask."""
+    """Moves the arguments of the form (..., cameraMatrix, params, mask), where one camera took both images, to the places that they have
+    in the form with two cameras: cameraMatrix2, distCoeffs1, params, mask."""
     if not isinstance(cameraMatrix2, Params):
         return cameraMatrix2, distCoeffs1, params, mask
     if params is not None or distCoeffs2 is not None:
@@ -76,7 +76,7 @@ def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, para
 def estimateModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
                   mask: _Mask = None, cameraMatrix1: Optional[npt.ArrayLike] = None, cameraMatrix2: Optional[npt.ArrayLike] = None,
                   distCoeffs1: Optional[npt.ArrayLike] = None, distCoeffs2: Optional[npt.ArrayLike] = None) -> _Estimate:
-    """Estimates a model of any kind: what estimateHomography and its kin do, for a program that knows the problem at run time only.
+    """Estimates a model of any kind, as estimateHomography and the like do, for a program that knows the problem at run time only.
 
     problem -- ProblemType, or its name, see fitModel
     points1, points2 -- as the function of the problem takes them; ABSOLUTE_POSE: objectPoints and imagePoints
@@ -84,5 +84,5 @@ def estimateModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt
     cameraMatrix1, distCoeffs1 -- for ESSENTIAL and ABSOLUTE_POSE
     cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: as cameraMatrix1, no distortion
 
-    Returns (model, mask, report), to the bit what that function returns."""
+    Returns (model, mask, report), with the same bits as that function."""
     return estimate(problemOf(problem), points1, points2, params, mask, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)

@@ -28,7 +28,7 @@ Self = typing.TypeVar("Self")
 
 
 class Field(typing.Generic[Read]):
-    """A field that can be read."""
+    """A descriptor of a field that can only be read."""
 
     def __init__(self, about: str) -> None:
         self.__doc__ = about
@@ -56,7 +56,7 @@ class Field(typing.Generic[Read]):
 
 
 class EnumField(Field[Enumeration]):
-    """An enumerator that can be read."""
+    """A descriptor of a field with an enumerator that can only be read."""
 
     def __init__(self, type_: Type[Enumeration], about: str) -> None:
         super().__init__(about)
@@ -67,7 +67,7 @@ class EnumField(Field[Enumeration]):
 
 
 class Real(Field[float]):
-    """A number."""
+    """A descriptor of a field with a number."""
 
     def __set__(self, instance: Any, value: float) -> None:
         if not _arguments.isReal(value):
@@ -76,7 +76,7 @@ class Real(Field[float]):
 
 
 class Integer(Field[int]):
-    """An integer."""
+    """A descriptor of a field with an integer."""
 
     def __set__(self, instance: Any, value: int) -> None:
         if not _arguments.isInteger(value):
@@ -85,12 +85,13 @@ class Integer(Field[int]):
 
 
 def _short(name: str) -> str:
-    """How names are compared: "p-napsac" is P_NAPSAC, "magsac++" MAGSAC_PLUS_PLUS."""
+    """Returns a name in the form in which names are compared: "p-napsac" is P_NAPSAC, "magsac++" MAGSAC_PLUS_PLUS."""
     return name.strip().upper().replace("-", "_").replace(" ", "_").replace("+", "_PLUS")
 
 
 class Named(Integer):
-    """Enumerators, which can also be written by their names, with or without the prefix that all of an enumeration have."""
+    """A descriptor of a field with enumerators, which can also be written by their names, with or without the prefix that all names of
+    the enumeration have."""
 
     def __init__(self, type_: Union[Type[enum.IntEnum], Type[enum.IntFlag]], about: str) -> None:
         super().__init__(about)
@@ -122,7 +123,7 @@ class Named(Integer):
 
 
 class Option(Named, typing.Generic[Enumeration]):
-    """One enumerator. Any other integer is stored as it is and raises usacv20.error in Params.check()."""
+    """A descriptor of a field with one enumerator. Any other integer is stored as it is and raises usacv20.error in Params.check()."""
 
     def __init__(self, type_: Type[Enumeration], about: str) -> None:
         super().__init__(type_, about)
@@ -142,7 +143,8 @@ class Option(Named, typing.Generic[Enumeration]):
 
 
 class Set(Named, typing.Generic[Flags]):
-    """A set of flags, also by names, "a|b". An integer with other bits is stored and raises usacv20.error in Params.check()."""
+    """A descriptor of a field with a set of flags, also by names, "a|b". An integer with other bits is stored as it is and raises
+    usacv20.error in Params.check()."""
 
     def __init__(self, type_: Type[Flags], about: str) -> None:
         super().__init__(type_, about)
@@ -167,7 +169,8 @@ class Set(Named, typing.Generic[Flags]):
 
 
 class Numbers(Field["npt.NDArray[Any]"]):
-    """A list of numbers: an array of one dimension that lives in the object, so that its elements can be written."""
+    """A descriptor of a field with a list of numbers: an array of one dimension that belongs to the object, so that its elements can be
+    written."""
 
     def __init__(self, kind: Any, about: str) -> None:
         super().__init__(about)
@@ -200,7 +203,7 @@ class Numbers(Field["npt.NDArray[Any]"]):
 
 
 class Scores(Numbers):
-    """Numbers as a row, a column or a one-dimensional array."""
+    """A descriptor of a field with numbers that are given as a row, a column or a one-dimensional array."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
         if sum(side != 1 for side in given.shape) > 1:

@@ -31,7 +31,7 @@ SIZE_MAX = 2**64 - 1
 
 def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
               kwargs: Dict[str, Any]) -> bool:
-    """Whether a call has the form with `params`, as OpenCV has it. A Params in the place of the flag is not this form."""
+    """Returns whether a call has OpenCV's form with `params`. A Params in place of the flag is not this form."""
     if "params" in kwargs:
         if method in kwargs:
             raise fail("{}: params and {} are given, both say what to use".format(function, method))
@@ -47,14 +47,14 @@ def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace
 
 
 def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str, Any], others: typing.Sequence[str]) -> None:
-    """Numbers that come with a flag have no effect beside a Params, which has them as fields."""
+    """Raises an exception for numbers that belong to a flag but come with a Params, which has them as fields."""
     for name in others:
         if values[name] is not defaults[name] and values[name] is not None:
             raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))
 
 
 def flag(value: Any, name: str = "method") -> int:
-    """An integer; None is replaced by the default."""
+    """Returns a flag as an integer; None is replaced by the default."""
     other = isOfAnother(value, UsacV20Method) and type(value).__module__ == UsacV20Method.__module__
     if value is not None and (other or not isInteger(value)):
         raise fail("{}: one of the flags USACV20*, a flag of OpenCV or a Params is expected, not {}".format(name, shown(value)))
@@ -62,7 +62,7 @@ def flag(value: Any, name: str = "method") -> int:
 
 
 def found(result: Any, given: Any) -> Any:
-    """What the compiled part has found with a flag, the mask in the caller's array."""
+    """Returns the compiled part's result of a call with a flag, the mask in the caller's array."""
     model, mask = result
     return model, output(given, NO_POINTS.copy() if mask is None else mask)
 

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What needs no search: least squares over given points, errors under a given model."""
+"""Functions without a search: least squares over given points, errors under a given model."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
 def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
              params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
              distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
-    """Least squares over all points, or some, without a search: what OpenCV calls method 0.
+    """Fits a model to all points, or to some, by least squares without a search, as OpenCV's method 0 does.
 
     problem -- ProblemType, or its name
     points1, points2 -- N points each, as the function estimate* of the problem has them: its first two arguments
@@ -47,7 +47,7 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
     cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- where that function has them; of one camera the first of each
 
     Returns (model, mask, report) as the function estimate* of the problem; report.stop is STOP_NO_SEARCH, or says why there is no
-    model. Wrong points pull at it as far as they are off."""
+    model. Wrong matches are not left out, and distort the model."""
     return _result(native.fitModel(problemOf(problem), array(points1, "points1"), array(points2, "points2"), optionsOf(params),
                                    optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
@@ -56,7 +56,7 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
 def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike, chosen: _Optional = None,
                 params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
                 distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
-    """Makes a known model better.
+    """Refines a known model.
 
     model -- as the function estimate* of the problem returns it
     chosen -- the inliers, N numbers or truth values: least squares over these, from the model; None: the last step of an
@@ -71,11 +71,11 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
 def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
                 params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
                 distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> npt.NDArray[np.float64]:
-    """The error of each point under a model, as the mask of an estimation sees it: that is 1 exactly where this is at most
-    report.threshold.
+    """Returns the error of each point under a model, on which the mask of an estimation is based: it is 1 exactly where this error is at
+    most report.threshold.
 
     model -- as the function estimate* of the problem returns it
-    params -- Params; residual counts
+    params -- Params, of which only the field residual is used
 
     The other arguments are those of fitModel. Returns an Nx1 array of float64, not squared, in the unit of params.threshold
     (pixels; motions of space: the unit of points2); not finite where there is no error: points that are not finite, behind a camera,

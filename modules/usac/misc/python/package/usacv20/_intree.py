@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What the package takes from a cv2 that was built with the module, in the form of the extension module (_native.pyi)."""
+"""The functions of a cv2 that was built with the module, in the form of those of the extension module (_native.pyi)."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Native:
         return [(batch.model(i), batch.mask(i), batch.report(i), batch.error(i)) for i in range(count)]
 
     def _each(self, one: Callable[[int, Any], Any], count: int, threads: int) -> List[Any]:
-        """The results of many calls with a number and what can stop them."""
+        """Returns the results of many calls; each gets its number and the object that can stop it."""
         most = self._cv2.getNumThreads()
         workers = min(threads or most, most, count)
 
@@ -175,7 +175,7 @@ class Native:
         return found, rvec, tvec, inliers
 
     def enumerators(self) -> Dict[str, int]:
-        """Name and value of all enumerators."""
+        """Returns names and values of all enumerators."""
         result = {name: value for name, value in vars(self._native).items() if name.isupper() and isinstance(value, int)}
         result.update(self._constants)
         return result

@@ -97,7 +97,7 @@ class Runs:
         return outcome["result"]
 
     def notBegun(self) -> Tuple[Optional[Any], Optional[Any], Any, str]:
-        """The result of one of many estimations that was stopped before it began."""
+        """Returns the result of one of many estimations that was stopped before it began."""
         report = self._functions.Report()
         report.stop = _STOP_CANCELLED
         return None, None, report, ""

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Points without the distortion of their lens."""
+"""Removal of the distortion of a lens from points."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def removeDistortion(points: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
                      distCoeffs: Optional[npt.ArrayLike] = None) -> npt.NDArray[np.float64]:
-    """Where the same camera would see points if its lens had no distortion: the inverse of cv2.projectPoints to double precision.
+    """Returns where the same camera would see points if its lens had no distortion, the inverse of cv2.projectPoints, in double precision.
     cv2.undistortPoints takes five steps by default, and is up to a tenth of a pixel off in the corners of an ordinary lens.
 
     points -- N points of the image as it was taken, pixels; any type and layout that estimateHomography takes

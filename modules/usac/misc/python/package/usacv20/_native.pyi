@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The compiled part, in misc/python/native. Arrays have numbers of a type that cv::Mat has; lists are arrays of one dimension.
+# Types of the compiled part, whose source is in misc/python/native. Arrays have a type of numbers that cv::Mat has, too; lists are
+# arrays of one dimension.
 
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
@@ -18,7 +19,7 @@ _Points = Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], Optional[npt.NDA
 
 pybind11Version: Tuple[int, int]
 
-class _Class(type): ...  # pybind11 adds this to its classes
+class _Class(type): ...  # the metaclass (class of classes) that pybind11, which makes the extension module, gives to its classes
 
 class Params(metaclass=_Class):
     threshold: float
@@ -130,7 +131,7 @@ class Report(metaclass=_Class):
 solvePnPFlags: Dict[str, int]
 
 class Rng(metaclass=_Class):
-    """Pseudo-random numbers, determined by a seed and a stream."""
+    """A generator of pseudo-random numbers, which a seed and a stream determine."""
 
     def __init__(self, seed: int = ..., stream: int = ...) -> None: ...
     def next(self) -> int: ...

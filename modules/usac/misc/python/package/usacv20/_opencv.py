@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The functions of a cv2 with the flags and the Params of this module."""
+"""Makes the functions of a cv2 take the flags and the Params of this module."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _MARK = "_usacv20Patch"
 
 
 def _essentialPlace(args: Tuple[Any, ...]) -> int:
-    """Where `method` is among the positional arguments of findEssentialMat."""
+    """Returns the place of `method` among the positional arguments of findEssentialMat."""
     if len(args) > 2 and isinstance(args[2], numbers.Real):
         return 4  # (points1, points2, focal, pp, method, ...)
     if len(args) > 4 and args[4] is not None and not isinstance(args[4], numbers.Real):
@@ -41,7 +41,7 @@ _PLACES: typing.Mapping[str, Callable[[Tuple[Any, ...]], int]] = {
 
 
 def _isOurs(name: str, args: Tuple[Any, ...], kwargs: typing.Mapping[str, Any]) -> bool:
-    """Whether the arguments hold a flag of this module in its place, or a Params anywhere."""
+    """Returns whether the arguments hold a flag of this module in its place, or a Params anywhere."""
     key = "flags" if name == "solvePnPRansac" else "method"
     place = _PLACES[name](args)
     value = kwargs.get(key, args[place] if place < len(args) else None)

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""All options of the estimator."""
+"""Params, the options of the estimator."""
 
 from __future__ import annotations
 
@@ -49,7 +49,8 @@ class Params:
     written later; None is the default. Params() is Params.usacV20(). Enumerators can be written by their names, too:
     Params(sampler="prosac", termination="sprt|standard"). A value of a wrong type, and an enumerator of another enumeration, raise a
     TypeError when it is written; a wrong value raises usacv20.error, which names the field, when the estimator is created, or in
-    check(). Objects can be compared, copied and pickled; repr() shows what differs from the default. Pixels are those of image 2, or the unit of the points of space 2."""
+    check(). Objects can be compared, copied and pickled; repr() shows what differs from the default. Pixels are those
+    of image 2; for motions of space read: the unit of the points of space 2."""
 
     __slots__ = ("_native", "_scores", "_initialModel", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as of all that can change
@@ -164,7 +165,7 @@ class Params:
         return cls._of(getattr(native.Params, name)())._with(name, fields)
 
     def _with(self: P, function: str, fields: Dict[str, Any]) -> P:
-        """With other values of these fields; None is that of the preset."""
+        """Sets other values of these fields; None keeps the preset's."""
         for name, value in fields.items():
             if name not in _FIELDS:
                 raise _unknown("Params." + function, name)
@@ -188,14 +189,14 @@ class Params:
             super().__setattr__(name, value)
 
     def replace(self: P, **fields: Any) -> P:
-        """A copy with other values of some fields, params.replace(threshold=3); None is the default, as in Params()."""
+        """Returns a copy with other values of some fields, params.replace(threshold=3); None is the default, as in Params()."""
         unknown = [name for name in fields if name not in _FIELDS]
         if unknown:
             raise _unknown("Params.replace", unknown[0])
         return type(self)(**dict(self._items(), **fields))
 
     def _prepared(self) -> Any:
-        """The options in the form of the compiled part, with the lists as they are now."""
+        """Returns the options in the form of the compiled part, with the lists as they are now."""
         options = self._native
         scores, model = self.scores, self.initialModel
         if self._filled or scores.size or model.size:
@@ -223,7 +224,7 @@ class Params:
         return ((name, getattr(self, name)) for name in _FIELDS)
 
     def _differing(self) -> typing.Iterator[Tuple[str, Any]]:
-        """Fields that have another value than the default."""
+        """Returns the fields that have another value than the default."""
         default = Params()
         return ((name, value) for name, value in self._items() if not _same(value, getattr(default, name)))
 
@@ -248,99 +249,99 @@ class Params:
 
     @classmethod
     def fromMethod(cls: Type[P], method: int, **fields: Any) -> P:
-        """The preset behind a flag, one of USACV20*; anything else raises usacv20.error."""
+        """Returns the preset of a flag, one of USACV20*; anything else raises usacv20.error."""
         return cls._of(native.Params.fromMethod(integer(method, "method")))._with("fromMethod", fields)
 
     @classmethod
     def usacV20(cls: Type[P], **fields: Any) -> P:
-        """The configuration chosen in the paper of USACv20, with robust polishing; the same as Params()."""
+        """Returns the configuration chosen in the paper of USACv20, with robust polishing; the same as Params()."""
         return cls._preset("usacV20", fields)
 
     @classmethod
     def fast(cls: Type[P], **fields: Any) -> P:
-        """What USACV20_FAST uses: early stop and a short local optimization."""
+        """Returns the preset of USACV20_FAST: early stop and a short local optimization."""
         return cls._preset("fast", fields)
 
     @classmethod
     def accurate(cls: Type[P], **fields: Any) -> P:
-        """What USACV20_ACCURATE uses: three times as many samples and a long local optimization."""
+        """Returns the preset of USACV20_ACCURATE: three times as many samples and a long local optimization."""
         return cls._preset("accurate", fields)
 
     @classmethod
     def sorted(cls: Type[P], **fields: Any) -> P:
-        """What USACV20_PROSAC uses: PROSAC sampling of points that the caller has sorted, best first, or in the order of `scores`
-        where these are given."""
+        """Returns the preset of USACV20_PROSAC: PROSAC sampling of points that the caller has sorted, best first, or in the order
+        of `scores` if these are given."""
         return cls._preset("sorted", fields)
 
     @classmethod
     def trustedScores(cls: Type[P], **fields: Any) -> P:
-        """As usacV20(), for who vouches for the order of the points (scores, or ORDERING_INPUT_ORDER): all samples are
-        PROSAC's, and its criterion may end the search. Where the order is wrong, a better model may be missed."""
+        """Returns a preset for callers who vouch for the order of the points (scores, or ORDERING_INPUT_ORDER): as usacV20(), but
+        all samples are PROSAC's, and its criterion may end the search. Where the order is wrong, a better model may be missed."""
         return cls._preset("trustedScores", fields)
 
     @classmethod
     def parallel(cls: Type[P], **fields: Any) -> P:
-        """What USACV20_PARALLEL uses: usacV20() with all threads of OpenCV and the same result."""
+        """Returns the preset of USACV20_PARALLEL: usacV20() with all threads of OpenCV and the same result."""
         return cls._preset("parallel", fields)
 
     @classmethod
     def automatic(cls: Type[P], **fields: Any) -> P:
-        """What USACV20_AUTO uses: usacV20() with an estimated threshold of at most 5 pixels, see ThresholdType."""
+        """Returns the preset of USACV20_AUTO: usacV20() with an estimated threshold of at most 5 pixels, see ThresholdType."""
         return cls._preset("automatic", fields)
 
     @classmethod
     def ransac(cls: Type[P], **fields: Any) -> P:
-        """RANSAC of 1981: uniform samples, number of inliers, least squares."""
+        """Returns RANSAC of 1981: uniform samples, number of inliers, least squares."""
         return cls._preset("ransac", fields)
 
     @classmethod
     def msac(cls: Type[P], **fields: Any) -> P:
-        """As ransac(), with truncated squared errors."""
+        """Returns MSAC: as ransac(), with truncated squared errors."""
         return cls._preset("msac", fields)
 
     @classmethod
     def lmeds(cls: Type[P], **fields: Any) -> P:
-        """As ransac(), with the median of the squared errors; threshold is not used."""
+        """Returns LMedS: as ransac(), with the median of the squared errors; threshold is not used."""
         return cls._preset("lmeds", fields)
 
     @classmethod
     def mlesac(cls: Type[P], **fields: Any) -> P:
-        """As ransac(), with the likelihood of a mixture of inliers and outliers."""
+        """Returns MLESAC: as ransac(), with the likelihood of a mixture of inliers and outliers."""
         return cls._preset("mlesac", fields)
 
     @classmethod
     def prosac(cls: Type[P], **fields: Any) -> P:
-        """As ransac(), with PROSAC's samples and termination; the caller has sorted the points, best first, or `scores` do."""
+        """Returns PROSAC: as ransac(), with PROSAC's samples and termination; the points are sorted, best first, or `scores` are given."""
         return cls._preset("prosac", fields)
 
     @classmethod
     def loRansac(cls: Type[P], **fields: Any) -> P:
-        """LO-RANSAC: as ransac(), each new best model is refined by ten inner samples."""
+        """Returns LO-RANSAC: as ransac(), each new best model is refined by ten inner samples."""
         return cls._preset("loRansac", fields)
 
     @classmethod
     def floRansac(cls: Type[P], **fields: Any) -> P:
-        """FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size."""
+        """Returns FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size."""
         return cls._preset("floRansac", fields)
 
     @classmethod
     def gcRansac(cls: Type[P], **fields: Any) -> P:
-        """GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples."""
+        """Returns GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples."""
         return cls._preset("gcRansac", fields)
 
     @classmethod
     def usac2013(cls: Type[P], **fields: Any) -> P:
-        """USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC."""
+        """Returns USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC."""
         return cls._preset("usac2013", fields)
 
     @classmethod
     def magsac(cls: Type[P], **fields: Any) -> P:
-        """MAGSAC: uniform samples, quality, termination and fits marginalized over the noise."""
+        """Returns MAGSAC: uniform samples, quality, termination and fits marginalized over the noise."""
         return cls._preset("magsac", fields)
 
     @classmethod
     def magsacPlusPlus(cls: Type[P], **fields: Any) -> P:
-        """What USACV20_MAGSAC uses, MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits."""
+        """Returns the preset of USACV20_MAGSAC, MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits."""
         return cls._preset("magsacPlusPlus", fields)
 
 
@@ -362,7 +363,7 @@ def _shown(value: Any) -> str:
 
 
 def optionsOf(params: Any, name: str = "params") -> Any:
-    """The options in the form of the compiled part; the default for None."""
+    """Returns the options in the form of the compiled part; None stands for the defaults."""
     if params is None:
         return native.Params()
     if not isinstance(params, Params):

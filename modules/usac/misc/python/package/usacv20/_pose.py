@@ -33,8 +33,8 @@ _DEFAULTS: Dict[str, Any] = dict(rvec=None, tvec=None, useExtrinsicGuess=False, 
 
 
 def _opencvFlag(value: int) -> int:
-    """A flag as the OpenCV of this package has it. SOLVEPNP_* have other numbers in OpenCV 5 than in 4: where a cv2 of the other
-    version has been imported, the number is that cv2's, and is handed on by its name."""
+    """Returns a flag by the number that it has in the OpenCV of this package. SOLVEPNP_* have other numbers in OpenCV 5 than in 4: if a
+    cv2 of the other version was imported, the number is taken for that cv2's, and converted by its name."""
     cv2 = sys.modules.get("cv2")
     own: Dict[str, int] = {} if IN_TREE else native.solvePnPFlags
     theirs: Dict[str, int] = {name: int(getattr(cv2, name)) for name in dir(cv2)
@@ -137,7 +137,7 @@ def _withFlag(v: Dict[str, Any]) -> Any:
 
 
 def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:
-    """As cv2 returns them, in the caller's arrays where they fit."""
+    """Returns the results as cv2 does, in the caller's arrays where they fit."""
     retval, rvec, tvec, inliers = result
     if not retval:
         given = [value if value is None or isinstance(value, np.ndarray) else np.asarray(value) for value in (v["rvec"], v["tvec"])]

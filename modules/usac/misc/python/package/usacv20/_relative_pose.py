@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The motion of a camera between two views."""
+"""Estimation of the motion of a camera between two views."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class RelativePose(typing.NamedTuple):
-    """Results of estimateRelativePose other than the motion."""
+    """The results of estimateRelativePose other than the motion."""
 
     report: Report  # of the search for the essential matrix; inliers counts those of the mask
     essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None: no model

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What one estimation learned."""
+"""Report, which says what one estimation learned."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ def _restored(values: Dict[str, Any]) -> Report:
 
 
 class Sample(Field[Tuple[int, ...]]):
-    """Rows of the points."""
+    """A descriptor of the field with rows of the points."""
 
     def read(self, instance: Any) -> Any:
         return tuple(int(row) for row in getattr(instance._native, self.name))
 
 
 class Covariance(Field["Optional[npt.NDArray[np.float64]]"]):
-    """A matrix, or None."""
+    """A descriptor of the field with a matrix, or None."""
 
     def read(self, instance: Any) -> Any:
         value = getattr(instance._native, self.name)
@@ -41,8 +41,8 @@ class Covariance(Field["Optional[npt.NDArray[np.float64]]"]):
 
 
 class Report:
-    """What one estimation learned on its way. Times are of the steady clock and decide nothing. Report() is that of no
-    run."""
+    """What one estimation learned on its way. Times are those of a steady clock and do not influence results. Report() is that of
+    no run."""
 
     __slots__ = ("_native",)
     __hash__ = None  # type: ignore[assignment]
@@ -58,16 +58,16 @@ class Report:
     refusedModels = Field[int]("Models dropped by the pre-emptive verification.")
     droppedModels = Field[int]("Models that were no better than the best one.")
     localOptimizations = Field[int]("Local optimizations run.")
-    localImprovements = Field[int]("Those that improved their model.")
+    localImprovements = Field[int]("Local optimizations that improved their model.")
     degenerate = Field[bool]("True if a so-far-the-best F came from a sample dominated by a plane.")
     inliers = Field[int]("Rows of the mask that are 1.")
     sample = Sample("""The sample that led to the model: rows of the points, as many as a minimal solver takes. Empty: there is no
         model, or it came from Params.initialModel or from a fit of all points.""")
     inlierRatio = Field[float]("inliers as a part of all rows of the mask, 0..1.")
     independentInliers = Field[int]("""Inliers that are more than a threshold apart from each other in both images:
-        repeated matches count once. 0 for more than 50 000 inliers of a run that had to end.""")
-    chance = Field[float]("""Probability, an upper bound, that the same search finds a model with as many independent
-        inliers in random matches of the same points, 0..1. Kept if the model was refused; 1 if there was none.""")
+        repeated matches count once. 0 if the run was stopped and has more than 50 000 inliers.""")
+    chance = Field[float]("""Upper bound of the probability that the same search finds a model with as many independent
+        inliers in random matches of the same points, 0..1. Also set if the model was refused for it; 1 if there was none.""")
     threshold = Field[float]("""Threshold of the mask in pixels, that of Params; THRESHOLD_ESTIMATED, QUALITY_LMEDS: estimated from
         the data.""")
     sigma = Field[float]("""Standard deviation of the noise of the inliers, in each component of the error, in the unit of
@@ -98,12 +98,12 @@ class Report:
         return result
 
     def describe(self) -> str:
-        """One sentence for a log. It ends with "no better than chance" where `chance` is above 0.01 and there is a model
-        nevertheless: few points, or what Params.significance says."""
+        """Returns one sentence for a log. It ends with "no better than chance" where `chance` is above 0.01 and there is a model
+        nevertheless, because there are few points or Params.significance allows it."""
         return str(self._native.describe())
 
     def asDict(self) -> Dict[str, Any]:
-        """The fields by their names, for a table or a file: numbers, truth values, `stop` as text, and `covariance` as lists."""
+        """Returns the fields by their names, for a table or a file: numbers, truth values, `stop` as text, and `covariance` as lists."""
         matrix = self.covariance
         return dict(self._values(), stop=self.stop.name, covariance=None if matrix is None else matrix.tolist())
 

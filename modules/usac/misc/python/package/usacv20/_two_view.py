@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The relation between two images, determined from their matches."""
+"""Estimation of the relation between two images from their matches."""
 
 from __future__ import annotations
 
@@ -46,11 +46,11 @@ class TwoViewRules:
     calibrationRatio: float = 0.95  # 0..1; E with less of F's inliers tells that the focal lengths are wrong
 
     def check(self) -> None:
-        """Raises usacv20.error, which names a wrong field."""
+        """Raises usacv20.error, which names the field, if a value is wrong."""
         self._native.check()
 
     def samples(self, params: Params, sampleSize: int, matches: int) -> int:
-        """Samples that find a pair that is to be kept, whatever params.maxIterations says; at least 500.
+        """Returns the number of samples that find a pair that is to be kept, whatever params.maxIterations says; at least 500.
 
         params -- its confidence counts, and whether its local optimization is that of USACV20
         sampleSize -- points of a sample: 5 for E, 7 for F, 4 for H
@@ -64,8 +64,8 @@ class TwoViewRules:
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
     def reached(self, params: Params, sampleSize: int, matches: int) -> float:
-        """The chance that one of these samples, but not more than params.maxIterations, is right, if inlierRatio of the matches
-        is; 0..1."""
+        """Returns the probability, 0..1, that one of these samples, but not more than params.maxIterations, is right, if a part inlierRatio
+        of the matches is."""
         return float(self._native.reached(optionsOf(params), sampleSize, matches))
 
     @property
@@ -79,7 +79,7 @@ class TwoViewRules:
 
 
 class TwoViewPair(typing.NamedTuple):
-    """Matches of two images, and what is known of their cameras."""
+    """The matches of two images, and what is known of their cameras."""
 
     points1: npt.ArrayLike  # N points of image 1 in pixels, as for estimateHomography
     points2: npt.ArrayLike  # their N counterparts in image 2
@@ -95,7 +95,7 @@ class TwoViewPair(typing.NamedTuple):
 
 
 class TwoViewGeometry(typing.NamedTuple):
-    """What has become of a pair. Arrays are of float64 and None where they are not known; pixels are those without distortion."""
+    """The result for a pair of images. Arrays are of float64, and None where they are not known; pixels are those without distortion."""
 
     configuration: TwoViewConfiguration
     mask: npt.NDArray[np.uint8]  # N x 1; 1: an inlier of E, else of F, else of H
@@ -125,7 +125,7 @@ def _size(size: Any, name: str) -> Any:
 
 
 def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
-    """The arguments in the order of the compiled part."""
+    """Returns the arguments in the order of the compiled part."""
     scores = None if pair.scores is None else np.ravel(_arguments.array(pair.scores, prefix + "scores")).astype(np.float32)
     return (*(_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS),
             *(_arguments.optionalArray(getattr(pair, name), prefix + name) for name in _ARRAYS),
@@ -150,7 +150,7 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
                             cameraMatrix2: _Optional = None, distCoeffs1: _Optional = None, distCoeffs2: _Optional = None,
                             params: Optional[Params] = None, rules: Optional[TwoViewRules] = None, *, imageSize1: _Size = None,
                             imageSize2: _Size = None) -> TwoViewGeometry:
-    """What two images are to each other, by their matches, with COLMAP's configurations.
+    """Determines the relation between two images from their matches, as one of COLMAP's configurations.
 
     points1, points2 -- N points of each image in pixels, as for estimateHomography
     cameraMatrix1, cameraMatrix2 -- 3x3, of each image by itself; None: its focal length is not known
@@ -161,7 +161,7 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     rules -- TwoViewRules; None: the defaults
     imageSize1, imageSize2 -- (width, height) in pixels; None: no watermark is looked for
 
-    Returns a TwoViewGeometry: configuration, mask, F, E, H, R, t and what was learned; of a pair that is refused `reason` says why.
+    Returns a TwoViewGeometry: configuration, mask, F, E, H, R, t and a report; if a pair is refused, `reason` says why.
 
     An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F; with E, F starts from it.
     Where E is refused F is searched for in 500 samples, and the square of the significance is asked of it. Where F tells that the

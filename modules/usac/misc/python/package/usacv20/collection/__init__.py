@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Two-view geometry of all pairs of a collection: python3 -m usacv20.collection --help
+"""Estimates the two-view geometry of all pairs of a collection of images: python3 -m usacv20.collection --help
 
     verify DATABASE   all pairs of a COLMAP database, in the place of COLMAP's own verification
     pairs LIST        all pairs of a folder or file of matches
@@ -26,14 +26,14 @@ _LATER = {"Summary": "_engine", "ColumnScores": "_scores", "HlocScores": "_score
 
 
 def __getattr__(name: str) -> typing.Any:
-    """What is imported when it is used first: so the command is soon where it can be interrupted."""
+    """Imports a name when it is used first, so that the command can soon be interrupted."""
     if name not in _LATER:
         raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
     return getattr(importlib.import_module("." + _LATER[name], __name__), name)
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:
-    """The results of the command `pairs` in the order of their names, one after the other.
+    """Returns the results of the command `pairs` in the order of their names, one after the other.
 
     path -- its SQLite, NPZ or HDF5 file, or OUTPUT.part of a run that was interrupted
 

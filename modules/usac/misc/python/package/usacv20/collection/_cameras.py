@@ -50,7 +50,7 @@ _TOLERANCE = 1e-10
 
 
 class Camera(typing.NamedTuple):
-    """One row of the table `cameras`."""
+    """A camera, one row of the table `cameras`."""
 
     id: int
     model: str  # COLMAP's name
@@ -63,7 +63,7 @@ class Camera(typing.NamedTuple):
 
     @classmethod
     def fromColmap(cls, id: int, model: int, width: int, height: int, params: bytes, priorFocalLength: int) -> Camera:
-        """A camera from the columns of its row. Raises CollectionError for a model without a counterpart in OpenCV, and for
+        """Makes a camera from the columns of its row. Raises CollectionError for a model without a counterpart in OpenCV, and for
         numbers that make no camera."""
         if model not in _MODELS:
             name = _REFUSED.get(model, "of number {}".format(model))
@@ -90,7 +90,7 @@ class Camera(typing.NamedTuple):
         return self.fisheye or any(self.distortion)
 
     def ideal(self, points: npt.NDArray[Any]) -> _Array:
-        """Pixels as the same camera sees them without distortion.
+        """Returns where the same camera would see points without distortion.
 
         points -- N x 2 pixels in the image as taken
 
@@ -105,7 +105,7 @@ class Camera(typing.NamedTuple):
 
 
 def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
-    """The direction whose image is given, by Newton's method for the angle to the axis."""
+    """Returns the direction whose image is given, by Newton's method for the angle to the axis."""
     k1, k2, _, _, k3, k4, _, _ = distortion
     target = np.hypot(distorted[:, 0], distorted[:, 1])
     angle = target.copy()

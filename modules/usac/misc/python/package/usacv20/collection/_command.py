@@ -129,7 +129,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _settings(options: argparse.Namespace) -> Dict[str, Any]:
-    """Without the threshold."""
+    """Returns the settings that the arguments tell, without the threshold."""
     return dict(method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
                 inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance,
                 watermarks=not options.no_watermarks, seed=options.seed)

@@ -67,7 +67,7 @@ class Cluster:
         return client
 
     def _shared(self) -> Optional[str]:
-        """The fingerprint if all workers see the files."""
+        """Returns the fingerprint of the source if all workers see its files."""
         own = self._source.fingerprint()
         try:
             found = self._client.run(fingerprintOf, self._packed)

@@ -37,18 +37,18 @@ _COLUMNS = (2, 4, 6)  # of keypoints: x, y; with scale and orientation; with an 
 
 
 class Scores(typing.Protocol):
-    """Scores of matches. Can be pickled."""
+    """Where scores of matches come from; objects can be pickled."""
 
     higherIsBetter: bool
 
     def of(self, key: int, first: str, second: str, matches: _Matches,
            connection: sqlite3.Connection) -> Optional[_Array]:
-        """One for each match, None: there are none. `first` and `second` are names of the images. CollectionError makes the pair
-        a fault."""
+        """Returns a score for each match, or None if there are none. `first` and `second` are names of the images. CollectionError makes
+        the pair a fault."""
 
 
 class _Image(typing.NamedTuple):
-    """What pairs need of an image."""
+    """What pairs need to know of an image."""
 
     name: str
     camera: Optional[Camera]
@@ -60,11 +60,11 @@ class _Image(typing.NamedTuple):
 
 
 class _Wrong(Exception):
-    """What is wrong with a pair, without the names of its images."""
+    """Raised for a fault of a pair; the message is without the names of its images."""
 
 
 class _Cache:
-    """The images that were used last, in bounded memory; for all threads of a process."""
+    """Keeps the images that were used last, in bounded memory, for all threads of a process."""
 
     def __init__(self, limit: int) -> None:
         self._limit = limit
@@ -92,7 +92,7 @@ class _Cache:
 
 
 class DatabaseSource:
-    """Pairs of the table `matches`, by pair_id.
+    """A Source of the pairs in the table `matches`, in the order of pair_id.
 
     path -- of the database
     scores -- of the matches, None: not known
@@ -123,7 +123,7 @@ class DatabaseSource:
         self._prepare()
 
     def connection(self) -> sqlite3.Connection:
-        """That of this thread, made when it is needed first."""
+        """Returns the connection of this thread, which is made when it is needed first."""
         if self._process != os.getpid():  # a connection does not survive a fork
             self._prepare()
         found: Optional[sqlite3.Connection] = getattr(self._local, "connection", None)
@@ -171,7 +171,7 @@ class DatabaseSource:
         return self._count
 
     def fingerprint(self) -> str:
-        """Of the first and the last rows of the tables: those are not changed by results that are written meanwhile."""
+        """Returns a fingerprint of the first and the last rows of the tables, which do not change when results are written."""
         digest = hashlib.sha256()
         for table, key, values in (("cameras", "camera_id", "model, width, height, params, prior_focal_length"),
                                    ("images", "image_id", "name, camera_id"), ("keypoints", "image_id", "rows, cols, data"),
@@ -300,7 +300,7 @@ def _check(matches: _Matches, side: int, image: _Image) -> None:
 
 
 def _seen(matches: _Matches, first: _Image, second: _Image) -> Optional[npt.NDArray[np.bool_]]:
-    """Which matches have a direction in both cameras; None: all."""
+    """Returns which matches have a direction in both cameras; None: all."""
     result: Optional[npt.NDArray[np.bool_]] = None
     for side, image in enumerate((first, second)):
         if image.seen is not None:

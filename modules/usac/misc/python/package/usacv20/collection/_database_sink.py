@@ -86,7 +86,7 @@ class DatabaseSink:
 
     @property
     def resumed(self) -> bool:
-        """True: the results are added to those of an earlier run."""
+        """Whether the results are added to those of an earlier run."""
         return self._resumed
 
     def done(self, key: Key) -> bool:
@@ -106,7 +106,7 @@ class DatabaseSink:
             self._transaction(lambda: self._write(results))
 
     def edges(self) -> List[Edge]:
-        """The pairs that are kept, of this run and of those that it goes on."""
+        """Returns the pairs that are kept, of this run and of those that it continues."""
         runs = ", ".join(filter(None, [self._same, "" if self._run is None else str(self._run)]))
         with explained(self.path):
             if not runs or not columns(self._connection, PAIRS):
@@ -117,7 +117,7 @@ class DatabaseSink:
                         "AND run_id IN ({})".format(PAIRS, runs))]
 
     def refuse(self, pairs: typing.Mapping[Key, str]) -> int:
-        """Pairs that were committed, for the reasons given; returns how many of them this run has committed."""
+        """Refuses pairs that were committed, for the reasons given; returns how many of them this run committed."""
         def own() -> int:
             kept = self._connection.execute("SELECT count(*) FROM {} WHERE run_id = ? AND inliers > 0".format(PAIRS), (self._run,))
             return int(kept.fetchone()[0])
@@ -135,7 +135,9 @@ class DatabaseSink:
                                      ((CONTRADICTED + reason, key) for key, reason in pairs.items()))
 
     def close(self, finished: bool = True) -> None:
-        """finished -- False: pairs are left for --resume."""
+        """Closes the database.
+
+        finished -- False: pairs are left for --resume."""
         if self._closed:
             return
         self._closed = True
@@ -148,7 +150,7 @@ class DatabaseSink:
             self._connection.close()
 
     def _try(self) -> None:
-        """What cannot be written is known before hours of work."""
+        """Raises CollectionError before the work if the database cannot be written."""
         self._connection.execute("BEGIN IMMEDIATE")
         try:
             self._connection.execute("CREATE TABLE usacv20_trial (a)")
@@ -178,7 +180,7 @@ class DatabaseSink:
         return newest
 
     def _checkTable(self) -> List[str]:
-        """The columns for matrices that the table of the results has."""
+        """Returns the columns for matrices that the table of the results has."""
         found = columns(self._connection, "two_view_geometries")
         if not found:
             return list(_MATRICES)  # it will be made
@@ -272,7 +274,7 @@ def _now() -> str:
 
 
 def lastRun(connection: sqlite3.Connection) -> Optional[Dict[str, Any]]:
-    """The columns of the last run, settings as a dict; None: there was none."""
+    """Returns the columns of the last run, its settings as a dict, or None if there was no run."""
     if not columns(connection, RUNS):
         return None
     rows = connection.execute("SELECT run_id, version, settings, state, started, updated FROM {} "

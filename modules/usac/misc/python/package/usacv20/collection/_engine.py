@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""All pairs of a source through an estimation to a sink: side by side, in bounded memory, and so that it can be stopped.
+"""Estimates all pairs of a source and stores the results in a sink, in parallel, in bounded memory, and so that it can be stopped.
 
 The calling thread hands out chunks of keys and writes what comes back, as it comes: each result depends on its pair only, and so
 the table does not depend on the order."""
@@ -30,7 +30,7 @@ _POLL = 0.2  # seconds between looks at Ctrl-C
 
 
 class Summary:
-    """Of a run. Times are seconds; those of reading and estimating are sums over all workers."""
+    """What a run did. Times are in seconds; those of reading and estimating are sums over all workers."""
 
     def __init__(self) -> None:
         self.pairs = 0  # results stored by this run, faults among them
@@ -73,7 +73,7 @@ class Summary:
 
 
 class _Threads:
-    """Workers of this process."""
+    """Workers that are threads of this process."""
 
     def __init__(self, source: Source, settings: Any, verify: Verify, threads: int) -> None:
         self._job = source, settings, verify
@@ -150,13 +150,13 @@ class _Run:
             raise self.failure
 
     def cancel(self) -> None:
-        """Chunks that nobody has begun."""
+        """Cancels the chunks that no worker has begun."""
         for future in self.pending.values():
             if not future.done():
                 future.cancel()
 
     def _finished(self) -> List[Future]:
-        """Those since the last call, all at once: one commit costs less than many."""
+        """Returns the chunks that were finished since the last call, all at once, as one commit costs less than many."""
         futures: List[Future] = []
         with contextlib.suppress(queue.Empty):
             while len(futures) < len(self.pending):

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 
 def verifyPairs(pairs: typing.Sequence[Pair], settings: Settings) -> List[TwoView]:
-    """The two-view geometry of each pair, in their order. A result depends on its pair and the settings only."""
+    """Estimates the two-view geometry of each pair and returns the results in their order. A result depends on its pair and the
+    settings only."""
     found = estimateTwoViewGeometries([_given(pair, settings) for pair in pairs], settings.params(), settings.rules, threads=1,
                                       returnExceptions=True)
     return [_result(pair, geometry) for pair, geometry in zip(pairs, found)]

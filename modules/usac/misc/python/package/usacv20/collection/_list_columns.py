@@ -45,7 +45,7 @@ class _Writer(typing.Protocol):
         """Writes an array that comes in blocks of rows."""
 
     def close(self) -> None:
-        """The file is complete."""
+        """Completes the file."""
 
 
 class _NpzWriter:
@@ -87,7 +87,7 @@ def check(path: str) -> None:
 
 
 class _Table:
-    """Columns of the table of results, in blocks."""
+    """The columns of the table of results, in blocks of rows."""
 
     def __init__(self, connection: sqlite3.Connection, table: str) -> None:
         self._connection, self._table = connection, table
@@ -220,7 +220,7 @@ def _results(open_: Callable[[str], Any]) -> typing.Iterator[TwoView]:
 
 @contextlib.contextmanager
 def _arrays(path: str) -> typing.Iterator[Callable[[str], Any]]:
-    """What opens an array of the file by its name."""
+    """Returns a function that opens an array of the file by its name."""
     try:
         with open(path, "rb") as file:
             start = file.read(8)
@@ -239,12 +239,12 @@ def _arrays(path: str) -> typing.Iterator[Callable[[str], Any]]:
 
 
 def read(path: str) -> typing.Iterator[TwoView]:
-    """The results of a file. Raises CollectionError."""
+    """Returns the results of a file. Raises CollectionError if it is damaged."""
     with _arrays(path) as arrays:
         yield from _results(arrays)
 
 
 def readSettings(path: str) -> str:
-    """What the results of a file depend on. Raises CollectionError."""
+    """Returns the settings on which the results of a file depend. Raises CollectionError if it is damaged."""
     with _arrays(path) as arrays:
         return str(arrays("settings").next(1)[0])

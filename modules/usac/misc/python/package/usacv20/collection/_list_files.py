@@ -133,7 +133,7 @@ def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optiona
 
 
 def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
-    """The pair of an NPZ file or of a group; read: is called once for a name. `names` are those of the images. Raises
+    """Returns the pair of an NPZ file or of a group; `read` is called once for a name. `names` are those of the images. Raises
     CollectionError."""
     known: Dict[str, Optional[_Array]] = {}
 
@@ -169,7 +169,7 @@ def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
 
 
 def pairOfNpz(key: Key, path: str) -> Pair:
-    """The pair of an NPZ file. Raises CollectionError."""
+    """Returns the pair of an NPZ file. Raises CollectionError."""
     try:
         # Opened here, as NumPy leaves a file open that is damaged.
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as arrays:
@@ -200,7 +200,7 @@ def _rowByRow(lines: List[str]) -> _Points:
 
 
 def _correspondences(path: str) -> _Points:
-    """The rows of a .corr file with a score each, 1 where there is none."""
+    """Returns the rows of a .corr file with a score each, 1 where there is none."""
     try:
         with open(path, encoding="ascii") as file:
             text = file.read()
@@ -217,7 +217,7 @@ def _correspondences(path: str) -> _Points:
 
 
 def _description(path: str) -> Dict[str, Any]:
-    """The JSON object beside a .corr file; empty without the file."""
+    """Returns the JSON object beside a .corr file; empty without the file."""
     if not os.path.exists(path):
         return {}
     try:
@@ -235,7 +235,7 @@ def _description(path: str) -> Dict[str, Any]:
 
 
 def pairOfCorr(key: Key, path: str) -> Pair:
-    """The pair of a .corr file, with sizes and camera matrices of the .json file beside it; doc/benchmark.md describes both.
+    """Returns the pair of a .corr file, with sizes and camera matrices of the .json file beside it; doc/benchmark.md describes both.
     Raises CollectionError."""
     rows = _correspondences(path)
     wrong = ~np.isfinite(rows).all(axis=1)

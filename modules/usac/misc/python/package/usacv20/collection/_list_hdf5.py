@@ -24,12 +24,12 @@ _DAMAGED: Any = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
 
 
 def useH5py() -> Any:
-    """The module. Raises CollectionError if it is missing."""
+    """Returns the module h5py. Raises CollectionError if it is missing."""
     return need("h5py", "for HDF5 files")
 
 
 def openFile(path: str) -> Any:
-    """An h5py.File for reading. Raises CollectionError."""
+    """Opens an h5py.File for reading. Raises CollectionError if that is not possible."""
     h5py = useH5py()
     try:
         file = h5py.File(path, "r")
@@ -69,7 +69,7 @@ def _groups(h5py: Any, group: Any, path: str = "") -> typing.Iterator[str]:
 
 
 class Groups:
-    """A group a pair, or one pair."""
+    """An HDF5 file with a group for each pair, or with one pair."""
 
     def __init__(self, path: str) -> None:
         self._path, self._file = path, openFile(path)
@@ -101,7 +101,7 @@ class Groups:
         self._file.close()
 
     def reader(self, name: str) -> _Get:
-        """What reads the arrays of a group. Raises CollectionError."""
+        """Returns a function that reads the arrays of a group. Raises CollectionError if there is no such group."""
         group = self.group(name)
         try:
             members = set(group)  # one look at the group, not one for each name that there may be
@@ -143,11 +143,11 @@ class _Features:
         self._groups.close()
 
     def image(self, dashed: str) -> Optional[str]:
-        """Name of the image, None: there is none, or there are several."""
+        """Returns the name of the image, or None if there is none, or several."""
         return self._image.get(dashed)
 
     def load(self, image: str) -> Tuple[_Array, Optional[_Array]]:
-        """Keypoints and size."""
+        """Returns keypoints and size of an image."""
         with self._lock:
             if image in self._kept:
                 self._kept.move_to_end(image)
@@ -203,7 +203,7 @@ class Hloc:
 
 
 def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
-    """The container of a file. Raises CollectionError."""
+    """Returns the container of a file. Raises CollectionError if it is none of the formats."""
     if features is not None:
         return Hloc(path, features)
     groups = Groups(path)
@@ -217,7 +217,7 @@ def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
 
 
 def pairOfHdf5(name: str, path: str) -> Pair:
-    """The pair of a file of one. Raises CollectionError."""
+    """Returns the pair of a file with one pair. Raises CollectionError if it is damaged."""
     groups = Groups(path)
     try:
         return pairOfArrays(name, groups.reader(""), (name + " (1)", name + " (2)"))

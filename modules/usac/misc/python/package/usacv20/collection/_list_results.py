@@ -51,7 +51,7 @@ def settingsText(run: typing.Mapping[str, object]) -> str:
 
 
 def storedSettings(path: str) -> Optional[Dict[str, Any]]:
-    """Of the run whose results are there, OUTPUT.part first; None: there are none that can be read."""
+    """Returns the settings of the run whose results are there, OUTPUT.part first; None: there are none that can be read."""
     for name in (path + ".part", path):
         if not os.path.isfile(name):
             continue
@@ -155,7 +155,7 @@ class ArraySink:
     """An NPZ or HDF5 file of results, made of OUTPUT.part at the end of a run."""
 
     def __init__(self, path: str, source: _ListSource, run: typing.Mapping[str, object], resume: bool) -> None:
-        """As SqliteSink."""
+        """Takes the same arguments as SqliteSink."""
         _list_columns.check(path)
         self._path, self._part = path, path + ".part"
         there, begun = os.path.exists(path), os.path.exists(self._part)
@@ -205,7 +205,7 @@ class ArraySink:
 
 def openResults(path: str, source: _ListSource, run: typing.Mapping[str, object],
                 resume: bool = False) -> Union[SqliteSink, ArraySink]:
-    """The sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
+    """Returns the sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
     --resume goes on with a run of the same. Raises CollectionError."""
     checkExtension(path)
     if _extension(path) in ARRAYS:
@@ -226,7 +226,7 @@ def checkExtension(path: str) -> None:
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:
-    """The results of the command `pairs` in the order of their names, one after the other, from its SQLite, NPZ or HDF5 file, or
+    """Returns the results of the command `pairs` in the order of their names, one after the other, from its SQLite, NPZ or HDF5 file, or
     from OUTPUT.part of a run that was interrupted. Raises CollectionError for a file that is none or that is damaged."""
     try:
         with open(path, "rb") as file:

@@ -47,26 +47,26 @@ BATCH = 1 << 16  # entries of a folder that are sorted at once: some ten megabyt
 
 
 class Container(typing.Protocol):
-    """What ListSource opens in each process."""
+    """The files of a LIST, which ListSource opens in each process."""
 
     def names(self) -> typing.Iterator[str]:
-        """Of all pairs in a fixed order, as a stream."""
+        """Returns the names of all pairs in a fixed order, as a stream."""
 
     def files(self) -> typing.Iterable[str]:
-        """That the pairs come from."""
+        """Returns the files from which the pairs come."""
 
     def load(self, name: str) -> Pair:
-        """Raises CollectionError."""
+        """Returns a pair. Raises CollectionError if it cannot be read."""
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
-        """Of a pair; None: it is not known."""
+        """Returns the names of the images of a pair; None: not known."""
 
     def close(self) -> None:
-        """Of the files that are open."""
+        """Closes the files that are open."""
 
 
 def inOrder(entries: Callable[[], typing.Iterable[str]], batch: int) -> typing.Iterator[str]:
-    """Different strings by size, however many, with `batch` of them in memory: each pass finds those that follow the last one."""
+    """Returns different strings in order, however many, with `batch` of them in memory: each pass finds those that follow the last one."""
     last = ""
     while True:
         found = heapq.nsmallest(batch, (entry for entry in entries() if entry > last))
@@ -92,7 +92,7 @@ def _withDescription(path: str) -> List[str]:
 
 
 class Folder:
-    """A file a pair, all with the same extension."""
+    """A folder with a file for each pair, all with the same extension."""
 
     def __init__(self, path: str) -> None:
         self._path = path
@@ -118,7 +118,7 @@ class Folder:
                     yield entry.name
 
     def _walk(self, folder: str, entries: Callable[[str], typing.Iterable[str]]) -> typing.Iterator[str]:
-        """Paths of the files, relative."""
+        """Returns the relative paths of the files."""
         try:
             for entry in entries(folder):
                 if entry.endswith("/"):
@@ -189,8 +189,8 @@ class ListFile:
 
 
 class NpzFile:
-    """Arrays PAIR/NAME, or those of one pair. A zip file has one directory, which is read as a whole: 1.5 kilobytes of memory for
-    two arrays of a pair. For millions of pairs take a folder or HDF5."""
+    """An NPZ file with arrays PAIR/NAME, or those of one pair. A zip file has one directory, which is read as a whole: 1.5
+    kilobytes of memory for two arrays of a pair. For millions of pairs take a folder or HDF5."""
 
     def __init__(self, path: str) -> None:
         self._path = path
@@ -301,7 +301,7 @@ class ListSource:
         return loaded
 
     def images(self, key: Key) -> Optional[Tuple[str, str]]:
-        """Names of the images of a pair; None where the files do not tell them."""
+        """Returns the names of the images of a pair; None where the files do not tell them."""
         return self._container().images(str(key))
 
     def close(self) -> None:
@@ -311,7 +311,7 @@ class ListSource:
         self._opened = None
 
     def fingerprint(self) -> str:
-        """Of the names, sizes and times of all files."""
+        """Returns a fingerprint of the names, sizes and times of all files."""
         digest = hashlib.sha256()
         for file in self._container().files():
             try:

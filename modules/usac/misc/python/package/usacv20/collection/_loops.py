@@ -47,7 +47,7 @@ class Edge(typing.NamedTuple):
 
 
 def contradicted(edges: typing.Sequence[Edge]) -> Dict[Any, float]:
-    """Which edges, and by how many degrees at least."""
+    """Returns which edges are contradicted by others, and by how many degrees at least."""
     order = sorted(edges, key=lambda edge: (-edge.inliers, edge.key))
     forest = _Forest()
     result: Dict[Any, float] = {}
@@ -90,7 +90,7 @@ class _Forest:
         self._links.setdefault(second, []).append(first)
 
     def error(self, edge: Edge) -> float:
-        """Degrees by which the rotations of the edge differ from that of the path, the least of them; 0: there is no path."""
+        """Returns the least angle, in degrees, between a rotation of the edge and that of the path; 0: there is no path."""
         (one, ofFirst), (other, ofSecond) = self._find(edge.first), self._find(edge.second)
         if one != other:
             return 0.0
@@ -99,7 +99,7 @@ class _Forest:
         return math.degrees(2 * math.acos(min(cosine, 1.0)))
 
     def near(self, first: typing.Hashable, second: typing.Hashable) -> bool:
-        """Whether the path has at most LONGEST links."""
+        """Returns whether the path has at most LONGEST links."""
         front, seen = [first], {first}
         for _ in range(LONGEST):
             front = [image for known in front for image in self._links.get(known, ()) if image not in seen]

@@ -16,7 +16,7 @@ _DEBIAN = {"h5py": "python3-h5py", "matplotlib": "python3-matplotlib", "distribu
 
 
 def need(module: str, purpose: str) -> Any:
-    """The module, for example "matplotlib.pyplot"; CollectionError, which names the package, if it cannot be imported."""
+    """Imports a module, for example "matplotlib.pyplot"; raises CollectionError, which names the package, if that fails."""
     try:
         return importlib.import_module(module)
     except ImportError:

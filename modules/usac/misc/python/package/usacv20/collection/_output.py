@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What the commands print."""
+"""Prints the output of the commands."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import typing
 
 
 def write(text: str, stream: typing.Optional[typing.TextIO] = None) -> None:
-    """To stdout, or to another stream. If nobody reads it any more (`| head -1`) what follows goes nowhere, and the work goes
+    """Writes to stdout, or to another stream. If nobody reads it any more (`| head -1`) what follows goes nowhere, and the work goes
     on."""
     out = sys.stdout if stream is None else stream
     try:

@@ -19,11 +19,11 @@ Key = Union[int, str]  # of a pair: COLMAP's pair_id in a database, a name in a 
 
 
 class CollectionError(Exception):
-    """What keeps the tool, or a pair, from going on: one line for the user."""
+    """Raised, with one line for the user, if the tool cannot go on or a pair cannot be used."""
 
 
 class Configuration(enum.IntEnum):
-    """What the matches of two images are, with COLMAP's numbers."""
+    """The relation between two images that their matches show, with COLMAP's numbers."""
 
     UNDEFINED = 0
     DEGENERATE = 1
@@ -68,7 +68,7 @@ class Fault(typing.NamedTuple):
 
 
 class TwoView(typing.NamedTuple):
-    """What has become of a pair."""
+    """The result for a pair."""
 
     key: Key
     configuration: Configuration  # UNDEFINED: a fault
@@ -88,29 +88,29 @@ class TwoView(typing.NamedTuple):
 
 
 class Source(typing.Protocol):
-    """Where pairs come from. Can be pickled; each process opens the files by itself when it needs them first."""
+    """Base class of sources of pairs. Objects can be pickled; each process opens the files by itself when it needs them first."""
 
     def keys(self) -> typing.Iterator[Key]:
-        """Of all pairs in a fixed order, as a stream."""
+        """Returns the keys of all pairs in a fixed order, as a stream."""
 
     def __len__(self) -> int:
-        """How many."""
+        """Returns the number of pairs."""
 
     def load(self, keys: typing.Sequence[Key]) -> List[Union[Pair, Fault]]:
-        """Pairs in the order of the keys."""
+        """Returns pairs in the order of the keys."""
 
     def fingerprint(self) -> str:
-        """The same in two processes that see the same files."""
+        """Returns a text that is the same in two processes that see the same files."""
 
 
 class Sink(typing.Protocol):
-    """Where results go; used by one thread only."""
+    """Base class of sinks, which store results; one thread only uses a sink."""
 
     def done(self, key: Key) -> bool:
-        """True if an earlier run has stored the pair (--resume)."""
+        """Returns True if an earlier run has stored the pair (--resume)."""
 
     def commit(self, results: typing.Sequence[TwoView]) -> None:
         """Stores results at once, or none of them."""
 
     def close(self, finished: bool = True) -> None:
-        """Nothing is stored after it. finished -- False: pairs are left for --resume."""
+        """Ends the sink: nothing is stored afterwards. finished -- False: pairs are left for --resume."""

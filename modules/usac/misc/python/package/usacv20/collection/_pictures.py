@@ -26,13 +26,13 @@ NAMED = 40  # images whose names are shown beside the matrix, at most: a line ha
 
 
 def _ranked(blocks: typing.Iterable[_Numbers], ranks: _Numbers) -> typing.Iterator[_Numbers]:
-    """Links with the places of their images in another order."""
+    """Returns links with the places of their images in another order."""
     for block in blocks:
         yield np.column_stack((ranks[block[:, :2]], block[:, 2:]))
 
 
 class Pictures:
-    """PNG files in a folder: a histogram of each measure, `<name>.png`, and `pairs.png`."""
+    """Draws PNG files in a folder: a histogram of each measure, `<name>.png`, and `pairs.png`."""
 
     def __init__(self, folder: str) -> None:
         """Makes the folder. Raises CollectionError if there is no matplotlib."""
@@ -49,7 +49,7 @@ class Pictures:
         return figure
 
     def histograms(self, histograms: Dict[str, Any]) -> None:
-        """Of the summary of a report: bars between its edges, of equal width, as those of times and samples grow."""
+        """Draws the histograms of the summary of a report: bars between its edges, of equal width, as those of times and samples grow."""
         for name, histogram in histograms.items():
             figure = self._new(8, 4.5)
             axes = figure.add_subplot()
@@ -65,7 +65,7 @@ class Pictures:
             figure.savefig(os.path.join(self._folder, name + ".png"))
 
     def pairs(self, results: Results) -> None:
-        """The matrix of the pairs: colors tell the inliers, gray: refused, white: no such pair. Nothing where the results do not
+        """Draws the matrix of the pairs: colors tell the inliers, gray: refused, white: no such pair. Nothing where the results do not
         tell the images."""
         images = results.images()
         if not len(images):

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""How far a run is, on stderr."""
+"""Shows on stderr how far a run is."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Progress:
         self._bar = tqdm.tqdm(total=total, unit=" pairs", file=sys.stderr, dynamic_ncols=True, smoothing=0.05)
 
     def skip(self, pairs: int) -> None:
-        """Pairs of an earlier run, which say nothing about the time left."""
+        """Counts pairs of an earlier run, which say nothing about the time left."""
         if self._bar is not None:
             self._bar.initial += pairs
             self._bar.update(pairs)
@@ -52,7 +52,7 @@ class Progress:
             self._bar.write(line, file=sys.stderr)
 
     def complain(self, reason: str) -> None:
-        """About a fault; the first ones are shown."""
+        """Shows a line about a fault; only the first faults are shown."""
         self._lines += 1
         if self._lines <= _LINES:
             self.say("cannot be read: " + reason)

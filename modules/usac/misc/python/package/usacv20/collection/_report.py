@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The command `report`: what has become of the pairs of a collection, as text, JSON, CSV and pictures.
+"""The command `report`, which describes the results for a collection as text, JSON, CSV and pictures.
 
 Pairs most worth a look, the first few of each kind:
 - refused, although they have the most matches,
@@ -34,7 +34,7 @@ _STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000)
 
 
 class Measure(typing.NamedTuple):
-    """What there is a histogram of."""
+    """A value of the pairs of which the report has a histogram."""
 
     name: str
     title: str
@@ -52,7 +52,7 @@ MEASURES = (
 
 
 def _significance(settings: Any) -> float:
-    """The limit of the chance among the settings of a run, at whatever depth; else the default."""
+    """Returns the limit of the chance among the settings of a run, at whatever depth; else the default."""
     if isinstance(settings, dict):
         for name, value in settings.items():
             if name == "significance" and isinstance(value, (int, float)):
@@ -85,7 +85,7 @@ def _look(results: Results, graph: Optional[Graph], images: Any, limit: float, m
 
 
 def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
-    """All figures of a report, as JSON has them."""
+    """Returns all figures of a report, as in its JSON file."""
     states: Dict[int, int] = dict((state, count) for state, count in results.rows(
         "SELECT state, COUNT(*) FROM results GROUP BY state"))
     if not states:
@@ -121,7 +121,7 @@ def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
 
 
 def _table(rows: typing.Iterable[typing.Sequence[Any]], indent: str = "  ") -> List[str]:
-    """Lines with columns of the same width, numbers at the right."""
+    """Returns lines with columns of the same width, numbers at the right."""
     cells = [[cell if isinstance(cell, str) else _number(cell) for cell in row] for row in rows]
     given = [list(row) for row in rows]
     widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))] if cells else []
@@ -181,7 +181,7 @@ def _textOfHistograms(summary: Dict[str, Any]) -> List[str]:
 
 
 def textOf(summary: Dict[str, Any]) -> str:
-    """For a terminal."""
+    """Returns the text of a report, for a terminal."""
     lines = _textOfCounts(summary) + _textOfHistograms(summary)
     if summary["look"]:
         lines += ["", "Pairs most worth a look"]

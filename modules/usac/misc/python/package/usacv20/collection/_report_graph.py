@@ -56,8 +56,8 @@ class Graph(typing.NamedTuple):
 
 
 def graphOf(count: int, links: typing.Iterable[Edge]) -> Graph:
-    """Of `count` images. The memory depends on the images, not on the links: a spanning forest, and one of the links that are
-    not in it, have the same bridges as all links together (a sparse certificate of Nagamochi and Ibaraki, 1992)."""
+    """Returns the graph of `count` images. The memory depends on the images, not on the links: a spanning forest, and one of the
+    links that are not in it, have the same bridges as all links together (a sparse certificate of Nagamochi and Ibaraki, 1992)."""
     forest, second = _Forest(count), _Forest(count)
     kept: List[Edge] = []
     for edge in links:
@@ -128,8 +128,8 @@ def indexed(images: _Numbers, links: typing.Iterable[Tuple[int, int, int, int]])
 
 
 def matrixOf(count: int, blocks: typing.Iterable[_Numbers], verified: int, most: int) -> _Numbers:
-    """The largest number of inliers of the pairs of images in each cell, -1: none of them was verified, -2: there are none. Of
-    more than `most` images several share a row and a column."""
+    """Returns a matrix with the largest number of inliers of the pairs of images in each cell, -1: none of them was verified,
+    -2: there are none. Of more than `most` images several share a row and a column."""
     size = min(count, most)
     cells = np.full((size, size), -2, np.int64)
     for block in blocks:

@@ -46,7 +46,7 @@ _STATE = "CASE WHEN configuration = {:d} THEN {} WHEN configuration = {:d} OR re
 
 
 class Row(typing.NamedTuple):
-    """A pair. What the results do not tell is None."""
+    """The result of a pair; what the file does not tell is None."""
 
     name: str
     configuration: Configuration
@@ -68,12 +68,12 @@ def _row(values: typing.Sequence[Any]) -> Row:
 
 
 def withoutNumbers(reason: str) -> str:
-    """What the reasons of a kind have in common."""
+    """Returns a reason without its numbers, which reasons of a kind have in common."""
     return _NUMBER.sub("N", reason)
 
 
 class Results:
-    """A file of results, open for reading. Raises CollectionError if it has none."""
+    """A file of results, opened for reading. Raises CollectionError if it has none."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -126,19 +126,19 @@ class Results:
                 yield from block
 
     def value(self, sql: str, *values: Any) -> Any:
-        """The first column of the first row; None: there is none."""
+        """Returns the first column of the first row; None: there is none."""
         with explained(self.path):
             found = self._connection.execute(sql, values).fetchone()
         return None if found is None else found[0]
 
     def pairs(self, where: str = "1", order: str = "name", most: int = -1,
               values: typing.Sequence[Any] = ()) -> typing.Iterator[Row]:
-        """Pairs as a stream; most -- -1: all."""
+        """Returns pairs as a stream; most -- their largest number, -1: all."""
         for row in self.rows("SELECT {} FROM results WHERE {} ORDER BY {} LIMIT {:d}".format(_ROW, where, order, most), *values):
             yield _row(row)
 
     def reasons(self, most: int) -> List[Tuple[str, int, str]]:
-        """Reasons without numbers and without the pair that they name, how often there is each, and an example."""
+        """Returns the reasons, without numbers and the pair that they name, how often there is each, and an example."""
         prefix = "substr(reason, 1, length(name) + 2) = name || ': '"
         kind = "withoutNumbers(CASE WHEN {} THEN substr(reason, length(name) + 3) ELSE reason END)".format(prefix)
         return [(reason, count, example) for reason, count, example in self.rows(
@@ -146,7 +146,7 @@ class Results:
             "LIMIT {:d}".format(kind, VERIFIED, most))]
 
     def histogram(self, value: str, edges: typing.Sequence[float], where: str) -> List[int]:
-        """How many pairs have a value, if it is known, in edges[i] <= value < edges[i + 1]; those beyond the ends are in the
+        """Returns how many pairs have a value, if it is known, in edges[i] <= value < edges[i + 1]; those beyond the ends are in the
         first and the last."""
         cases = " ".join("WHEN {} < {!r} THEN {}".format(value, edge, i) for i, edge in enumerate(edges[1:-1]))
         counts = [0] * (len(edges) - 1)
@@ -156,14 +156,14 @@ class Results:
         return counts
 
     def quantiles(self, value: str, parts: typing.Sequence[float], where: str) -> List[float]:
-        """Of the pairs where the value is known; empty if there are none."""
+        """Returns quantiles of the pairs where the value is known; empty if there are none."""
         where = "{} AND {} IS NOT NULL".format(where, value)
         count = self.value("SELECT COUNT(*) FROM results WHERE {}".format(where))
         return [self.value("SELECT {} FROM results WHERE {} ORDER BY 1 LIMIT 1 OFFSET {:d}".format(
             value, where, min(int(part * count), count - 1))) for part in parts] if count else []
 
     def images(self) -> npt.NDArray[np.int64]:
-        """Numbers of all images in order; none where the results do not tell them."""
+        """Returns the numbers of all images in order; none where the results do not tell them."""
         sql = "SELECT number FROM temp.nodes ORDER BY 1" if self.kind == PAIRS else "SELECT image_id FROM images ORDER BY 1"
         return np.fromiter((number for number, in self.rows(sql)), np.int64)
 
@@ -178,18 +178,18 @@ class Results:
         return [str(known[int(images[i])]) for i in order], ranks
 
     def links(self, where: str = "1") -> typing.Iterator[Tuple[int, int, int, int]]:
-        """Numbers of the images, inliers and state of each pair."""
+        """Returns the numbers of the images, the inliers and the state of each pair."""
         for first, second, inliers, state in self.rows(
                 "SELECT first, second, inliers, state FROM results WHERE first IS NOT NULL AND {}".format(where)):
             yield first, second, inliers, state
 
     def pairOf(self, first: int, second: int) -> Optional[Row]:
-        """The pair of two images."""
+        """Returns the pair of two images."""
         return next(self.pairs("(first = ? AND second = ?) OR (first = ? AND second = ?)", "name", 1,
                                (first, second, second, first)), None)
 
     def settings(self) -> Dict[str, Any]:
-        """Of the last run; empty where they are not known."""
+        """Returns the settings of the last run; empty where they are not known."""
         sql = {OURS: "SELECT settings FROM usacv20_runs ORDER BY run_id DESC LIMIT 1",
                PAIRS: "SELECT settings FROM {}".format(RUNS)}.get(self.kind)
         try:
@@ -199,13 +199,13 @@ class Results:
         return found if isinstance(found, dict) else {}
 
     def left(self) -> int:
-        """Pairs that were not looked at; 0 where that is not known."""
+        """Returns how many pairs were not looked at; 0 where that is not known."""
         table = {OURS: "usacv20_pairs", COLMAP: "two_view_geometries"}.get(self.kind)
         return 0 if table is None else int(self.value(
             "SELECT COUNT(*) FROM matches WHERE pair_id NOT IN (SELECT pair_id FROM {})".format(table)))
 
     def changed(self) -> int:
-        """Rows of COLMAP's table that are not what this tool has written there."""
+        """Returns how many rows of COLMAP's table are not those that this tool wrote."""
         if self.kind != OURS:
             return 0
         if not columns(self._connection, "two_view_geometries"):

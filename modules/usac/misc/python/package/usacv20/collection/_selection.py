@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Some of the pairs of a database, as a file names them (--pairs)."""
+"""A selection of the pairs of a database, which a file names (--pairs)."""
 
 from __future__ import annotations
 

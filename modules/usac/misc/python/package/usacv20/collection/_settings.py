@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""How pairs are verified."""
+"""The settings of the verification of pairs."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Settings:
             raise CollectionError(getattr(mistake, "err", "") or str(mistake))
 
     def asDict(self) -> Dict[str, Any]:
-        """For a file: what two runs must have in common to be one."""
+        """Returns the settings for a file: two runs that have them in common count as one."""
         return dict(dataclasses.asdict(self), ratios=list(self.ratios))
 
     @property
@@ -63,20 +63,20 @@ class Settings:
         return TwoViewRules(self.minInliers, self.inlierRatio, self.ratios, self.planarRatio, self.calibrationRatio)
 
     def needed(self, sample: int, matches: int) -> int:
-        """Samples of so many points that find a pair that is to be kept, with `confidence`, see TwoViewRules.samples. No limit."""
+        """Returns how many samples of so many points find a pair that is to be kept, with `confidence`, see TwoViewRules.samples."""
         return self.rules.samples(self.params(), sample, matches)
 
     def iterations(self, sample: int, matches: int) -> int:
-        """Samples that are drawn at most: those that are needed, or `maxIterations`, if that is less."""
+        """Returns how many samples are drawn at most: those that are needed, or `maxIterations`, if that is less."""
         return min(self.maxIterations, self.needed(sample, matches))
 
     def reached(self, sample: int, matches: int) -> float:
-        """The chance that one of those samples is right, if `inlierRatio` of the matches is: less than `confidence` where
+        """Returns the probability that one of those samples is right, if `inlierRatio` of the matches is: less than `confidence` where
         `maxIterations` is less than is needed."""
         return self.rules.reached(self.params(), sample, matches)
 
     def params(self) -> Params:
-        """Options of the estimator. Scores are those of the pairs."""
+        """Returns the options of the estimator, without the scores, which the pairs have."""
         params = Params.fromMethod(METHODS[self.method])
         params.threshold, params.confidence, params.maxIterations, params.seed, params.significance = (
             self.threshold, self.confidence, self.maxIterations, self.seed, self.significance)

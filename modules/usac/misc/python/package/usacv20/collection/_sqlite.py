@@ -39,7 +39,7 @@ _MEANINGS = (
 
 @contextlib.contextmanager
 def explained(path: str) -> typing.Iterator[None]:
-    """What SQLite raises inside becomes a CollectionError of one line."""
+    """Turns exceptions of SQLite into a CollectionError of one line."""
     try:
         yield
     except sqlite3.Error as error:
@@ -85,7 +85,7 @@ def _open(path: str, options: str) -> sqlite3.Connection:
 
 
 def columns(connection: sqlite3.Connection, table: str) -> List[str]:
-    """Names in the order of the table; none if there is no such table."""
+    """Returns the names of the columns in the order of the table; none if there is no such table."""
     return [row[1] for row in connection.execute('PRAGMA table_info("{}")'.format(table.replace('"', '""')))]
 
 

@@ -64,7 +64,7 @@ SMALLEST = 0.012  # pixels, a threshold: the least that is told with WIDEST, ten
 
 @dataclass(frozen=True)
 class ThresholdEstimate:
-    """What the sample tells of the collection."""
+    """What the sampled pairs tell of the collection."""
 
     threshold: float  # pixels, rounded to three digits, so that what is printed is what is used
     sigma: float  # pixels, noise of a coordinate: of normal noise with the same QUANTILE
@@ -74,7 +74,7 @@ class ThresholdEstimate:
     ratios: Tuple[float, ...] = ()  # of those pairs, in order: the part of the matches that are inliers
 
     def describe(self) -> str:
-        """One sentence for a log."""
+        """Returns one sentence for a log."""
         if not self.used:
             return ("{:g} px, COLMAP's, as none of {} pairs that were looked at tells the noise: in none enough matches agree; "
                     "--threshold PIXELS sets another".format(self.threshold, self.asked))
@@ -84,7 +84,7 @@ class ThresholdEstimate:
 
 
 def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:
-    """Pairs that do not depend on the order of the keys, those with many matches preferred. Not many more than `count` are held,
+    """Returns pairs that do not depend on the order of the keys, preferring those with many matches. Not many more than `count` are held,
     and not more than MORE times as many are read; each of the keys is seen once."""
     keys = heapq.nsmallest(MORE * count, source.keys(), key=_mark)
     many: List[Pair] = []
@@ -105,7 +105,7 @@ def _mark(key: Key) -> bytes:
 
 
 def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> ThresholdEstimate:
-    """The noise of the pairs and the threshold for it; COLMAP's threshold where no pair tells the noise. Of the settings the seed is
+    """Estimates the noise of the pairs and the threshold for it; COLMAP's threshold if no pair tells the noise. Of the settings the seed is
     used."""
     told = [noise for noise in _noise(pairs, settings.seed) if noise is not None]
     if not told:
@@ -118,7 +118,7 @@ def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> Thres
 
 
 class _Noise(typing.NamedTuple):
-    """Of a pair that tells it."""
+    """The noise of a pair that tells it."""
 
     core: float  # pixels, sigma of the matches that are located well
     sigma: float  # pixels, of the normal distribution that has the QUANTILE of all right matches
@@ -126,7 +126,7 @@ class _Noise(typing.NamedTuple):
 
 
 def _noise(pairs: typing.Sequence[Pair], seed: int) -> List[Optional[_Noise]]:
-    """Of each pair; None: it tells nothing."""
+    """Returns the noise of each pair; None: the pair tells nothing."""
     params = Params.automatic(threshold=WIDEST, confidence=CONFIDENCE, maxIterations=ITERATIONS, significance=SIGNIFICANCE, seed=seed)
     result: List[Optional[_Noise]] = [None] * len(pairs)
     for calibrated in (False, True):
@@ -151,5 +151,5 @@ def _noise(pairs: typing.Sequence[Pair], seed: int) -> List[Optional[_Noise]]:
 
 
 def _some(points: _Numbers) -> _Numbers:
-    """Of many points a part, spread evenly."""
+    """Returns an evenly spread part of many points."""
     return points[::-(-len(points) // MOST) or 1]

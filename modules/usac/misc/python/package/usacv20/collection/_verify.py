@@ -32,7 +32,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
            resume: bool = False, scores: Union[HlocScores, ColumnScores, None] = None, loops: bool = True, threads: int = 0, workers: int = 0,
            scheduler: str = "", chunk: int = CHUNK, progress: Optional[bool] = False, say: Optional[Say] = None,
            **settings: Any) -> Summary:
-    """The two-view geometry of all pairs of a COLMAP database: what `usacv20-collection verify` does.
+    """Estimates the two-view geometry of all pairs of a COLMAP database, as `usacv20-collection verify` does.
 
     path -- of the database. Its table two_view_geometries is written, others of COLMAP's are not
     output -- a copy to be made and written in the place of it; with `resume` it may be there
@@ -63,7 +63,7 @@ def _silent(line: str) -> None:
 
 def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float], pairs: Optional[str], resume: bool, scores: Any, loops: bool,
                    options: Dict[str, Any], say: Say, **engine: Any) -> Summary:
-    """As `verify`; an interruption is in the summary."""
+    """Does the same as `verify`, but notes an interruption in the summary."""
     with contextlib.closing(DatabaseSource(path, scores)) as source:
         _checkMatches(source)
         chosen: Any = source
@@ -88,7 +88,7 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
 
 def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], stored: Optional[typing.Mapping[str, Any]],
            say: Say) -> Settings:
-    """The settings with a threshold.
+    """Returns the settings with a threshold.
 
     source -- of all pairs of the collection, so that the threshold does not depend on which of them are verified
     threshold -- None: that of `stored`, else found from a part of the pairs; with USACV20_AUTO each pair finds its own
@@ -111,7 +111,7 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
 
 
 def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, **engine: Any) -> Summary:
-    """The run itself; the sink is closed.
+    """Runs the estimation, and closes the sink.
 
     graph -- the sink, if pairs are refused that others contradict"""
     finished = False
@@ -138,7 +138,7 @@ def _refuseContradicted(graph: DatabaseSink, summary: Summary) -> None:
 
 
 def _stored(path: str) -> Optional[Dict[str, Any]]:
-    """The settings of the last run on a database, None: there was none."""
+    """Returns the settings of the last run on a database, None: there was none."""
     if not os.path.exists(path):
         return None
     with explained(path), contextlib.closing(connect(path)) as connection:

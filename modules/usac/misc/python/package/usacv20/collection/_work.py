@@ -35,21 +35,21 @@ class Future(typing.Protocol):
 
 
 class Workers(typing.Protocol):
-    """Who processes chunks."""
+    """Base class of the workers, which process chunks."""
 
     def capacity(self) -> int:
-        """Chunks that may be under way at once."""
+        """Returns how many chunks may be under way at once."""
 
     def submit(self, keys: typing.Sequence[Key]) -> Future: ...
 
     def explain(self, error: BaseException) -> BaseException:
-        """What to raise instead of what a future has raised."""
+        """Returns the exception to raise instead of the one that a future raised."""
 
     def close(self) -> None: ...
 
 
 class Outcome(typing.NamedTuple):
-    """Of a chunk."""
+    """The results of a chunk."""
 
     results: List[TwoView]  # in the order of the keys
     reading: float  # seconds
@@ -68,7 +68,7 @@ def process(source: Source, keys: typing.Sequence[Key], verify: Verify, settings
 
 
 def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, reading: float) -> Outcome:
-    """What is left to do with pairs that are loaded."""
+    """Estimates pairs that are loaded."""
     start = time.perf_counter()
     pairs = [item for item in items if isinstance(item, Pair)]
     found = verify(pairs, settings) if pairs else []
@@ -92,7 +92,7 @@ _lock = threading.Lock()
 
 
 def unpickled(source: bytes) -> Source:
-    """The source in a process of a cluster: the same object each time, with the files that it has opened."""
+    """Returns the source in a process of a cluster: the same object each time, with the files that it has opened."""
     digest = hashlib.sha256(source).hexdigest()
     with _lock:
         if digest not in _kept:
@@ -103,7 +103,7 @@ def unpickled(source: bytes) -> Source:
 
 def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequence[Key], items: Optional[bytes], reading: float,
                     verify: Verify, settings: Any) -> Outcome:
-    """`process` in another process.
+    """Processes a chunk in another process.
 
     fingerprint -- of the source, which this process must see as well; None: the pairs are sent
     items, reading -- the pairs, pickled, and the seconds that it took to read them"""
@@ -119,7 +119,7 @@ def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequ
 
 
 def fingerprintOf(source: bytes) -> str:
-    """In another process: Source.fingerprint, or what keeps it from being read."""
+    """Returns, in another process, Source.fingerprint, or what keeps it from being read."""
     try:
         return unpickled(source).fingerprint()
     except Exception as error:
