@@ -18,7 +18,7 @@ struct Verdict
     bool failed;  //!< a search failure: worse, and another model than the true one
     bool far;  //!< RMS distance of the right matches without noise above three thresholds and three
                //!< times the noise
-    bool wrong;    //!< H, F: far from the truth, whatever it costs; E: its pose is, by more than 5
+    bool wrong;    //!< H, F: `far`, even if its cost is lower; E: the pose is off by more than 5
                    //!< degrees
     bool none;     //!< no model; counts as worse, failed, far and wrong, too
     double error;  //!< RMS distance of the right matches without noise, pixels; infinite without a

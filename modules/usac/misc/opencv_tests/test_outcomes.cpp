@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Does the list of differences say what it means? These tests count as those of OpenCV do.
+// Reading of the list of differences (class Outcomes). The list may name these tests like OpenCV's.
 
 #include "outcomes.hpp"
 #include <cstdio>

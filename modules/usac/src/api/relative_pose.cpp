@@ -174,7 +174,7 @@ private:
     const Params params;
     const Ptr<Usac> usac;
     const double unit;          //!< length of a pixel on the normalized image planes
-    std::vector<Vec3d> x1, x2;  //!< undistorted points on these planes; NaN: not finite
+    std::vector<Vec3d> x1, x2;  //!< undistorted points on these planes, NaN if not finite
 };
 
 }  // namespace

@@ -142,8 +142,9 @@ void ModelCovariance::estimateNoise()
     noise = std::sqrt(variance);
 }
 
-//! Number of wrong matches per unit of e^degrees near the model: from those seen up to #WINDOW
-//! times the support, and from the chance of a uniform match, which counts as one that was seen.
+//! Number of wrong matches per unit of error^`degrees` near the model: from those with errors up to
+//! #WINDOW times the support; the number expected for uniform matches weighs as much as one of
+//! them.
 double ModelCovariance::chanceDensity() const
 {
     const double window = WINDOW * support, limit = window * window;

@@ -79,7 +79,7 @@ TEST(Usac_RelativePose, as_recoverPose)
     EXPECT_EQ(0, differing);
 }
 
-//! Lenses of both cameras are taken off exactly.
+//! The distortion of both lenses is removed exactly: exact points give the exact pose.
 TEST(Usac_RelativePose, two_cameras_with_lenses)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)

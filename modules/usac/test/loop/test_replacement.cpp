@@ -197,8 +197,9 @@ TEST(Usac_Replacement, score)
     }
 }
 
-//! Uniform samples end a run where the theory says; PROSAC's criterion, which knows nothing of
-//! them, does not.
+//! With a caller's uniform sampler the standard criterion ends the run after the number of samples
+//! that theory requires; PROSAC's criterion, which takes no account of such samples, does not end
+//! it.
 TEST(Usac_Replacement, uniformSampler)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

@@ -123,7 +123,7 @@ TEST_P(Usac_Solvers_Problem, exactWithoutNoise)
     EXPECT_LE(result.missed, 6);
     EXPECT_LE(quantile(result.constraint, 1), 1e-8);
     EXPECT_LE(quantile(result.constraint, 0.9), 1e-12);
-    // of E all but a few: near a double root its polynomial is as ill-conditioned as any
+    // E: 98.5 % only, as its polynomial is ill-conditioned near a double root
     EXPECT_LE(quantile(result.manifold, problem == ESSENTIAL ? 0.985 : 1), 1e-8);
     EXPECT_LE(quantile(result.manifold, 0.9), 1e-11);
 }

@@ -200,8 +200,8 @@ void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& ro
     addRows(name, hashedSpaceParams(ABSOLUTE_POSE, scene.scores), 2, estimate, rows);
 }
 
-//! A synthetic scene of a motion of space. Scores are in no order; the radius of neighborhoods is
-//! in units of pixels.
+//! A synthetic scene of a motion of space, not sorted by its scores. Its unit is such that the
+//! radius of neighborhoods, whose default is meant for pixels, suits its coordinates.
 void addRigidRows(ProblemType problem, std::vector<Row>& rows)
 {
     RigidSceneOptions options;

@@ -278,7 +278,7 @@ TEST(Usac_RigidLeastSquares, mirrored)
     }
 }
 
-//! Of what is no matrix of numbers there is no rotation, rather than any.
+//! A matrix with entries that are not finite has no closest rotation: the result is not finite.
 TEST(Usac_RigidLeastSquares, closestRotationOfNoNumbers)
 {
     for (double value : {NAN, INFINITY, -INFINITY})

@@ -21,14 +21,15 @@ METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Meth
 
 @dataclasses.dataclass(frozen=True)
 class Settings:
-    """Options of the verification. Those without another source have the defaults of COLMAP's."""
+    """Options of the verification. Defaults are those of COLMAP unless a comment says otherwise."""
 
     threshold: float = 4.0  # pixels, largest error of an inlier; USACV20_AUTO: the largest plausible one
     method: str = "USACV20"  # one of METHODS
     confidence: float = 0.999
-    # Samples of a model; COLMAP's limit. With the other defaults it ends the search before `confidence` (see `reached`):
-    # F of 37 matches or more unless 0.42 of them (37 matches) to 0.35 (many) are right: of pairs with a quarter right it finds
-    # 0.15 (60 matches), 0.39 (300), 0.45 (2000); E with a quarter right of 58 to 64 matches: 0.996 (60) and more; H never.
+    # Largest number of samples of a model; COLMAP's limit. With the other defaults it may end a search before `confidence` is
+    # reached (see `reached`). F, from 37 matches on: if less than 42 % (37 matches) to 35 % (many) are right; if a quarter is
+    # right, the probability of an all-inlier sample is then 0.15 (60 matches), 0.39 (300), 0.45 (2000). E: if a quarter of 58 to
+    # 64 matches is right, with a probability of at least 0.996. H: never.
     maxIterations: int = 10000
     # Least part of the matches that is expected to be right; pairs with less are found, too, but not with `confidence`.
     inlierRatio: float = 0.25
