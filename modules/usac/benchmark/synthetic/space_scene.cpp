@@ -15,8 +15,8 @@ using cv::Vec3d;
 
 namespace {
 
-const double WIDTH = 200,
-             DISTANCE = 300;  //!< of the cloud; of both clouds from the origins of their spaces
+//! Side of the cloud, and distance of the middle of each cloud from the origin of its space.
+const double WIDTH = 200, DISTANCE = 300;
 const double CLUSTER = WIDTH / 8, PATCH = WIDTH / 4;
 const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;  //!< degrees; of the second motion
 const double LARGEST_SCALE = 2;

@@ -95,9 +95,9 @@ inliers that are spread over the whole order (otherInliers()). No such samples a
 neighboring matches of the other model would show among the outliers and do not
 (otherMotionWouldShow()).
 
-The other criteria decide if they need fewer samples, or if an all-inlier sample may lead to another
-model than the best one (State::successProbability; two motions are compatible with a plane). At
-most O(N) per batch of samples. */
+The other criteria end the search instead where they need fewer samples, and where an all-inlier
+sample may lead to another model than the best one (State::successProbability; two motions are
+compatible with a plane). Time: at most O(N) per batch of samples. */
 class ConfirmedOrderTermination : public Termination
 {
 public:

@@ -104,7 +104,9 @@ private:
     RNG rng;
 };
 
-enum { DRAWN = 4000 };  // a variance is known to 2.2 %, standard deviation
+//! Vectors drawn; a variance estimated from them has a standard deviation of 2.2 %, of which the
+//! tolerance is five.
+enum { DRAWN = 4000 };
 const double TOLERANCE = 0.11;
 
 //! Compares a covariance with the scatter of vectors.

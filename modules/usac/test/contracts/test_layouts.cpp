@@ -179,8 +179,8 @@ TEST_P(UsacLayouts, both_readings_possible)
     }
 }
 
-//! OpenCV's function of the problem. @return the number of points, 0 if there is no model to tell,
-//! -1 for an exception
+//! Calls OpenCV's function for the problem. @return the number of rows of its mask; 0 if it found
+//! no model, so that this is unknown; -1 if it raised an exception
 int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int flag)
 {
     Mat model, mask;

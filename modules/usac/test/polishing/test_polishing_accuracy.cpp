@@ -72,9 +72,11 @@ SceneOptions optionsOf(Motion motion, double noise, uint64 seed)
 //! Problem and motion.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_Polishing_Accuracy;
 
-/** Root mean square of the errors over scenes, to that of least squares, from the exact model: what
-the search has found may fit a wrong match better than the truth does, mostly under forward motions,
-and then polishing does not come back. */
+/** Ratio of two root mean square errors over scenes: that of polishing to that of least squares
+over the true matches. Polishing starts from the exact model, as a model from the search may fit a
+wrong match better than the true model does (mostly under forward motion), and polishing would stay
+there.
+*/
 TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
 {
     const double noises[] = {THRESHOLD / 10, THRESHOLD / 3};

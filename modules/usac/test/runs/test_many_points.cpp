@@ -45,8 +45,8 @@ TEST_P(UsacManyPoints, asAccurateAsLeastSquares)
             own[k] += modelError(scene, estimate(scene, params));
         }
     }
-    // 1.5 times the error of least squares would be that of a part of 35000 points. Wrong matches
-    // near epipolar lines move F and E further.
+    // A fit to 35000 of the points only would have 1.5 times the error of the fit to all. Wrong
+    // matches near epipolar lines add to the errors of F and E.
     const double most = mapsPoints((ProblemType)GetParam()) ? 1.45 : 2.5;
     for (int k = 0; k < 3; ++k)
         EXPECT_LE(own[k], most * least) << "flag " << k;

@@ -31,7 +31,7 @@ Vec3d randomDirection(RNG& rng)
     return v * (1 / cv::norm(v));
 }
 
-//! The camera turns to what both are to see, at distance 6.
+//! Turns camera 2, at `center`, to the middle of what both cameras see, (0, 0, 6).
 void turnTowards(Scene& scene, const Vec3d& center)
 {
     const Vec3d seen = scene.R * (Vec3d(0, 0, 6) - center);

@@ -36,7 +36,7 @@ enum OutlierModel {
     OUTLIERS_PLANE,  //!< on a plane that another motion of the camera has seen, from all of image 1
     OUTLIERS_PLACE,  //!< in image 2 at one place, but for 0.4 pixels, as a watermark or a dead
                      //!< pixel makes them
-    OUTLIERS_CLUSTERS,  //!< both points in one of five squares of 20 pixels, each anew
+    OUTLIERS_CLUSTERS,  //!< each point in one of five squares of 20 pixels of its image
     OUTLIERS_CENTER,  //!< both points about the middle of their image: Cauchy's distribution, half
                       //!< within 20 pixels
     OUTLIERS_WINDOW,  //!< in image 2 up to 60 pixels from where they are in image 1, as a matcher's

@@ -86,8 +86,8 @@ TEST(Usac_Tdd, acceptsGoodModels)
     }
 }
 
-//! Wrong models go on with delta^d, after (1 - delta^d) / (1 - delta) points; the numbers that it
-//! reports give delta.
+//! A wrong model with the inlier ratio delta passes with probability delta^d, after (1 - delta^d) /
+//! (1 - delta) points on average; the reported inliers and tested points have the ratio delta.
 TEST(Usac_Tdd, dropsWrongModels)
 {
     const int N = 400, TRIALS = 3000;

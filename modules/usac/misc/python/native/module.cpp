@@ -6,7 +6,8 @@
 
 namespace {
 
-//! Types of arrays lie otherwise in NumPy 2; pybind11 knows that since version 2.12.
+//! NumPy 2 changed the memory layout of the types of arrays; pybind11 supports it since
+//! version 2.12.
 void checkNumPy()
 {
 #if PYBIND11_VERSION_HEX < 0x020C0000

@@ -34,8 +34,8 @@ In these unknowns, with s for the squared distances over sigma^2,
 
 which for sigma = 0 become the equations of a camera at infinity: all numbers are of the order of 1,
 however far away the triangle is. With the distances as unknowns, poses of a scene at a distance of
-100 times its size are 10 000 times less accurate, even after Newton steps; with p, q and w, Newton
-steps do not improve the accuracy. */
+100 times its size are 10 000 times less accurate, even after Newton steps; with p, q and w, no
+Newton steps are needed. */
 struct TriangleDepths
 {
     double p, q, w;

@@ -35,10 +35,10 @@ extern const char* const POSE_SAMPLE_NAMES[POSE_SAMPLE_KINDS];
 
 PoseSample randomPoseSample(PoseSampleKind kind, cv::RNG& rng);
 
-/** @brief Any object coordinates for points in those of the camera.
+/** @brief Object coordinates, in a random pose, of points in camera coordinates.
 
-The images are those of the object coordinates as rounded, computed in long double: exact but for
-their last rounding.
+The image points are projected from the rounded object coordinates in long double, so that only
+their own rounding to double is left.
 */
 PoseSample poseSampleOf(const cv::Vec3d (&Y)[3], cv::RNG& rng);
 

@@ -107,7 +107,7 @@ TEST_P(Usac_Essential5, finds_the_motion_of_exact_points)
                 worst = std::max(worst, violation(found[i]));
         }
     }
-    // Of a baseline of 1/1000, 1e-13 of a coordinate in double changes the motion by 1e-8 and more.
+    // With a baseline of 1/1000, rounding errors of 1e-13 change the motion by 1e-8 or more.
     EXPECT_GE(exact, samples * (GetParam().baseline < 1 ? 0.993 : 0.998));
     EXPECT_GE(near, samples * (GetParam().baseline < 1 ? 0.995 : 0.998));
     EXPECT_LE(worst, 1e-8);

@@ -56,8 +56,8 @@ TEST(Usac_SharedPoints_Samples, shareATarget)
         bool same;
     } pairs[] = {{100, 1, true},    {1, 100, true},  {100, 2.1, false},
                  {19, 1.9, false},  {30, 1.9, true}, {1, 1, false},
-                 {100, 100, false}, {9, 1, false}};  // a threshold of 1: closer than 2 and further
-                                                     // than 20
+                 {100, 100, false}, {9, 1, false}};  // threshold 1: closer than 2 in one image,
+                                                     // farther apart than 20 in the other
     for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); ++i)
     {
         std::vector<Point2d> a(1, Point2d(5, 5)), b(1, Point2d(7, 7));

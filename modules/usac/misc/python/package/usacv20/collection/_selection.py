@@ -18,14 +18,14 @@ from ._sqlite import explained
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-_PAGE = 500  # keys in one question to SQLite, which allows 999 values of all versions
+_PAGE = 500  # keys in a query; every version of SQLite allows 999 values
 
 
 class Selection:
     """Those pairs of a database that are in a list; a Source.
 
-    path -- of a text as COLMAP's importer of matches and hloc have it: the names of two images on a line; empty lines and what
-        follows # at the front of a line are passed over. CollectionError for an image that is not in the database
+    path -- of a text file in the format of COLMAP's importer of matches and of hloc: the names of two images on a line; empty
+        lines and those that begin with # are skipped. CollectionError for an image that is not in the database
 
     `missing` is how many of them have no row in the table of matches."""
 
