@@ -57,6 +57,31 @@ class StructuredTest(FolderTest):
         self.assertLess(int(many["wrong"]), 10)
         self.assertTrue(200 < float(many["mean_iterations"]) <= 1000, many)
 
+    def test_judged_by_a_start_at_the_true_model(self):
+        """A sample too few misses a model that the search would keep; the wide score of MAGSAC++ prefers another one in some scenes."""
+        few = ["--problems=F", "--methods=preset:ransac{maxIterations=1,significance=1}", "--kinds=generic", "--orders=none", "--sizes=100",
+               "--ratios=0.5", "--runs=20"]
+        wide = ["--problems=F", "--methods=USACV20_MAGSAC", "--kinds=shift35", "--orders=none", "--sizes=400", "--ratios=0.4,0.45",
+                "--runs=60", "--maxIters=1000000"]
+
+        def failures(arguments, judge):
+            rows, _ = self.rows("--judge=" + judge, *arguments)
+            return sum(int(row["failures"]) + int(row["limited_failures"]) for row in rows)
+
+        self.assertGreaterEqual(failures(few, "cost"), 17)
+        self.assertEqual(failures(few, "start"), failures(few, "cost"))
+        self.assertLess(failures(wide, "start"), failures(wide, "cost"))
+        done = self.run_program("--judge=nobody")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--judge: expected cost or start", done.stderr)
+
+    def test_baselines(self):
+        for motion in ("baseline0", "baseline101", "baseline"):
+            self.assertIn("--motions: %s is unknown" % motion, self.run_program("--mode=accuracy", "--motions=" + motion).stderr)
+        rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=baseline1,general", "--noises=0.2", "--ratios=1", "--runs=20")
+        short, long = (float(row["median_pose"]) for row in rows if row["method"] == "USACV20")
+        self.assertGreater(short, 10 * long, "the direction of a hundredth of the baseline is less certain")
+
     def test_counts_are_consistent(self):
         rows, _ = self.rows("--problems=H,E", "--methods=USACV20_FAST,cv:RANSAC", "--kinds=clustered,copies,second",
                             "--orders=none,0.05", "--sizes=20,50", "--ratios=0.5,0.9", "--runs=6")

@@ -53,7 +53,7 @@ Alternatives::Alternatives(bool active, Arena& arena) : kept(0), count(0)
 void Alternatives::offer(const Context& context, const Candidate& candidate, bool sampled)
 {
     const double gain = context.points.size - candidate.quality.cost;
-    if (!kept || !(gain > 0) || (count > 0 && gain < NEAR * kept[0].gain))
+    if (!(gain > 0) || (count > 0 && gain < NEAR * kept[0].gain))
         return;
     const Alternative added = {candidate, sampled, InlierBits(context, candidate.model), gain};
     int place = 0;

@@ -35,7 +35,7 @@ public:
     Alternatives(bool active, Arena& arena);
 
     bool active() const { return kept != 0; }
-    //! Keeps the model if it is one of those defined above.
+    //! Keeps the model if it is one of those defined above; only if active().
     void offer(const Context& context, const Candidate& candidate, bool sampled);
     //! The model to choose instead of the one of lowest cost; null: none.
     //! @param order the points, best first
