@@ -20,7 +20,7 @@ constexpr double NEAR = 0.94;
 constexpr double DIFFERENT = 0.1;
 //! An alternative shares at least this fraction of its inliers with the model of largest gain. A
 //! model that shares few is that of another motion: there, the number of matches decides.
-constexpr double SHARED = 1. / 3;
+constexpr double SHARED = 0.5;
 //! The gain (the cost of an outlier is 1) that one unit of log-likelihood of the order is worth.
 //! MSAC's unit of cost is a log-likelihood of 1.9 (errors with one component) or 3, if the errors
 //! were independent.

@@ -11,14 +11,14 @@ namespace {
 
 enum { RUNS = 20 };
 
-//! F; 90 of the 200 right matches are on a plane. `others` of the wrong matches agree with the
+//! F; 104 of the 200 right matches are on a plane. `others` of the wrong matches agree with the
 //! plane and another epipole, so that the F of this epipole has the matches of the plane, too.
 Scene twoEpipoles(int others, uint64 seed)
 {
     SceneOptions options;
     options.inliers = 200;
     options.outliers = others + 100;
-    options.planeFraction = 0.45;
+    options.planeFraction = 0.52;
     options.scoreInformation = 0.9;
     options.seed = seed;
     Scene scene = makeScene(FUNDAMENTAL, options);
@@ -63,12 +63,12 @@ int rightOnes(int others, bool scores)
     return right;
 }
 
-//! The right F explains 110 matches beside those of the plane, the wrong one 102 and some of the
-//! others: it costs a little less. Without scores 1 of 20 is right, with scores 11; in the others
+//! The right F explains 96 matches beside those of the plane, the wrong one 90 and some of the
+//! others: it costs a little less. Without scores 2 of 20 are right, with scores 8; in the others
 //! the costs differ by more, or the right one was not met.
 TEST(Usac_Alternatives, good_scores_decide_between_models_of_nearly_the_same_cost)
 {
-    EXPECT_GE(rightOnes(102, true), rightOnes(102, false) + 6);
+    EXPECT_GE(rightOnes(90, true), rightOnes(90, false) + 4);
 }
 
 //! The wrong F explains a third more matches than the right one.
