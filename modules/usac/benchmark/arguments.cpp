@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -116,11 +117,16 @@ std::vector<std::string> Arguments::all(const std::string& name) const
     return result;
 }
 
+bool Arguments::given(const std::string& name) const
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments,
                                  const std::string& option, const std::string& fallback)
 {
     std::vector<std::string> names = arguments.all(option);
-    if (names.empty())
+    if (!arguments.given(option))
         names = splitNames(fallback.empty() ? std::string(parser.get<cv::String>(option))
                                             : fallback);
     require(!names.empty(), "--" + option + ": nothing given");

@@ -35,6 +35,7 @@ public:
 
     //! All values of an option, each of which may hold several names between commas.
     std::vector<std::string> all(const std::string& name) const;
+    bool given(const std::string& name) const;
 
 private:
     std::vector<std::string> names, values;

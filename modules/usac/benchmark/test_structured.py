@@ -75,6 +75,22 @@ class StructuredTest(FolderTest):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("--judge: expected cost or start", done.stderr)
 
+    def test_models_of_wrong_matches(self):
+        """RANSAC without a test of significance returns a model of any matches; the significance test refuses models of clusters of random points."""
+        methods = ["USACV20", "preset:ransac{significance=1}", "cv:RANSAC"]
+        rows, text = self.rows("--mode=random", "--problems=H,S,E", "--methods=" + ",".join(methods), "--sizes=200", "--kinds=clusters,center",
+                               "--runs=10", "--maxIters=300")
+        of = {(row["problem"], row["kind"], row["method"]): (int(row["models"]), int(row["calls"])) for row in rows}
+        self.assertEqual({key[:2] for key in of}, {(p, k) for p in "HSE" for k in ("clusters", "center")})
+        for problem, kind in {key[:2] for key in of}:
+            self.assertLessEqual(of[problem, kind, methods[0]][0], 1, (problem, kind))
+            self.assertEqual(of[problem, kind, methods[1]], (10, 10), (problem, kind))
+        self.assertEqual(len(text.split("| H |")), 3, "one line for each kind")
+        for option in ("--ratios=0.5", "--motions=general", "--orders=none", "--noises=1", "--problems=P"):
+            done = self.run_program("--mode=random", option)
+            self.assertEqual(done.returncode, 1, option)
+            self.assertIn(option.split("=")[0], done.stderr)
+
     def test_baselines(self):
         for motion in ("baseline0", "baseline101", "baseline"):
             self.assertIn("--motions: %s is unknown" % motion, self.run_program("--mode=accuracy", "--motions=" + motion).stderr)
@@ -157,14 +173,15 @@ class StructuredTest(FolderTest):
                                     ("--table=long", "--table"),
                                     ("--problems=A", "--problems"), ("--runs=0", "--runs"), ("--confidence=1", "--confidence"), ("--maxIters=0", "--maxIters"),
                                     ("--by=color", "color"), ("--noises=1", "--noises"), ("--methods=cv:RANSAC+scores", "scores"),
-                                    ("--kinds=", "--kinds"), ("--unknown=1", "--unknown"),
+                                    ("--kinds=", "--kinds"), ("--sizes=", "--sizes"), ("--unknown=1", "--unknown"),
                                     ("--csv=" + self.path("no", "x.csv"), "no")):
             done = self.run_program(argument)
             self.assertEqual((done.returncode, done.stdout), (1, ""), argument)
             self.assertIn(complaint, done.stderr)
-        done = self.run_program("--mode=accuracy", "--kinds=generic")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("--mode=search only", done.stderr)
+        for option, complaint in (("--kinds=generic", "not for --mode=accuracy"), ("--orders=none", "for --mode=search only")):
+            done = self.run_program("--mode=accuracy", option)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(complaint, done.stderr)
 
 
 if __name__ == "__main__":

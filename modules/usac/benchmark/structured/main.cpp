@@ -9,9 +9,11 @@
 //     usac_structured --mode=search --methods=USACV20,cv:USAC_ACCURATE --runs=50 --csv=search.csv >
 //     search.md
 //     usac_structured --mode=accuracy --methods=USACV20,cv:USAC_ACCURATE --runs=200 > accuracy.md
+//     usac_structured --mode=random --methods=USACV20,cv:USAC_ACCURATE --runs=60 > random.md
 
 #include <iostream>
 #include "accuracy_table.hpp"
+#include "false_alarm_table.hpp"
 #include "program.hpp"
 #include "search_grid.hpp"
 
@@ -41,6 +43,13 @@ int program(int argc, char** argv)
         grid.run(csv.is_open() ? &csv : 0);
         heading(options, "Search");
         grid.markdown(std::cout);
+        return 0;
+    }
+    if (options.random)
+    {
+        FalseAlarmTable table(options);
+        heading(options, "Models of wrong matches");
+        table.run(std::cout, csv.is_open() ? &csv : 0);
         return 0;
     }
     AccuracyTable table(options);

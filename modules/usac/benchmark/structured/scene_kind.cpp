@@ -59,7 +59,9 @@ const NamedOutliers OUTLIERS[] = {
     {"local", OUTLIERS_LOCAL},         {"manyToOne", OUTLIERS_MANY_TO_ONE},
     {"targets", OUTLIERS_TARGETS},     {"line", OUTLIERS_LINE},
     {"second", OUTLIERS_SECOND_MODEL}, {"duplicates", OUTLIERS_UNIFORM},
-    {"copies", OUTLIERS_UNIFORM},
+    {"copies", OUTLIERS_UNIFORM},      {"clusters", OUTLIERS_CLUSTERS},
+    {"center", OUTLIERS_CENTER},       {"window", OUTLIERS_WINDOW},
+    {"border", OUTLIERS_BORDER},
 };
 
 //! Wrong matches that agree with each other: a name and percent of all matches.

@@ -60,7 +60,9 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
     square of 160 pixels partSecond   the same, 70 % as many, and the others anywhere shiftN       N
     percent of all matches shifted by the same 30 to 100 pixels, the other wrong ones anywhere
     movingN      the same on a plane that another motion has seen placeN       the same in image 2
-    at one place, but for 0.4 pixels
+    at one place, but for 0.4 pixels clusters     each point in one of five squares of 20 pixels
+    center       both points near the middle of their image window       displaced by up to 60
+    pixels border       both points on the border of their image
 
 @return false for any other name. */
 bool setKind(const std::string& name, opencv_test::SceneOptions& options);

@@ -14,22 +14,20 @@ namespace {
 const char KEYS
     [] = "{help h usage ? | | print this }"
          "{mode           |search| search: how often the true model is missed; accuracy: "
-         "errors against least squares over "
-         "the right "
-         "matches }"
+         "errors against least squares over the right matches; random: how often a model is "
+         "returned for wrong matches only }"
          "{methods        |USACV20| names with commas as for usac_benchmark; orders other than "
          "none: the module's get the "
          "scores }"
-         "{problems       |H,F,E| which }"
+         "{problems       |H,F,E| which; random: also A, S }"
          "{motions        | | of the camera (default: search: general; accuracy: "
          "general,forward,forward0,sideways,rectified,planar,"
          "car,narrow,aerial); also rotation, frontal, baseline1 to baseline100 }"
-         "{kinds          "
-         "|generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line| "
-         "search: wrong "
-         "matches and repetitions; also local, partSecond, plane1 to plane100 }"
+         "{kinds          | | wrong matches and repetitions (default: search: "
+         "generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line; "
+         "random: clusters,center,window,border); also local, partSecond, plane1 to plane100 }"
          "{sizes          | | numbers of matches (default: search: "
-         "15,20,30,50,100,300,1000,10000; accuracy: 300) }"
+         "15,20,30,50,100,300,1000,10000; accuracy: 300; random: 100,200) }"
          "{ratios         | | parts of right matches (default: search: "
          "0.3,0.5,0.6,0.7,0.9,0.95; accuracy: 0.7, aerial 0.9) "
          "}"
@@ -68,10 +66,13 @@ const char KEYS
 
 const char SEARCH_SIZES[] = "15,20,30,50,100,300,1000,10000",
            SEARCH_RATIOS[] = "0.3,0.5,0.6,0.7,0.9,0.95";
+const char SEARCH_KINDS
+    [] = "generic,clustered,plane80,plane95,duplicates,copies,second,manyToOne,targets,line",
+    RANDOM_KINDS[] = "clusters,center,window,border";
 const char
     ACCURACY_MOTIONS[] = "general,forward,forward0,sideways,rectified,planar,car,narrow,aerial";
-const char* const OF_SEARCH[] = {"kinds", "orders", "by",    "table",
-                                 "judge", "noise",  "spare", "maxItersInverted"};
+const char* const OF_SEARCH[] = {"orders", "by",    "table",           "judge",
+                                 "noise",  "spare", "maxItersInverted"};
 const char* const AXES[] = {"problem", "motion", "kind", "size", "ratio", "order"};
 
 std::vector<double> numbersOf(const std::vector<std::string>& texts, const std::string& option,
@@ -114,17 +115,19 @@ void StructuredOptions::parseGrid(const cv::CommandLineParser& parser, const Arg
     {
         ProblemType problem = cv::usacv20::HOMOGRAPHY;
         require(letters[i].size() == 1 && problemOf(letters[i][0], problem) &&
-                    problem <= cv::usacv20::ESSENTIAL,
-                "--problems: expected H, F, E");
+                    problem <= (random ? cv::usacv20::SIMILARITY : cv::usacv20::ESSENTIAL),
+                random ? "--problems: expected H, F, E, A, S" : "--problems: expected H, F, E");
         problems.push_back(problem);
     }
     methods = namesOf(parser, arguments, "methods");
-    motions = namesOf(parser, arguments, "motions", search ? "general" : ACCURACY_MOTIONS);
-    kinds = namesOf(parser, arguments, "kinds");
+    motions = namesOf(parser, arguments, "motions", accuracy ? ACCURACY_MOTIONS : "general");
+    kinds = namesOf(parser, arguments, "kinds", random ? RANDOM_KINDS : SEARCH_KINDS);
     orders = namesOf(parser, arguments, "orders");
     by = namesOf(parser, arguments, "by");
     const std::vector<std::string> counts = namesOf(parser, arguments, "sizes",
-                                                    search ? SEARCH_SIZES : "300");
+                                                    search   ? SEARCH_SIZES
+                                                    : random ? "100,200"
+                                                             : "300");
     for (size_t i = 0; i < counts.size(); ++i)
     {
         sizes.push_back(toInteger(counts[i], "sizes"));
@@ -192,11 +195,16 @@ bool StructuredOptions::parse(int argc, char** argv)
     const std::string mode = parser.get<cv::String>("mode");
     search = mode == "search";
     accuracy = mode == "accuracy";
-    require(search || accuracy, "--mode: expected search or accuracy");
+    random = mode == "random";
+    require(search || accuracy || random, "--mode: expected search, accuracy or random");
     for (const char* option : OF_SEARCH)
         require(search || arguments.all(option).empty(),
                 std::string("--") + option + ": for --mode=search only");
     require(accuracy || arguments.all("noises").empty(), "--noises: for --mode=accuracy only");
+    require(!accuracy || arguments.all("kinds").empty(), "--kinds: not for --mode=accuracy");
+    for (const char* option : {"motions", "ratios"})
+        require(!random || arguments.all(option).empty(),
+                std::string("--") + option + ": not for --mode=random");
     parseGrid(parser, arguments);
     parseNumbers(parser);
     return true;

@@ -16,7 +16,7 @@ namespace benchmark {
 /** The command line of usac_structured. */
 struct StructuredOptions
 {
-    bool search, accuracy;
+    bool search, accuracy, random;  //!< one of them: --mode
     std::vector<std::string> methods;
     std::vector<ProblemType> problems;
     std::vector<std::string> motions, kinds, orders, by;
