@@ -10,67 +10,52 @@ namespace usacv20 {
 
 namespace {
 
-//! A set of occupied cells: a hash table with linear probing.
 template <int DIMENSIONS>
-class Cells
+uint64 hashOf(const Vec<double, DIMENSIONS>& cell)
 {
-public:
-    typedef Vec<double, DIMENSIONS> Cell;
+    uint64 bits[DIMENSIONS];
+    std::memcpy(bits, cell.val, sizeof(bits));
+    // a small integer as double has ones in its high bits only, and the product below moves bits
+    // only upwards: the high half is mixed into the low one first
+    uint64 h = bits[0];
+    for (int k = 1; k < DIMENSIONS; ++k)
+        h ^= bits[k] << k | bits[k] >> (64 - k);
+    return ((h ^ h >> 32) * 0x9e3779b97f4a7c15ULL) >> 40;
+}
 
-    Cells(int capacity, Arena& arena) : scope(arena), mask(1)
-    {
-        while (mask < 2 * capacity)
-            mask *= 2;
-        slots = scope.take<Cell>(mask);
-        std::fill(slots, slots + mask, Cell::all(NAN));
-        --mask;
-    }
-
-    //! Adds a cell; false if it is in the set already. Cell indices are doubles, as small cells
-    //! make them exceed int.
-    bool insert(const Cell& cell)
-    {
-        uint64 bits[DIMENSIONS];
-        std::memcpy(bits, cell.val, sizeof(bits));
-        // a small integer as double has ones in its high bits only, and the product below moves
-        // bits only upwards: the high half is mixed into the low one first
-        uint64 h = bits[0];
-        for (int k = 1; k < DIMENSIONS; ++k)
-            h ^= bits[k] << k | bits[k] >> (64 - k);
-        h = (h ^ h >> 32) * 0x9e3779b97f4a7c15ULL;
-        int at = (int)(h >> 40) & mask;
-        for (; slots[at][0] == slots[at][0]; at = (at + 1) & mask)
-            if (slots[at] == cell)
-                return false;
-        slots[at] = cell;
-        return true;
-    }
-
-private:
-    Arena::Scope scope;
-    Cell* slots;  //!< NaN if free
-    int mask;
-};
-
+/** Marks the points whose cell contains an earlier point, by a hash table with linear probing. Cell
+indices are doubles, as small cells make them exceed int. */
 template <int DIMENSIONS>
 void markInCells(const double* const* columns, const int* order, const uchar* mask, int count,
                  double side, uchar* repeated, Arena& arena)
 {
-    int marked = 0;
-    for (int i = 0; i < count; ++i)
-        marked += mask[i] != 0;
-    Cells<DIMENSIONS> cells(marked, arena);
+    typedef Vec<double, DIMENSIONS> Cell;
+    Arena::Scope scope(arena);
+    Cell* const cells = scope.take<Cell>(count);
+    int* const rows = scope.take<int>(count);
+    int marked = 0, size = 1;
     for (int i = 0; i < count; ++i)
         if (mask[i])
         {
             const int point = order ? order[i] : i;
-            Vec<double, DIMENSIONS> cell;
             for (int k = 0; k < DIMENSIONS; ++k)
-                cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) +
-                          0.;  // no -0
-            if (!cells.insert(cell))
-                repeated[i] = 1;
+                cells[marked][k] = (side > 0 ? std::floor(columns[k][point] / side)
+                                             : columns[k][point]) +
+                                   0.;  // no -0
+            rows[marked++] = i;
         }
+    while (size < 2 * marked)
+        size *= 2;
+    int* const slots = scope.take<int>(size);
+    std::fill(slots, slots + size, -1);  // free
+    for (int i = 0; i < marked; ++i)
+    {
+        int at = (int)hashOf<DIMENSIONS>(cells[i]) & (size - 1);
+        while (slots[at] >= 0 && cells[slots[at]] != cells[i])
+            at = (at + 1) & (size - 1);
+        repeated[rows[i]] |= slots[at] >= 0;
+        slots[at] = slots[at] >= 0 ? slots[at] : i;
+    }
 }
 
 }  // namespace

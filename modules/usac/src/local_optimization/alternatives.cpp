@@ -89,7 +89,7 @@ double Alternatives::orderOf(const Context& context, const Model& model, const i
 
 const Alternative* Alternatives::chosen(const Context& context, const int* order) const
 {
-    if (count < 2)
+    if (!contested())
         return 0;
     const double first = kept[0].gain + WORTH * orderOf(context, kept[0].candidate.model, order);
     const double parts = std::max(context.points.size / (double)InlierBits::MOST, 1.);

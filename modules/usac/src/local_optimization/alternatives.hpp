@@ -37,6 +37,8 @@ public:
     bool active() const { return kept != 0; }
     //! Keeps the model if it is one of those defined above; only if active().
     void offer(const Context& context, const Candidate& candidate, bool sampled);
+    //! False if chosen() returns null for any order.
+    bool contested() const { return count > 1; }
     //! The model to choose instead of the one of lowest cost; null: none.
     //! @param order the points, best first
     const Alternative* chosen(const Context& context, const int* order) const;

@@ -398,8 +398,8 @@ void Ransac::offer(const Model& model, const Quality& quality, const Sample* sam
 
 void Ransac::chooseByOrder()
 {
-    if (!alternatives.active())
-        return;
+    if (!alternatives.contested())
+        return;  // the order need not be known
     const Alternative* const chosen = alternatives.chosen(context, state.bestFirst(context));
     if (!chosen)
         return;

@@ -10,15 +10,16 @@ namespace usacv20 {
 
 namespace {
 
-struct ByValue
+//! A key for sorting: first by score, then by the index of the point. The bits of floats, read as
+//! integers, are in the order of the floats; those of negative ones in the inverse order.
+uint64 keyOf(float score, int point)
 {
-    explicit ByValue(const float* values_) : values(values_) {}
-    bool operator()(int a, int b) const
-    {
-        return values[a] < values[b] || (values[a] == values[b] && a < b);
-    }
-    const float* values;
-};
+    score += 0.f;  // no -0
+    unsigned bits;
+    std::memcpy(&bits, &score, sizeof(bits));
+    bits = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+    return (uint64)bits << 32 | (unsigned)point;
+}
 
 /** Orders points by the given scores, best first; points of equal score keep their pseudo-random
 order, repeated matches come last. O(N log N). */
@@ -28,9 +29,13 @@ public:
     void sort(const Context& context, int* order) CV_OVERRIDE
     {
         const int size = context.points.size;
+        Arena::Scope scope(context.arena);
+        uint64* const keys = scope.take<uint64>(size);
         for (int i = 0; i < size; ++i)
-            order[i] = i;
-        std::sort(order, order + size, ByValue(context.points.scores));
+            keys[i] = keyOf(context.points.scores[i], i);
+        std::sort(keys, keys + size);
+        for (int i = 0; i < size; ++i)
+            order[i] = (int)(unsigned)keys[i];
         repeatedLast(context, order);
     }
 };

@@ -14,7 +14,7 @@ namespace {
 // Effects of halving or doubling each constant: doc/constants.md.
 
 //! Numbers of samples, see PNapsacSampler.
-constexpr int BEFORE_ORDER = 8, ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
+constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
 //! Sample size of H; an affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
 //! One in LOCAL_EVERY non-uniform samples is local if the order is known, and one in
@@ -36,11 +36,11 @@ non-uniform samples (Params::orderedEvery), or one in #LOCAL_EVERY_GUESS if the 
 from the density of the points. With more local samples, small groups of consistent outliers
 (repeated patterns) are more often taken for the inliers.
 
-If the order is a guess, the first #BEFORE_ORDER samples are uniform: easy problems need no more,
-and thus neither order nor neighborhood. With #SMALL points per sample (H), the first #ORDERED
-samples all follow the order instead: four inliers are soon drawn from the few densest points. With
-fewer points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, as they take less time
-than computing the order. */
+The first #BEFORE_ORDER samples are uniform, unless all samples follow the order. If the order is a
+guess, there are exceptions: with #SMALL points per sample (H), the first #ORDERED samples all
+follow the order instead: four inliers are soon drawn from the few densest points. With fewer points
+per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, as they take less time than computing
+the order. */
 class PNapsacSampler : public Sampler
 {
 public:

@@ -34,6 +34,10 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
+//! Number of first samples that are uniform even if some samples follow an order: many searches end
+//! with them and then need neither the order nor neighborhoods. See doc/constants.md.
+constexpr int BEFORE_ORDER = 8;
+
 //! isOrdered() for a known order (orderIsKnown()); State::wanted may make it true more often.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
@@ -41,7 +45,7 @@ inline bool isOrderedByKnowledge(const Context& context, State& state, int* samp
     const int step = state.wanted == SAMPLES_ORDERED ? 1
                      : state.wanted == SAMPLES_HALF  ? std::min(every, 2)
                                                      : every;
-    if (state.iteration % step != 0)
+    if (state.iteration % step != 0 || (every > 1 && state.iteration < BEFORE_ORDER))
     {
         drawUniform(context, state, sample);
         return false;

@@ -58,11 +58,11 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 }
 
 //! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as
-//! long as it is new. This holds for one sample in Params::orderedEvery, but none of the first
-//! eight if the order is a guess; the others are uniform, and they count.
+//! long as it is new. This holds for one sample in Params::orderedEvery after the first eight; the
+//! others are uniform, and they count.
 void expectGrowth(int ordering, int period)
 {
-    const int N = 300, first = ordering == ORDERING_DENSITY ? 8 : 0;
+    const int N = 300, first = period > 1 ? 8 : 0;
     Params params;
     params.ordering = ordering;
     params.orderedEvery = period;
@@ -75,7 +75,7 @@ void expectGrowth(int ordering, int period)
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
     for (int t = 1; t <= 20000; ++t)
     {
-        if (!known || (t - 1) % period == 0)
+        if (!known || ((t - 1) % period == 0 && t > first))
         {
             ++grown;
             set.next();
@@ -87,7 +87,7 @@ void expectGrowth(int ordering, int period)
         wrongSize += set.size() != n;
         const std::vector<int>::const_iterator end = draw.order.begin() + set.size();
         const bool out = std::find(draw.order.cbegin(), end, draw.sample[0]) == end;
-        const bool ordered = (t - 1) % period == 0 && (t > first || period == 1);
+        const bool ordered = (t - 1) % period == 0 && t > first;
         EXPECT_EQ(!ordered || period == 1, draw.state.counts) << t;
         if (!ordered)
         {
