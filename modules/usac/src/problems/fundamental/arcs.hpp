@@ -23,9 +23,9 @@ typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, 
 
 namespace {  // compiled for different instruction sets
 
-/* Position of the point u + t v, t = s / c, on a line, as a number that replaces the angle and needs
-no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. The positions -1 and 3 are the same point,
-because the projective line is closed. */
+/* Position of the point u + t v, t = s / c, on a line, as a number that replaces the angle of the
+point and needs no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. The positions -1 and 3 are the
+same point, because the projective line is closed. */
 inline float placeOf(float s, float c)
 {
     const bool small = fabsf(s) <= fabsf(c);

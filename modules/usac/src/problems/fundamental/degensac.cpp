@@ -27,8 +27,8 @@ constexpr double CLEARLY = 1.05;
 //! A plane counts as the known plane if more than this fraction of its points are on the known
 //! plane, too.
 constexpr double SAME_PLANE = 0.9;
-//! DOMINANT: minimum fraction of the model's inliers that lie on a dominant plane. ROUGHLY: fraction
-//! of this minimum that is required before the plane is fitted.
+//! DOMINANT: minimum fraction of the model's inliers that lie on a dominant plane. ROUGHLY:
+//! fraction of this minimum that is required before the plane is fitted.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! A dominant plane also has at least this fraction w of all points. With w = 0.1, one sample in
 //! 5000 (21 w^5) has five of its seven points on the plane; smaller planes arise by chance.
@@ -43,14 +43,15 @@ constexpr double OFF_PLANE = 4;
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else.
-At least one of five triples of the sample then lies on the plane. F and a triple determine a
-homography; the sample is degenerate if one of these maps at least five of its points. A locally
-optimized model has no sample; for it, a plane with more than half of its inliers is searched for.
+At least one of five fixed triples of the sample then lies on the plane. F and a triple determine a
+homography; the sample is degenerate if one of the five homographies maps at least five of the seven
+points. A locally optimized model has no sample; for such a model, a plane with more than half of
+its inliers is searched for.
 The remedy is plane and parallax: the homography H of the plane, refined on the points of the plane,
 and two correspondences off the plane determine F = [e]x H. The paper samples such pairs;
-PlaneParallax describes the method used here. The best F is kept if it beats the original, so that
-other scenes lose nothing. A plane with less than half of the model's inliers is ignored, because
-there ordinary samples find F. */
+PlaneParallax describes the method used here. The best F = [e]x H replaces the original model only
+if its score is better, so that other scenes are not affected. A plane with less than half of the
+model's inliers is ignored, because ordinary samples then find F. */
 class Degensac : public Degeneracy
 {
 public:

@@ -33,8 +33,8 @@ constexpr double GOES_ON = 8, WORTH_RATING = 3;
 //! Each step of a fit uses the voters within this many thresholds. The first steps use more voters,
 //! because a fit starts at the middle of a bin.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
-//! Two epipoles (as unit vectors) count as the same if the squared sine of the angle between them is
-//! below this value: a distance of about two bins.
+//! Two epipoles (as unit vectors) count as the same if the squared sine of the angle between them
+//! is below this value: a distance of about two bins.
 constexpr double SAME_EPIPOLE = 1e-3;
 
 //! The unit vector in the middle of the bins first .. last on the line through the orthonormal
@@ -267,8 +267,8 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
 }
 
 //! Least squares over at most `most` voters within `width` thresholds of F = [e]x H. The
-//! denominators of their Sampson errors are computed from the input `e` and are then constant. False
-//! if `e` is undetermined.
+//! denominators of their Sampson errors are computed from the input `e` and are then constant.
+//! False if these voters do not determine `e`.
 bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();
