@@ -11,14 +11,15 @@ namespace usacv20 {
 
 namespace {
 
-//! LAYERS: number of layers, each twice as wide as the previous one. WIDEST: maximum number of
-//! neighbors kept per point, unless the caller asks for more. See doc/constants.md.
+//! LAYERS: number of layers; each is twice as wide as the previous one. WIDEST: maximum number of
+//! neighbors stored per point, unless the caller asks for more. See doc/constants.md.
 constexpr int LAYERS = 4, WIDEST = 512;
 //! Maximum number of edges from a point to its neighbors. See doc/constants.md.
 constexpr int LINKS = 8;
 
-//! Work in point tests, the unit of Watch: to build the tree, per point; to sort the edges, per
-//! edge; to find the neighbors of a point. It affects only how late a run with a time limit ends.
+//! Estimated work in point tests, the unit of Watch: to build the tree (per point), to sort the
+//! edges (per edge), and to find the neighbors of one point. The values affect only how late a run
+//! with a time limit ends.
 constexpr double BUILD_WORK = 300, SORT_WORK = 60, FIND_WORK = 2000;
 
 typedef cvflann::L2<float> SquaredDistance;

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Work per point of a fit to convergence, in point tests, the unit of Watch: 100 ns with a million
-//! points. It affects only how late a time limit ends a run.
+//! Work per point of a fit that runs to convergence, in point tests, the unit of Watch: 100 ns with
+//! a million points. It affects only how late a time limit ends a run.
 constexpr double FIT_WORK = 50;
 
 //! See LeastSquaresPolisher.

@@ -103,8 +103,8 @@ private:
         return isOrdered(context, state, sample);
     }
 
-    //! Number of times that a point was the first point of a local sample, and the finest layer that
-    //! may still have enough members around it.
+    //! Number of times that a point was the first point of a local sample, and the finest layer
+    //! that may still have enough members around it.
     struct Center
     {
         int chosen, layer;
