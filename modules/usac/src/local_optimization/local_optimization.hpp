@@ -14,9 +14,9 @@ namespace usacv20 {
 Ptr<LocalOptimizer> createGraphCutOptimizer();
 //! See GcRansacOptimizer.
 Ptr<LocalOptimizer> createGcRansacOptimizer();
-//! See LoRansacOptimizer: fits to all inliers.
+//! Creates a LoRansacOptimizer that fits models to all inliers.
 Ptr<LocalOptimizer> createLoRansacOptimizer();
-//! See LoRansacOptimizer: fits to a bounded number of inliers.
+//! Creates a LoRansacOptimizer that fits models to a bounded number of inliers.
 Ptr<LocalOptimizer> createFloRansacOptimizer();
 //! See SigmaConsensus.
 Ptr<LocalOptimizer> createSigmaConsensus();

@@ -28,8 +28,8 @@ constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 less than HOPE, the attempt ends; the result must gain GAIN. Changing two parameters gains 6 by
 chance in one of 20 cases; the result is then as good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
-/** Stricter conditions if nearly all inliers leave parameters undetermined (Problem::leavesFree), as
-points on a plane do with the epipole. The gain must be at least FREE_GAIN. It must also be at least
+/** Stricter conditions if nearly all inliers leave parameters undetermined (Problem::leavesFree),
+like points on a plane the epipole. The gain must be at least FREE_GAIN. It must also be at least
 TURNED sqrt(n) for n points: another epipole changes the direction in which all errors are measured,
 and the difference of two sums of n squares has a standard deviation of at most 2 sqrt(n) noise
 variances. The evidence of the lost inliers (surpriseOf()) must be at most gain / FREE_AGAINST,
