@@ -122,8 +122,8 @@ void checkScores(const Params& p, int count)
                        p.scores[i]));
 }
 
-//! Checks number and finiteness of the entries; Problem::fromOutput checks whether they are a model
-//! of the problem.
+//! Checks the number and the finiteness of the entries. Problem::fromOutput later checks whether
+//! they are a model of the problem.
 void checkInitialModel(const std::vector<double>& model)
 {
     if ((int)model.size() > MAX_MODEL_SIZE)

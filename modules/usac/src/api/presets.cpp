@@ -181,7 +181,7 @@ Params Params::magsacPlusPlus()
 
 Params Params::fromMethod(UsacV20Method method)
 {
-    switch (methodFromInt((int)method))  // a cast can turn any number into a flag
+    switch (methodFromInt((int)method))  // checked, because a cast can make it any number
     {
     case USACV20: break;
     case USACV20_FAST: return fast();

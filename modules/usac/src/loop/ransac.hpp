@@ -48,7 +48,7 @@ public:
     //! @param checkSamples true: validate the indices in samples, because the sampler is custom
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
-    //! To be called before run(): scores and optimizes an initial model, like the model of a sample.
+    //! To be called before run(): scores and optimizes an initial model, as if from a sample.
     void begin(const Model& initial);
     /** Searches until a criterion ends the search, or until `pause` samples have been drawn. The
     result is State::best; State::bestQuality stays infinite if no model is found. @return false if
@@ -90,8 +90,8 @@ private:
     //! @param sample the sample of the model; null: the model does not come from a sample
     void setBest(const Model& model, const Quality& quality, const Sample* sample);
     void addRunnerUp(const Candidate& candidate);
-    //! Called when the search is about to end: optimizes runners-up and draws samples of unexplained
-    //! points. @return false if the search ends
+    //! Called when the search is about to end: optimizes runners-up and draws samples of
+    //! unexplained points. @return false if the search ends
     bool lookBeside();
     void improveRunnersUp();
     //! If the order of the points is known: replaces the best model by one of `alternatives` if the
@@ -113,8 +113,8 @@ private:
     void sampleUnexplained(const int* indices, int count, int most);
     //! @param index State::iteration of the sample
     Sample drawUnexplained(const int* indices, int count, int index) const;
-    //! Minimum number of inliers of a rival that the best model does not explain. Only the points of
-    //! InlierBits are counted.
+    //! Minimum number of inliers of a rival that the best model does not explain. Only the points
+    //! of InlierBits are counted.
     double rivalInliers() const;
     //! @return false if the model is not a rival
     bool addRival(const Sample& sample, const Model& model);
@@ -154,7 +154,7 @@ private:
     int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
-    const double sampleWork;  //!< upper bound of the work for a sample and its models, in point tests
+    const double sampleWork;  //!< largest work for a sample and its models, in point tests
     int firstOfBatch;         //!< State::iteration of the first sample of the batch
     const int ahead;          //!< number of samples that are solved at once
     const int exhaustive;     //!< see exhaustiveSamples()

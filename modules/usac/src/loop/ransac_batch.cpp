@@ -18,8 +18,8 @@ constexpr double TOGETHER = 1e6;
 
 }  // namespace
 
-//! Divides the batch among the threads, each of which has its own memory. If the run may be stopped,
-//! the batch is processed in parts, and the clock is checked after each part.
+//! Divides the batch among the threads, each of which has its own memory. If the run may be
+//! stopped, the batch is processed in parts, and the clock is checked after each part.
 void Ransac::hypothesizeBatch()
 {
     const bool watched = context.watch && context.watch->isActive();

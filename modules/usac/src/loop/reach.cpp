@@ -20,10 +20,10 @@ than accuracy. A constant far above 5 fails: a wider threshold contains larger e
 reach grows again and again. See doc/constants.md. */
 constexpr double REACH = 5;
 
-/** Points of another motion, or of a second plane, may look like wide noise. But real wide noise has
-errors everywhere within the threshold. Therefore the reach does not grow if the errors within the
-threshold fit small noise that has at least this fraction of the inliers found for the wide noise.
-See doc/constants.md. */
+/** Points of another motion, or of a second plane, may look like wide noise. But real wide noise
+has errors everywhere within the threshold. Therefore the reach does not grow if the errors within
+the threshold fit small noise that has at least this fraction of the inliers found for the wide
+noise. See doc/constants.md. */
 constexpr double CORE = 1. / 3;
 
 //! Estimated standard deviation of the noise in the errors of the model, in the coordinates of the

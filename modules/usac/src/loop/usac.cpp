@@ -39,7 +39,7 @@ constexpr double LIMIT = 0.01, DECISIVE = 0.25;
 /* Polishing is undone unless at least this fraction of the gain of the model remains (the number of
 points, which is the cost without any model, minus the cost). If the threshold is no larger than the
 noise, the error of H is 3.1 times that of least squares with 0.9, because polishing is undone, and
-1.2 times with 0.5. On the benchmark lists, 0.25 changes nothing, and 1 raises errors by 2 to 6 %. */
+1.2 times with 0.5. On the benchmark lists, 0.25 changes nothing; 1 raises errors by 2 to 6 %. */
 constexpr double KEPT = 0.5;
 //! Values of Report::chance below this need not be exact. Halving or doubling it changes no run.
 constexpr double CLEAR = 1e-6;
@@ -188,11 +188,11 @@ private:
     }
 
     /** Searches with a reach (see reach.hpp) that grows if the errors of the best model show wide
-    noise. The noise is estimated when the search ends, and once after half of Params::maxIterations:
-    with a reach that is far too small, models have few inliers, and no criterion ends the search. It
-    is not estimated earlier, because the best model may then still be a wrong one with more noise,
-    for example between two planes. At the end the reach may also shrink again, because poor models
-    show more noise than there is. */
+    noise. The noise is estimated when the search ends, and once after half of
+    Params::maxIterations: with a reach that is far too small, models have few inliers, and no
+    criterion ends the search. It is not estimated earlier, because the best model may then still be
+    a wrong one with more noise, for example between two planes. At the end the reach may also
+    shrink again, because poor models show more noise than there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
