@@ -48,7 +48,7 @@ struct FieldChecker
     }
     template <class T>
     void operator()(const char*, std::vector<T> Params::*,
-                    const FieldValues&)  // see checkScores, checkInitialModel
+                    const FieldValues&)  // checked in checkScores() and checkInitialModel()
     {}
 };
 

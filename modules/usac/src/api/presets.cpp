@@ -198,7 +198,7 @@ Params Params::fromMethod(int method) { return fromMethod(methodFromInt(method))
 
 namespace {
 
-//! Selects LMedS and turns off the options that it excludes.
+//! Selects LMedS and turns off the options that cannot be combined with LMedS.
 void useLmeds(Params& params)
 {
     const Params lmeds = Params::lmeds();

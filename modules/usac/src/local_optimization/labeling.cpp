@@ -114,7 +114,7 @@ void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count, float lam
 {
     const int nodes = nodeCount;
     Arena::Scope scope(arena);
-    Vec2i* const arcs = scope.take<Vec2i>(count);  // between nodes
+    Vec2i* const arcs = scope.take<Vec2i>(count);  // arcs between two nodes of the graph
     int arcCount = 0;
     for (int e = 0; e < count; ++e)
     {

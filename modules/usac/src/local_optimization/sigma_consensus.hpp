@@ -54,7 +54,7 @@ private:
 
     //! @param all array for all points, used as temporary memory
     void select(const Context& context, Rng& rng, const Model& model, Near* all);
-    //! Adds the likelihoods of the points under the model of a part.
+    //! Adds to the weights the likelihoods of the points under the model of a part of the scales.
     void marginalize(const Context& context, PointSubset& subset, const Model& model, int part);
 
     const int partitions;

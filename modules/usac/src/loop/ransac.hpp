@@ -67,7 +67,7 @@ public:
 
 private:
     bool terminate();
-    //! True if the run must end now. @param work done since the last call, see Watch
+    //! True if the run must end now. @param work work done since the last call, in point tests
     bool stop(double work) const { return context.watch && context.watch->stop(work); }
     bool stopped() const { return context.watch && context.watch->stopped(); }
     void drawBatch();

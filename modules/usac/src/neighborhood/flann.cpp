@@ -23,7 +23,7 @@ constexpr int LINKS = 8;
 constexpr double BUILD_WORK = 300, SORT_WORK = 60, FIND_WORK = 2000;
 
 typedef cvflann::L2<float> SquaredDistance;
-typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, without random numbers
+typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, not randomized
 
 //! Squared distance and index of a point.
 typedef std::pair<float, int> Found;

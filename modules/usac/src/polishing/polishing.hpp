@@ -14,11 +14,11 @@ namespace usacv20 {
 //! a million points. It affects only how late a time limit ends a run.
 constexpr double FIT_WORK = 50;
 
-//! See LeastSquaresPolisher.
+//! Creates the polisher that fits to all inliers, see LeastSquaresPolisher.
 Ptr<Polisher> createLeastSquaresPolisher();
-//! See ReweightedPolisher.
+//! Creates the polisher with the weights of MAGSAC++, see ReweightedPolisher.
 Ptr<Polisher> createReweightedPolisher();
-//! See RobustPolisher.
+//! Creates the polisher with Tukey's biweight, see RobustPolisher.
 Ptr<Polisher> createRobustPolisher();
 
 }  // namespace usacv20

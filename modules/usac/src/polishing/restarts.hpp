@@ -59,11 +59,12 @@ private:
     //! Finds the inliers, and the outliers with the smallest errors. @return false if there are too
     //! few inliers, or more than #MOST and the threshold is not wide
     bool look(const Model& model);
-    //! Fits to the inliers, from samples of them and from the model itself.
+    //! Tries fits to the inliers that start from samples of inliers and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Fits to the inliers and one outlier at a time, from samples that contain this outlier.
+    //! Tries fits to the inliers and one outlier at a time that start from samples with this
+    //! outlier.
     void restartOutside(Model& model, Quality& quality);
-    //! Fits to the inliers and one outlier at a time, from the model.
+    //! Tries fits to the inliers and one outlier at a time that start from the model.
     void extendInliers(Model& model, Quality& quality);
     //! Least squares over the first `size` members, which starts from the models of a sample of
     //! these members. If the last of them is an outlier, the sample contains it. `index` is the
@@ -81,7 +82,7 @@ private:
     double lossOf(const Model& model, int size) const;
     bool fit(int size, Model& model) const;
     //! Polishes a fit. It replaces the model if its loss, before and after polishing, is below
-    //! `limit`, the checks accept it, and its cost is not higher than the model's.
+    //! `limit`, the checks accept it, and its cost is not higher than that of the model.
     bool accept(const Model& fitted, int size, double limit, Model& model, Quality& quality);
     //! Lets the checks update model and quality. False if they reject the model.
     bool check(Model& model, Quality& quality);

@@ -28,7 +28,7 @@ public:
     /** @brief Distorts a point.
     @param p the point
     @param d output, distorted point
-    @param derivative output, of `d` with respect to `p`; may be null
+    @param derivative output, derivative of `d` with respect to `p`; may be null
     @return false if `p` is not seen */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
     //! Finds the point `p` that distort() maps to `d`, to double precision. False if there is no

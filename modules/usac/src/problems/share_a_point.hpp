@@ -29,7 +29,7 @@ inline bool shareAPoint(const Correspondences& p, int i, int j)
     return samePoint(p, 0, i, j) || (p.coordinates[1] > 0 && samePoint(p, 1, i, j));
 }
 
-//! True if two matches are the same.
+//! True if two matches have the same points in both arrays.
 inline bool sameMatch(const Correspondences& p, int i, int j)
 {
     return samePoint(p, 0, i, j) && samePoint(p, 1, i, j);

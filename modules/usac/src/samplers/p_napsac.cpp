@@ -142,7 +142,7 @@ private:
     }
 
     GrowingSet growth;
-    Center* centers;  //!< one per point; null before the first local sample
+    Center* centers;  //!< one element per point; null before the first local sample
 };
 
 }  // namespace

@@ -115,7 +115,7 @@ private:
 
     const float* wrong;  //!< squared errors of wrong matches
     int wrongCount;
-    double unit;    //!< unit of SignificantScale
+    double unit;    //!< unit of the radii of SignificantScale
     double chance;  //!< probability that a point is within one unit of a wrong model
 };
 

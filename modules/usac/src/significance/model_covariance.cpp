@@ -19,10 +19,10 @@ namespace usacv20 {
 namespace {
 
 //! The noise is estimated from the errors up to WINDOW times the support, in at most STEPS steps,
-//! until its variance changes by less than SETTLED.
+//! until its variance changes by less than the fraction SETTLED.
 constexpr double WINDOW = 2, SETTLED = 1e-3;
 constexpr int STEPS = 30;
-//! Rounds in which leverages and probabilities are computed in turn.
+//! Number of rounds. Each round computes the leverages and then, from them, the probabilities.
 constexpr int ROUNDS = 3;
 //! A point's leverage is supported by those other points whose leverage is at least 1 / SIMILAR of
 //! it. ALONE is the number of inliers that are expected to have a leverage that no other inlier

@@ -83,7 +83,7 @@ private:
     const Residual& residual;
     const Ptr<Parameterization> rule;
     const int degrees, dimension;
-    double support, noise, right;  //!< right: number of inliers among the first `looked` points
+    double support, noise, right;  //!< Polisher::support(); sigma(); inliers in first `looked`
     bool known;
     float* squared;     //!< squared errors of all points
     int* members;       //!< indices of the first `count` points within the support

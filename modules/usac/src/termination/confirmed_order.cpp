@@ -27,7 +27,8 @@ constexpr int LATE_PART = 4;
 //! The coherence (CellPairs::coherence) of another motion is assumed to be this fraction of that of
 //! the best model. With a larger value, another motion is ruled out more easily.
 constexpr double OTHER_COHERENCE = 0.75;
-//! The best model's coherence is estimated from at least this many pairs of inliers in one cell.
+//! The coherence of the best model is estimated only if at least this many pairs of its inliers
+//! share a cell. With fewer pairs, no motion is ruled out.
 constexpr double LEAST_PAIRS = 50;
 //! The other motion is ruled out if there are fewer pairs in common cells than expected with this
 //! motion, by more than this many standard deviations. For each of the two cell sizes, this wrongly

@@ -11,17 +11,17 @@
 namespace cv {
 namespace usacv20 {
 
-//! See StandardTermination.
+//! Creates the standard criterion of RANSAC, see StandardTermination.
 Ptr<Termination> createStandardTermination();
-//! See SprtTermination.
+//! Creates the criterion for models that are verified by SPRT, see SprtTermination.
 Ptr<Termination> createSprtTermination();
-//! See PNapsacTermination.
+//! Creates the criterion of P-NAPSAC, see PNapsacTermination.
 Ptr<Termination> createPNapsacTermination();
-//! See MagsacTermination.
+//! Creates the criterion of MAGSAC, see MagsacTermination.
 Ptr<Termination> createMagsacTermination();
-//! See ProsacTermination.
+//! Creates the criterion of PROSAC, see ProsacTermination.
 Ptr<Termination> createProsacTermination();
-//! See ConfirmedOrderTermination.
+//! Creates the criterion for an order that the data confirm, see ConfirmedOrderTermination.
 Ptr<Termination> createConfirmedOrderTermination();
 
 /** Probability that the verifier does not reject a good model with this number of inliers, see

@@ -35,7 +35,7 @@ struct PairModel
 class PairModels
 {
 public:
-    //! Reads the arguments; raises cv::Exception for wrong ones.
+    //! Reads the arguments. Raises cv::Exception if one of them is wrong.
     PairModels(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules);
 
     //! Searches for E, F and H as described at #estimateTwoViewGeometry. The pair must have
@@ -48,7 +48,7 @@ public:
     //! Pairs with fewer matches are rejected without a search, because some F fits any seven
     //! matches.
     int leastMatches() const { return std::max(rules.minInliers, 8); }
-    //! The fundamental matrix, of norm 1, of an essential matrix.
+    //! The fundamental matrix that belongs to an essential matrix, scaled to norm 1.
     Matx33d fundamental(const Matx33d& essential) const;
     //! Computes the viewing directions, with z = 1, of the matches that are marked in a mask.
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
@@ -79,7 +79,7 @@ public:
     Params params;
     const TwoViewRules& rules;
     int iterations;  //!< number of samples of all searches, except those of homographyOfInliers()
-    Report refused;  //!< report of the best model that was rejected
+    Report refused;  //!< report of the rejected model with the lowest Report::chance
     bool cancelled;
 
 private:
@@ -108,8 +108,9 @@ private:
     bool isCalibrated;
     double sigma;  //!< Report::sigma of the model that set the threshold
     std::vector<float> scores;
-    String why;      //!< why the best model was rejected
-    String limited;  //!< confidences of the searches that Params::maxIterations ended too early
+    String why;      //!< why the model of `refused` was rejected
+    String limited;  //!< text with the confidences of searches that Params::maxIterations ended
+                     //!< before they reached the requested confidence
 };
 
 }  // namespace usacv20

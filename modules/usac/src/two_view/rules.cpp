@@ -91,7 +91,7 @@ public:
         return sum;
     }
 
-    double slowest;  //!< maximum of `logarithms`
+    double slowest;  //!< maximum of `logarithms`: for the pairs whose models are hardest to find
 
 private:
     void add(double logarithm, double weight)

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! See AbsolutePoseProblem. Arguments as for cv::solvePnP.
+//! Creates an AbsolutePoseProblem. The arguments are those of cv::solvePnP.
 Ptr<Problem> createAbsolutePoseProblem(InputArray cameraMatrix, InputArray distCoeffs);
 /** @brief Creates the solver of poses from 3 points, see P3PSolver.
 @param camera camera matrix with the last row and column 0 0 1: models are `camera` [R t] */

@@ -21,7 +21,7 @@ class PoseCamera
     const Distortion distortion;
 
 public:
-    //! Arguments as for cv::solvePnP. Raises cv::Exception if they are no camera.
+    //! Arguments as for cv::solvePnP. Raises cv::Exception if they do not describe a camera.
     PoseCamera(InputArray cameraMatrix, InputArray distCoeffs);
 
     //! Converts pixels to the coordinates of the search, in place; NaN for pixels at which the lens

@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-/** A conic as the upper triangle of its symmetric matrix: 00 01 02 11 12 22. */
+/** A conic, stored as the upper triangle of its symmetric matrix: entries 00 01 02 11 12 22. */
 struct Conic
 {
     double m[6];
@@ -86,7 +86,7 @@ double loneRoot(const double* c)
     const double p = a / 3 - shift * shift, q = shift * shift * shift + 0.5 * (b - a * shift);
     const double excess = q * q + p * p * p;
     double y;
-    if (excess > 0)  // Cardano
+    if (excess > 0)  // there is one real root: Cardano's formula
     {
         const double A = std::cbrt(std::abs(q) + std::sqrt(excess));
         y = A - p / A;

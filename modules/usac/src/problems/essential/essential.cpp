@@ -41,9 +41,10 @@ public:
     String name() const CV_OVERRIDE { return "essential"; }
     int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }  // measured
+    //! Measured values.
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }
     //! Two camera motions explain all points of a plane @cite ma2004invitation; only points off the
-    //! plane tell which one is right.
+    //! plane show which motion is right.
     bool ambiguous() const CV_OVERRIDE { return true; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
     {

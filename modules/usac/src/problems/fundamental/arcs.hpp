@@ -21,7 +21,7 @@ threshold if the epipole lies on this arc, see PlaneParallax and arcs.inl.hpp.
 @param from, to output: first and last bin of each arc; 0 and -1 if the arc is the whole line */
 typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
-namespace {  // compiled for different instruction sets
+namespace {  // unnamed, because it is compiled several times, for different instruction sets
 
 /* Position of the point u + t v, t = s / c, on a line, as a number that replaces the angle of the
 point and needs no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. The positions -1 and 3 are the

@@ -18,8 +18,9 @@ namespace {
 
 // doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Least-squares fits of a plane's homography: maximum number of points in a fit, of fits, and of
-//! steps of a fit. A plane with fewer than LEAST_POINTS points is not fitted.
+//! Least-squares fits of the homography of a plane: maximum numbers of points in a fit (MAX_FIT), of
+//! fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points is
+//! not fitted.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
 //! The last plane that was handled, called the known plane, is handled again if the number of its
 //! points has grown by more than this factor.

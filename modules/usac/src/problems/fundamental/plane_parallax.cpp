@@ -31,7 +31,7 @@ constexpr double WORTH_A_FIT = 0.8;
 //! 1. The points on the plane decide between similar epipoles.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
 //! Each step of a fit uses the voters within this many thresholds. The first steps use more voters,
-//! because a fit starts at the middle of a bin.
+//! because a fit starts at the middle of a bin, which may be inaccurate.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Two epipoles (as unit vectors) count as the same if the squared sine of the angle between them
 //! is below this value: a distance of about two bins.

@@ -20,7 +20,8 @@ namespace {
 //! The first LOOKED_AT points, a random subset, are compared with each other. A point may belong to
 //! a place if at least SEEN others of them are near it.
 constexpr int LOOKED_AT = 64, SEEN = 3;
-//! The extent of the first points is computed without 1 / TRIMMED of them at each end.
+//! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED of
+//! their coordinates.
 constexpr int TRIMMED = 32;
 //! A place has at least 1 / TENTH of all points. Even if all points lie on an object whose image is
 //! only 16 pixels wide, a region of the size of a place contains a smaller fraction of them.

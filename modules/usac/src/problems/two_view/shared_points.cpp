@@ -23,7 +23,8 @@ constexpr int LOOKED_AT = 64, FEW = 8;
 //! FIRST_PAIRS matches share a point. For comparison: if each of two points has a third of all
 //! matches, a fifth of the pairs share a point.
 constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
-//! The size of an image is estimated without 1 / TRIMMED of the first points at each end.
+//! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED of
+//! their coordinates.
 constexpr int TRIMMED = 10;
 
 //! A match does not constrain F if a shift of one end by this many thresholds moves the epipolar
