@@ -95,7 +95,7 @@ private:
     bool lookBeside();
     void improveRunnersUp();
     //! If the order of the points is known: replaces the best model by one of `alternatives` if the
-    //! order is more likely with the latter.
+    //! order is clearly more likely with the inliers of the alternative.
     void chooseByOrder();
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** The best model explains the points whose errors are at most EXPLAINED times

@@ -24,10 +24,11 @@ constexpr double WINDOW = 2, SETTLED = 1e-3;
 constexpr int STEPS = 30;
 //! Number of rounds. Each round computes the leverages and then, from them, the probabilities.
 constexpr int ROUNDS = 3;
-//! A point's leverage is supported by those other points whose leverage is at least 1 / SIMILAR of
-//! it. ALONE is the number of inliers that are expected to have a leverage that no other inlier
-//! has. With 0.05 instead of 0.01, only 79 instead of 87 % of the essential matrices in tests of
-//! forward motion with 30 % wrong matches are within their 95 % confidence region.
+//! The probability that a point is an inlier depends on the numbers of inliers and of outliers that
+//! have at least 1 / SIMILAR times its leverage. ALONE is the number of inliers that are expected
+//! to have a leverage that no other inlier has. With 0.05 instead of 0.01, only 79 instead of 87 %
+//! of the essential matrices in tests of forward motion with 30 % wrong matches are within their
+//! 95 % confidence region.
 constexpr double SIMILAR = 10, ALONE = 0.01;
 //! Largest fraction of the information on a parameter that may come from the noise, and the number
 //! of points from which the information of the noise is computed.

@@ -28,7 +28,8 @@ constexpr int LATE_PART = 4;
 //! the best model. With a larger value, another motion is ruled out more easily.
 constexpr double OTHER_COHERENCE = 0.75;
 //! The coherence of the best model is estimated only if at least this many pairs of its inliers
-//! share a cell. With fewer pairs, no motion is ruled out.
+//! share a cell (geometric mean of the numbers in both arrays). With fewer pairs, coherence rules
+//! out no motion.
 constexpr double LEAST_PAIRS = 50;
 //! The other motion is ruled out if there are fewer pairs in common cells than expected with this
 //! motion, by more than this many standard deviations. For each of the two cell sizes, this wrongly

@@ -18,9 +18,9 @@ namespace {
 
 // doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Least-squares fits of the homography of a plane: maximum numbers of points in a fit (MAX_FIT), of
-//! fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points is
-//! not fitted.
+//! Least-squares fits of the homography of a plane: maximum numbers of points in a fit (MAX_FIT),
+//! of fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points
+//! is not fitted.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
 //! The last plane that was handled, called the known plane, is handled again if the number of its
 //! points has grown by more than this factor.
@@ -34,8 +34,8 @@ constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! A dominant plane also has at least this fraction w of all points. With w = 0.1, one sample in
 //! 5000 (21 w^5) has five of its seven points on the plane; smaller planes arise by chance.
 constexpr double SEEN = 0.1;
-//! Models with fewer inliers than this fraction of those of the best model are not searched for.
-//! The fraction is below 1 because local optimization may add inliers.
+//! Models that have less than this fraction of the number of inliers of the best model are not
+//! searched for. The fraction is below 1 because local optimization may add inliers.
 constexpr double OF_INTEREST = 0.9;
 //! A match is off the plane and votes for the epipole if its squared transfer error exceeds this
 //! many squared thresholds; a match closer to the plane is an inlier for any epipole.
