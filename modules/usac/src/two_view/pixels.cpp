@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-//! About the maximum number of points from which an area is computed.
+//! Maximum number of points from which an area is computed.
 constexpr int TELL_AREA = 200;
 
 Eigen::Matrix3d toEigen(const Matx33d& A)
