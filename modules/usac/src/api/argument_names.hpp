@@ -6,29 +6,30 @@
 #define OPENCV_USACV20_ARGUMENT_NAMES_HPP
 
 // Some functions (those of calib3d, for example) have other argument names than the estimation that
-// they call. This translates the names in error messages.
+// they call. The functions of this file translate the names in error messages.
 
 #include <opencv2/core.hpp>
 
 namespace cv {
 namespace usacv20 {
 
-//! Name of an argument in the estimation, and in the function that the caller has called.
+//! Name of an argument in the estimation (`inner`), and in the function that the caller has called
+//! (`callers`).
 struct ArgumentName
 {
     const char *inner, *callers;
 };
 
-//! Names that some problems have for the arguments of the functions of any problem, such as
-//! #fitModel.
+//! Names of arguments that some problems use in messages, and their names in functions that are for
+//! any problem, such as #fitModel.
 const ArgumentName ANY_PROBLEM[] = {{"objectPoints", "points1"},
                                     {"imagePoints", "points2"},
                                     {"cameraMatrix", "cameraMatrix1"},
                                     {"distCoeffs", "distCoeffs1"}};
 
 //! Throws `mistake` with the argument names before the colon, as in "points1 and points2: lists of
-//! ...", replaced by those of the caller. Returns if none of them differs, or if the text before
-//! the colon is not a list of names.
+//! ...", replaced by those of the caller. Returns without throwing if no name differs, or if the
+//! text before the colon is not a list of names.
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 
 //! Calls an estimation and translates the argument names in its exceptions. A handler installed

@@ -35,7 +35,7 @@ bool isList(InputArrayOfArrays list)
            kind == _InputArray::STD_ARRAY_MAT;
 }
 
-//! A list of arrays with an entry for each task, a single one for all tasks, or none.
+//! A list of arrays with one entry for each task, a single entry for all tasks, or no entry.
 class OneOrEach
 {
 public:
@@ -90,7 +90,7 @@ std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1,
     return tasks;
 }
 
-//! The first or only camera of each task.
+//! Sets the first or only camera of each task.
 void setCameras(InputArrayOfArrays matrices, const char* nameOfMatrices, InputArrayOfArrays lenses,
                 const char* nameOfLenses, std::vector<Task>& tasks)
 {
@@ -104,7 +104,7 @@ void setCameras(InputArrayOfArrays matrices, const char* nameOfMatrices, InputAr
     }
 }
 
-//! The camera of the second image of each task, which need not be given.
+//! Sets the camera of the second image of each task if the lists are not empty.
 void setSecondCameras(InputArrayOfArrays matrices, InputArrayOfArrays lenses,
                       std::vector<Task>& tasks)
 {

@@ -17,11 +17,11 @@ namespace {
 
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Numbers;
 
-//! Step of the derivative of the normal form, in parameters: central differences are exact to about
-//! 1e-10.
+//! Step of the parameters for the derivative of the normal form by central differences, whose error
+//! is about 1e-10.
 constexpr double STEP = 1e-6;
-//! Largest part of its norm by which an essential matrix may differ from that of the motion, and a
-//! rotation from an orthogonal matrix.
+//! Largest accepted difference, as a fraction of the norm, of an essential matrix from that of the
+//! motion, and of a rotation from an orthogonal matrix.
 constexpr double SAME = 1e-6;
 
 Mat toMat(const Numbers& numbers)
@@ -31,7 +31,8 @@ Mat toMat(const Numbers& numbers)
     return result;
 }
 
-//! A matrix of the caller; `rows` x `cols` numbers in any depth. Empty: another shape.
+//! Reads a matrix of the caller with `rows` x `cols` numbers of any depth. If it has another shape,
+//! the result is empty.
 Mat readMatrix(InputArray given, int rows, int cols)
 {
     const Mat matrix = given.getMat();
@@ -41,7 +42,7 @@ Mat readMatrix(InputArray given, int rows, int cols)
     return numbers;
 }
 
-//! A model of the caller, in its normal form and in that of its parameterization.
+//! A model of the caller, in its normal form and in the form that its parameterization uses.
 class GivenModel
 {
 public:
@@ -69,11 +70,11 @@ public:
     }
 
     int dimension() const { return rule->dimension(); }
-    //! In the normal form, as Problem::toInput has it.
+    //! The model in its normal form, see Problem::toInput.
     const Model& model() const { return normal; }
     const Problem& kind() const { return *problem; }
 
-    //! Derivatives of all entries of model() by the parameters.
+    //! Derivatives of all entries of model() with respect to the parameters.
     Numbers tangent() const
     {
         Numbers result(normal.size(), dimension());
@@ -87,7 +88,7 @@ public:
         return result * own.colPivHouseholderQr().solve(Eigen::MatrixXd(callers));
     }
 
-    //! The same of the entries that the caller gets.
+    //! The derivatives only of those entries that Problem::toOutput() returns to the caller.
     Numbers tangentOfOutput() const { return tangent().topRows(problem->toOutput(normal).total()); }
 
     Numbers covariance(InputArray given) const
@@ -114,7 +115,7 @@ private:
 
     const Ptr<Problem> problem;
     const Ptr<Parameterization> rule;
-    const Correspondences points;  //!< none; the caller's coordinates
+    const Correspondences points;  //!< no points; its frames keep the caller's coordinates
     Model normal, here;
 };
 
@@ -159,7 +160,7 @@ Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R, 
     const double sign = normal.cwiseProduct(turnedAbout(direction, turn)).sum() < 0
                             ? -std::sqrt(0.5)
                             : std::sqrt(0.5);
-    // derivatives of E by the rotation vector and by the two directions perpendicular to t
+    // derivatives of E with respect to the rotation vector and two directions perpendicular to t
     Eigen::Matrix<double, 9, 5> byMotion;
     const Eigen::Vector3d across[2] = {direction.unitOrthogonal(),
                                        direction.cross(direction.unitOrthogonal())};

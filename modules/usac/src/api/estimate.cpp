@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "api/argument_names.hpp"
 
-// The functions estimate<NAME> of all problems, and the one of any problem.
+// The functions estimate<NAME> of all problems, and the function that is for any problem.
 
 namespace cv {
 namespace usacv20 {
@@ -23,7 +23,7 @@ Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2, c
     });
 }
 
-// Each problem has two functions: with a report, and without.
+// Each problem has two functions: one with a report, and one without a report.
 #define USACV20_IMAGES(TYPE, NAME)                                                                 \
     Mat estimate##NAME(InputArray points1, InputArray points2, const Params& params,               \
                        OutputArray mask, Report& report)                                           \
@@ -38,7 +38,7 @@ Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2, c
 
 #define USACV20_SPACES(TYPE, NAME) USACV20_IMAGES(TYPE, NAME)
 
-// A third one, as one camera matrix may hold for both images.
+// Problems with cameras have a third function, for one camera matrix that holds for both images.
 #define USACV20_CAMERAS(TYPE, NAME)                                                                \
     Mat estimate##NAME(InputArray points1, InputArray points2, InputArray cameraMatrix1,           \
                        InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,   \

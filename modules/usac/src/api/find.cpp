@@ -29,7 +29,7 @@ static const ArgumentName FOCAL[] = {{"cameraMatrix", "focal, pp"}};
 static const ArgumentName CAMERAS_OF_PARAMS[] = {{"distCoeffs1", "dist_coeff1"},
                                                  {"distCoeffs2", "dist_coeff2"}};
 
-//! Essential matrix of two cameras.
+//! Estimates the essential matrix of two cameras.
 static Mat estimate(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                     InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
                     OutputArray mask, const Params& params)

@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Called before the points are read, in case points were passed as the model.
+//! Raises a cv::Exception if `model` cannot be a model. Called before the points are read, because
+//! the caller may have passed points as the model.
 void checkModel(InputArray model)
 {
     if (model.channels() != 1 || model.total() > MAX_MODEL_SIZE)

@@ -24,7 +24,7 @@ Mat removeDistortion(InputArray points, InputArray cameraMatrix, InputArray dist
         const bool any = distortion.undistort(Vec2d(seen[0], seen[1]), point);
         const Vec3d ideal = K * Vec3d(point[0], point[1], 1);
         const bool finite = any && std::abs(ideal[0]) <= DBL_MAX &&
-                            std::abs(ideal[1]) <= DBL_MAX;  // false for NaN
+                            std::abs(ideal[1]) <= DBL_MAX;  // a NaN makes this false
         pixel[0] = finite ? ideal[0] : NAN;
         pixel[1] = finite ? ideal[1] : NAN;
     }

@@ -48,7 +48,7 @@ struct FieldChecker
     }
     template <class T>
     void operator()(const char*, std::vector<T> Params::*,
-                    const FieldValues&)  // see checkScores, checkInitialModel
+                    const FieldValues&)  // checked in checkScores() and checkInitialModel()
     {}
 };
 
@@ -122,8 +122,8 @@ void checkScores(const Params& p, int count)
                        p.scores[i]));
 }
 
-//! Checks number and finiteness of the entries; Problem::fromOutput checks whether they are a model
-//! of the problem.
+//! Checks the number and the finiteness of the entries. Problem::fromOutput later checks whether
+//! they are a model of the problem.
 void checkInitialModel(const std::vector<double>& model)
 {
     if ((int)model.size() > MAX_MODEL_SIZE)

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** A plane with more than this fraction of the inliers is dominant: its second motion is reported,
-as in PlanarMotion. See doc/constants.md. */
+/** A plane with more than this fraction of the inliers is dominant, as in PlanarMotion: the second
+motion that explains the plane is then reported, too. See doc/constants.md. */
 constexpr double DOMINANT = 0.8;
 //! A point is on the plane if it is within this many thresholds of its image under the homography.
 //! See doc/constants.md.
@@ -44,9 +44,9 @@ public:
         Mat essential, mask;
         Report report;
         Motion motion;
-        int inliers;  //!< of the essential matrix, including those behind a camera
-        double cost;  //!< sum of squared errors, in squared thresholds; a point that is not an
-                      //!< inlier in front of both cameras counts 1
+        int inliers;  //!< inliers of the essential matrix, including points behind a camera
+        double cost;  //!< sum of squared errors, in squared thresholds; a point counts as 1 if it
+                      //!< is an outlier or not in front of both cameras
     };
 
     bool search(Solution& found)
@@ -57,8 +57,8 @@ public:
         return !found.essential.empty();
     }
 
-    //! Finds the second motion of a dominant plane. @return number of inliers on the plane; 0: no
-    //! plane is dominant
+    //! Finds the second motion that explains a dominant plane. @return number of inliers on the
+    //! plane; 0: no plane is dominant
     int otherOfPlane(const Solution& found, Solution& other)
     {
         Matx33d H;
@@ -80,7 +80,7 @@ public:
         return onPlane;
     }
 
-    //! Removes points behind a camera from the mask. @return their number
+    //! Removes points behind a camera from the mask. @return number of points removed
     int hideBehind(Solution& solution) const
     {
         int behind = 0;
@@ -134,8 +134,8 @@ private:
     //! Inlier threshold on the normalized image planes.
     double limit(const Solution& solution) const { return unit * solution.report.threshold; }
 
-    //! Homography of the plane with the most inliers, and one point of this plane. @return number
-    //! of inliers on it
+    //! Finds the homography of the plane with the largest number of inliers, and one point of this
+    //! plane. @return number of inliers on the plane
     int plane(const Solution& found, Matx33d& H, Vec3d& point) const
     {
         const double pixels = found.report.threshold / limit(found);
@@ -173,8 +173,9 @@ private:
 
     const Params params;
     const Ptr<Usac> usac;
-    const double unit;          //!< length of a pixel on the normalized image planes
-    std::vector<Vec3d> x1, x2;  //!< undistorted points on these planes, NaN if not finite
+    const double unit;          //!< size of a pixel on the normalized image planes
+    std::vector<Vec3d> x1, x2;  //!< undistorted points on the normalized image planes; NaN if the
+                                //!< point is not finite
 };
 
 }  // namespace
@@ -197,7 +198,7 @@ bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cam
         if (!other.essential.empty() && other.cost < best.cost)
         {
             std::swap(best, other);
-            std::swap(best.report, other.report);  // keep the report of the search
+            std::swap(best.report, other.report);  // `best` has the report of the search again
             best.report.cost = other.report.cost;
         }
         pose.behind = views.hideBehind(best);

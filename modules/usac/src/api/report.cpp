@@ -12,8 +12,8 @@ namespace {
 //! Report::chance above which a model is called no better than chance: the limit for
 //! Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
-//! describe() says that few inliers are independent (most are at a few places) if there are more
-//! than this many inliers for each independent one.
+//! describe() says that few inliers are independent of each other (most of them share a few points
+//! up to noise) if there are more than this many inliers for each independent inlier.
 constexpr int FEW = 4;
 
 }  // namespace

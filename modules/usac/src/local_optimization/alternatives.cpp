@@ -11,24 +11,25 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant. The gain of a model is
+// defined in Alternative.
 
-//! The gain of an alternative is at least this fraction of the largest one.
+//! The gain of an alternative is at least this fraction of the largest gain of all models.
 constexpr double NEAR = 0.94;
-//! Two models have other inliers if more than this fraction of those of one are no inliers of the
-//! other.
+//! Two models have different inliers if more than this fraction of the inliers of either model are
+//! not inliers of the other model.
 constexpr double DIFFERENT = 0.1;
 //! An alternative shares at least this fraction of its inliers with the model of largest gain. A
-//! model that shares few is that of another motion: there, the number of matches decides.
+//! model that shares fewer inliers is that of another motion; then the number of matches decides.
 constexpr double SHARED = 0.5;
-//! The gain (the cost of an outlier is 1) that one unit of log-likelihood of the order is worth.
-//! MSAC's unit of cost is a log-likelihood of 1.9 (errors with one component) or 3, if the errors
-//! were independent.
+//! Weight of the log-likelihood of the order relative to the gain, of which an outlier costs 1. For
+//! comparison: if errors were independent, MSAC's unit of cost would be a log-likelihood of 1.9
+//! (errors with one component) or 3. A larger value gives the order more influence.
 constexpr double WORTH = 1;
-//! Minimum advantage of an alternative, in standard deviations of the log-likelihood: each point
-//! that is an inlier of only one of two models changes it by about 1 at random.
+//! Minimum advantage of an alternative, in standard deviations of the log-likelihood. Each point
+//! that is an inlier of only one of the two models changes the log-likelihood by about 1 at random.
 constexpr double DEVIATIONS = 2;
-//! Maximum number of points that the likelihood of the order is computed from.
+//! Maximum number of points from which the likelihood of the order is computed.
 constexpr int LOOKED = 4096;
 
 //! Number of points that are inliers of only one of two models.
@@ -64,7 +65,8 @@ void Alternatives::offer(const Context& context, const Candidate& candidate, boo
         kept[i] = kept[i - 1];
     kept[place] = added;
     int left = place + 1;
-    for (int i = place + 1; i <= count; ++i)  // those that are now the same, or too far behind
+    // drops models that have the same inliers as the new one, or too low a gain
+    for (int i = place + 1; i <= count; ++i)
         if (kept[i].gain >= NEAR * kept[0].gain && !same(kept[i].inliers, added.inliers))
             kept[left++] = kept[i];
     count = std::min<int>(left, MOST);
@@ -83,7 +85,7 @@ double Alternatives::orderOf(const Context& context, const Model& model, const i
     int size = 0;
     for (int i = 0; i < p.size; ++i)
         if (order[i] < looked)
-            inliers[size++] = errors[order[i]] <= limit;  // false for NaN
+            inliers[size++] = errors[order[i]] <= limit;  // NaN is not an inlier
     return orderLogLikelihood(inliers, size, blocks) * p.size / looked;
 }
 

@@ -10,50 +10,54 @@
 namespace cv {
 namespace usacv20 {
 
-//! An optimized model.
+//! A model after local optimization.
 struct Alternative
 {
     Candidate candidate;
     bool sampled;  //!< the model comes from a sample
     InlierBits inliers;
-    double gain;  //!< reduction of the cost relative to no model at all
+    double gain;  //!< number of points, which is the cost without any model, minus the cost
 };
 
-/** @brief Optimized models that cost hardly more than the best one, but have partly other inliers.
+/** @brief Optimized models whose cost is hardly higher than that of the best model, but whose
+inliers are partly different.
 
-With repeated structure or planes, a wrong model may explain a few more matches than the right one,
-and no search can tell by the cost. But if the order of the matches is known, the inliers of the
-right model come earlier in it: the descriptor of a repeated corner has a second neighbor that is
-nearly as close. So another model than the one of lowest cost is chosen if its gain is nearly as
-large, they share inliers, and the order is more likely with its inliers (orderLogLikelihood()) by
-more than what it loses in gain and by more than chance. As the gains are nearly equal, misleading
-scores can do little harm. */
+With repeated structure or planes, a wrong model may explain a few more matches than the right
+model, and no search can tell this by the cost. But if the order of the matches is known, the
+inliers of the right model come earlier in the order, because the descriptor of a repeated corner
+has a second neighbor that is nearly as close. Therefore another model than that of lowest cost is
+chosen on three conditions: its gain is nearly as large; the two models share inliers; the order is
+more likely with the inliers of the other model (orderLogLikelihood()) by more than the difference
+of the gains and by more than chance. As the gains are nearly equal, misleading scores can do little
+harm. */
 class Alternatives
 {
 public:
-    //! @param active false: keep none, as the order is not known, or the cost is no sum over points
+    //! @param active false: no models are stored, because the order is not known or because the
+    //! cost is not a sum over the points
+    //! @param arena memory of the run
     Alternatives(bool active, Arena& arena);
 
     bool active() const { return kept != 0; }
-    //! Keeps the model if it is one of those defined above; only if active().
+    //! Stores the model if it is one of those described above. To be called only if active().
     void offer(const Context& context, const Candidate& candidate, bool sampled);
     //! False if chosen() returns null for any order.
     bool contested() const { return count > 1; }
-    //! The model to choose instead of the one of lowest cost; null: none.
-    //! @param order the points, best first
+    //! The model to choose instead of that of lowest cost; null: there is no such model.
+    //! @param order the points, best point first
     const Alternative* chosen(const Context& context, const int* order) const;
     //! Forgets all models.
     void clear() { count = 0; }
 
 private:
-    enum { MOST = 8 };  //!< maximum number of models that are kept
+    enum { MOST = 8 };  //!< maximum number of models that are stored
 
-    //! orderLogLikelihood() of all points; computed from the first #LOOKED of them, which are a
-    //! random sample.
+    //! orderLogLikelihood() of all points, extrapolated from the first #LOOKED of them, which are a
+    //! random subset.
     double orderOf(const Context& context, const Model& model, const int* order) const;
 
-    Alternative* kept;  //!< by descending gain; null: inactive
-    int count;          //!< number of models kept
+    Alternative* kept;  //!< stored models, by descending gain; null: inactive
+    int count;          //!< number of stored models
 };
 
 }  // namespace usacv20

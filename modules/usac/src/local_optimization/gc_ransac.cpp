@@ -12,17 +12,18 @@ namespace usacv20 {
 
 namespace {
 
-//! Gauss-Newton steps of a fit, which starts from the model; enough for a sample of several times
-//! the minimal size. See doc/constants.md.
+//! Gauss-Newton steps of a fit, which starts from the model. They are enough for a sample of
+//! several times the minimal size. See doc/constants.md.
 constexpr int FIT_STEPS = 3;
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in the paper;
 GraphCutOptimizer is a faster variant.
 
 Each iteration finds the inliers of the model by a graph cut (Labeling) and fits models to random
-samples of them, of Params::localSampleMultiple times the minimal size, or to all if there are
-fewer. The first iteration without a better model is the last. Params::localIterations bounds the
-number of iterations, Params::localSamples the number of samples per iteration. */
+samples of these inliers. A sample has Params::localSampleMultiple times the minimal size, or
+contains all inliers if there are fewer. The first iteration without a better model is the last one.
+Params::localIterations bounds the number of iterations, Params::localSamples the number of samples
+per iteration. */
 class GcRansacOptimizer : public LocalOptimizer
 {
 public:

@@ -12,11 +12,11 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
 //! Maximum number of points of a fit to the inliers (MAX_FIT), and of a fit to the points within a
-//! shrinking threshold (MAX_SHRINK): while the inliers still change, fits to more points are
-//! slower, not better.
+//! shrinking threshold (MAX_SHRINK). While the inliers still change, fits to more points are slower
+//! but not better.
 constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
 //! Gauss-Newton steps of a fit from a model that does not yet fit the inliers well.
 constexpr int SHRINK_STEPS = 2;
@@ -26,23 +26,25 @@ constexpr int FIT_STEPS = 1;
 constexpr int PART = 2;
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold.
 constexpr int WIDE = 3;
-//! An iteration is the last one unless it lowers the cost below this part of the previous cost.
+//! An iteration is the last one unless it lowers the cost below this fraction of the previous cost.
 constexpr double WORTHWHILE = 0.97;
-//! Error, in thresholds, up to which a point without edges is labeled as an inlier: there, K (see
-//! Labeling) is 1 / 2.
+//! Error, in thresholds, up to which a point without edges is labeled as an inlier. At this error,
+//! K (see Labeling) is 1 / 2.
 const double LABELED = std::sqrt(2 * CV_LOG2);
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
-Alternates between finding the spatially coherent inliers of the model (Labeling) and an inner
+First, as in LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of
+the threshold, which shrinks to one threshold. For a model of a minimal sample, the final threshold
+alone would lead to the nearest local optimum, because the few inliers within it confirm the model.
+Optimization ends after these fits unless the model is now clearly better than the so-far-the-best
+model.
+
+Then each iteration finds the spatially coherent inliers of the model (Labeling) and runs an inner
 RANSAC over these inliers: models are fitted to random samples of Params::localSampleMultiple times
-the minimal size, and to all inliers (#MAX_FIT random ones if there are more). Before that, as in
-LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of the
-threshold that shrinks to 1: for a model of a minimal sample, the final threshold alone would lead
-to the nearest local optimum, as the few inliers within it confirm the model. Optimization ends
-after these fits unless the model is now clearly better than the so-far-the-best one. A better fit
-always replaces the model; the first iteration without a clear gain is the last, and
-Params::localIterations bounds the number of iterations. */
+the minimal size, and to all inliers (to #MAX_FIT random inliers if there are more). A better fit
+always replaces the model. The first iteration without a clear decrease of the cost is the last one,
+and Params::localIterations bounds the number of iterations. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -73,7 +75,8 @@ public:
     }
 
 private:
-    //! Fits to the points within #WIDE, ..., 2 and 1 thresholds, each from the previous fit.
+    //! Fits the model to the points within #WIDE, ..., 2 and 1 thresholds. Each fit starts from the
+    //! previous one. @return true if the model was replaced
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;

@@ -17,21 +17,23 @@ class InlierSet
 public:
     InlierSet() : members(0), count(0), errors(0) {}
 
-    //! Takes memory for this many points; has to be called first.
+    //! Takes memory for `points` points. Must be called before all other methods.
     void allocate(Arena::Scope& scope, int points)
     {
         members = scope.take<int>(points);
         errors = scope.take<float>(points);
         count = 0;
     }
-    //! Sets the members: the points with errors up to this multiple of the threshold.
+    //! Sets the members to the points with errors up to `multiple` thresholds.
     void within(const Context& context, const Model& model, double multiple);
-    //! Moves `most` random members, or all if there are fewer, to the front. @return their number
+    //! Moves `most` random members, or all members if there are fewer, to the front of the array.
+    //! @return number of members moved to the front
     int select(Rng& rng, int most);
-    //! Least squares over the first `first` members, starting from `model`; false if they do not
-    //! determine a model.
+    //! Least squares over the first `first` members, starting from `model`. False if these members
+    //! do not determine a model.
     bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
-    //! The same, but the fit replaces the model only if its quality is better.
+    //! The same, but the fit replaces the model only if its quality is better. @return true if it
+    //! replaced the model
     bool improve(const Context& context, int first, Model& model, Quality& quality,
                  int iterations = 10) const;
 
@@ -44,7 +46,7 @@ private:
     float* errors;
 };
 
-//! Replaces the model by `candidate` if that is better. @return true if it is
+//! Replaces the model by `candidate` if `candidate` has a better score. @return true if it has
 bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality);
 
 }  // namespace usacv20

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! K (see Labeling) of a point at an error of 3.25 thresholds; smaller K are taken as 0, which
-//! saves the exponential.
+//! Values of K (see Labeling) below this one count as 0, which saves the exponential. A point has
+//! this K if its error is 3.25 thresholds.
 constexpr float NEGLIGIBLE = 0.005f;
 //! Work per point to find the edges (without a kd-tree) and to cut the graph, in point tests, the
 //! unit of Watch: 100 ns with a million points. It affects only how late a time limit ends a run.
@@ -29,7 +29,7 @@ void Labeling::weigh(const Context& context, const Model& model)
     const float reach = std::log(NEGLIGIBLE) / factor;
     for (int i = 0; i < size; ++i)
     {
-        K[i] = errors[i] < reach ? std::exp(errors[i] * factor) : 0;  // 0 for NaN
+        K[i] = errors[i] < reach ? std::exp(errors[i] * factor) : 0;  // NaN gives 0
         unary[i] = 1 - 2 * K[i];
     }
 }
@@ -47,13 +47,13 @@ int Labeling::degreeOf(const Vec2i* edges, int count)
 /* An edge (p, q) changes the cost of p as an inlier minus its cost as an outlier by -lambda a if q
 is an inlier, and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. A point whose
 label is the same for any labels of its neighbors is labeled before the cut. For most points a
-coarse test shows this: lambda times the largest number of edges does not outweigh `unary`. */
+coarse test is enough: the magnitude of `unary` exceeds lambda times the largest number of edges. */
 void Labeling::labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     if (degree < 0)
         degree = degreeOf(edges, count);
     const float mostOfEdges = lambda * degree;
-    // bounds of `unary` plus the changes by the edges, for any labels of the neighbors
+    // bounds of `unary` plus the changes by the edges over all possible labels of the neighbors
     Arena::Scope scope(arena);
     float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
     for (int i = 0; i < size; ++i)
@@ -97,7 +97,7 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     const Vec2i* edges = 0;
     int count = context.stopBefore(size * CUT_WORK) ? 0
                                                     : context.neighborhood().edges(context, edges);
-    if (context.stop(0))  // while the edges were searched
+    if (context.stop(0))  // the time limit was reached while the edges were searched
         count = 0;
     labelWithoutCut(context.arena, edges, count, lambda);
     labelByCut(context.arena, edges, count, lambda);
@@ -108,13 +108,13 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     return found;
 }
 
-/* With x = 1 for an inlier and 0 for an outlier, the cost of an edge is lambda times a + (1 - a)
-x_p - a x_q + (1 - x_p) x_q. The last term is one arc of the graph. */
+/* With x = 1 for an inlier and 0 for an outlier, the cost of an edge (p, q) is lambda times
+a + (1 - a) x_p - a x_q + (1 - x_p) x_q. The last term is one arc of the graph. */
 void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda)
 {
     const int nodes = nodeCount;
     Arena::Scope scope(arena);
-    Vec2i* const arcs = scope.take<Vec2i>(count);  // between nodes
+    Vec2i* const arcs = scope.take<Vec2i>(count);  // arcs between two nodes of the graph
     int arcCount = 0;
     for (int e = 0; e < count; ++e)
     {
@@ -136,10 +136,10 @@ void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count, float lam
     const bool linked = arcCount > 0;  // GCGraph does not accept a graph without edges
     if (linked)
     {
-        graph = detail::GCGraph<float>();  // empties it; a copied vector keeps its memory
+        graph = detail::GCGraph<float>();  // empties the graph without freeing its memory
         graph.create((unsigned)nodes, 2 * (unsigned)arcCount);
     }
-    for (int v = 0; linked && v < nodes; ++v)  // inliers are on the source side
+    for (int v = 0; linked && v < nodes; ++v)  // nodes on the source side will be inliers
     {
         graph.addVtx();
         graph.addTermWeights(v, std::max(-unary[pointOfNode[v]], 0.f),

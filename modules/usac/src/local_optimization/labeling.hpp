@@ -21,8 +21,8 @@ namespace usacv20 {
 
 With K_p = exp(-error_p^2 / (2 threshold^2)), a point p costs 1 - K_p as an inlier and K_p as an
 outlier. An edge (p, q) costs lambda if the labels differ, lambda (K_p + K_q) / 2 if both points are
-outliers, lambda (1 - (K_p + K_q) / 2) if both are inliers. The energy is submodular, so a minimum
-cut gives its exact minimum.
+outliers, and lambda (1 - (K_p + K_q) / 2) if both points are inliers, where lambda is
+Params::spatialWeight. The energy is submodular, so that a minimum cut gives its exact minimum.
 
 Points whose label does not depend on their neighbors (most points in practice) are labeled before
 the cut and are not nodes of the graph. Points far from the model (K_p below #NEGLIGIBLE) are always
@@ -32,9 +32,10 @@ class Labeling
 public:
     Labeling() : K(0), unary(0), node(0), pointOfNode(0), size(0), nodeCount(0), degree(-1) {}
 
-    //! Called when a run begins: the edges are new.
+    //! To be called when a run begins, because its points have other edges.
     void start() { degree = -1; }
-    //! Writes the inliers to `inliers`, which has room for all points. @return their number
+    //! Writes the indices of the inliers to `inliers`, an array of the size of all points.
+    //! @return number of inliers
     int cut(const Context& context, const Model& model, int* inliers);
 
 private:
@@ -42,18 +43,18 @@ private:
 
     int degreeOf(const Vec2i* edges, int count);
     void weigh(const Context& context, const Model& model);
-    //! Labels the points that the edges cannot change; the others become nodes.
+    //! Labels the points whose label the edges cannot change. The other points become nodes.
     void labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda);
     //! Labels the nodes by a minimum cut.
     void labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda);
 
-    // during a cut
-    float* K;
+    // The following are valid only during a cut, except for the memory of `graph`.
+    float* K;                      //!< K_p of each point
     float* unary;                  //!< cost as an inlier minus cost as an outlier
-    int* node;                     //!< node of each point in the graph, or its label
+    int* node;                     //!< node of each point in the graph, or its label (negative)
     int* pointOfNode;              //!< point of each node
-    int size, nodeCount;           //!< points, nodes
-    detail::GCGraph<float> graph;  //!< keeps its memory
+    int size, nodeCount;           //!< numbers of points and of nodes
+    detail::GCGraph<float> graph;  //!< a member in order to reuse its memory
 
     int degree;  //!< largest number of edges of a point; -1: not yet known
 };

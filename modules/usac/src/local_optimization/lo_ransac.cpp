@@ -24,14 +24,15 @@ constexpr int FLO_FIT = 7;
 locally optimized RANSAC" @cite lebeda2012fixing (FLO-RANSAC).
 
 The model is fitted to the points within #WIDE thresholds. Then an inner RANSAC draws
-Params::localSamples samples from the inliers of that fit, of Params::localSampleMultiple times the
-minimal size, but at most half of these inliers. A model is fitted to each sample and then refined
-by least squares over the points within a threshold that shrinks from #WIDE times to the threshold
-itself in Params::localIterations steps. The best of all these fits replaces the model if it is
-better.
+Params::localSamples samples from the inliers of this fit. A sample has Params::localSampleMultiple
+times the minimal size, but contains at most half of these inliers. A model is fitted to each sample
+and then refined by least squares over the points within a threshold that shrinks from #WIDE times
+the threshold to the threshold itself in Params::localIterations steps. The best of all these fits
+replaces the model if it is better.
 
-LO-RANSAC fits to all selected points. FLO-RANSAC fits to a random subset of at most #FLO_FIT times
-the minimal sample size: a fit takes the same time for any number of points, and fits vary more. */
+LO-RANSAC fits models to all selected points. FLO-RANSAC fits them to a random subset of at most
+#FLO_FIT times the minimal sample size. A fit then takes the same time for any number of points, and
+the fits vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:
@@ -66,8 +67,8 @@ public:
     }
 
 private:
-    //! Least squares over the points within a shrinking threshold; a fit starts from the previous
-    //! one.
+    //! Repeats least squares over the points within a shrinking threshold. Each fit starts from the
+    //! previous one. @return true if the model was replaced
     bool shrink(const Context& context, State& state, int m, int largest, Model fitted,
                 Model& model, Quality& quality)
     {

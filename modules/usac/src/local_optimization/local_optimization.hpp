@@ -10,17 +10,17 @@
 namespace cv {
 namespace usacv20 {
 
-//! See GraphCutOptimizer.
+//! Creates a faster variant of the local optimization of GC-RANSAC, see GraphCutOptimizer.
 Ptr<LocalOptimizer> createGraphCutOptimizer();
-//! See GcRansacOptimizer.
+//! Creates the local optimization of GC-RANSAC as in its paper, see GcRansacOptimizer.
 Ptr<LocalOptimizer> createGcRansacOptimizer();
-//! See LoRansacOptimizer: fits to all inliers.
+//! Creates a LoRansacOptimizer that fits models to all inliers.
 Ptr<LocalOptimizer> createLoRansacOptimizer();
-//! See LoRansacOptimizer: fits to a bounded number of inliers.
+//! Creates a LoRansacOptimizer that fits models to a bounded number of inliers.
 Ptr<LocalOptimizer> createFloRansacOptimizer();
-//! See SigmaConsensus.
+//! Creates the local optimization of MAGSAC, see SigmaConsensus.
 Ptr<LocalOptimizer> createSigmaConsensus();
-//! See SigmaConsensusPlusPlus.
+//! Creates the local optimization of MAGSAC++, see SigmaConsensusPlusPlus.
 Ptr<LocalOptimizer> createSigmaConsensusPlusPlus();
 
 }  // namespace usacv20

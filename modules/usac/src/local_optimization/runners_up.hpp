@@ -10,15 +10,15 @@
 namespace cv {
 namespace usacv20 {
 
-//! Marks which of the first points are inliers of a model, one bit per point. The points are in
-//! random order, so that the first ones represent all.
+//! Marks which of the first points are inliers of a model, with one bit per point. The points are
+//! in random order, so that the first points represent all points.
 class InlierBits
 {
 public:
     //! Maximum number of points.
     enum { MOST = 256 };
 
-    //! No inliers.
+    //! An object without inliers.
     InlierBits();
     //! @param width threshold of the inliers, in units of Context::inlierThreshold
     InlierBits(const Context& context, const Model& model, double width = 1);
@@ -49,47 +49,51 @@ struct Candidate
     Quality quality;
 };
 
-//! A model that is worse than the so-far-the-best one, but may beat it after local optimization.
+//! A model that is worse than the so-far-the-best model, but may be better than this model after
+//! local optimization.
 struct RunnerUp
 {
     Candidate candidate;
     InlierBits inliers;
-    int unexplained;  //!< number of its inliers that are not inliers of the best model
+    int unexplained;  //!< number of inliers in `inliers` that are not inliers of the best model
 };
 
-/** @brief The most promising models that were never the so-far-the-best one.
+/** @brief The most promising models that were never the so-far-the-best model.
 
-With noise, a better sample often gives a worse model, and only local optimization shows which is
-better @cite lebeda2012fixing. Models that beat all previous samples are optimized at once. Of the
-others, those with the most inliers that are not inliers of the best model are optimized when the
-search is about to end. Choosing them by cost could give only variants of one wrong model: points
-with a common shift, or on an independently moving plane, agree with a family of F. If an optimized
-F of this family is the best model, all its other members cost less than models of all-inlier
-samples that are not yet optimized. take() gives each model once. */
+With noise, a better sample often gives a worse model, and only local optimization shows which
+sample is better @cite lebeda2012fixing. Models that are better than all models of previous samples
+are optimized at once. Of the other models, those with the largest number of inliers that are not
+inliers of the best model are optimized when the search is about to end. A choice by cost could give
+only variants of one wrong model: points with a common shift, or on an independently moving plane,
+fit a whole family of F. If an optimized F of this family is the best model, all other F of the
+family cost less than models of all-inlier samples that are not yet optimized. take() returns each
+model once. */
 class RunnersUp
 {
 public:
-    //! @param most maximum number of models kept, not negative @param arena memory of the run
+    //! @param most maximum number of models that are stored, at least 0
+    //! @param arena memory of the run
     RunnersUp(int most, Arena& arena);
 
-    //! True if no models are kept.
+    //! True if no models are ever stored.
     bool none() const { return most == 0; }
-    //! False if a model with this RunnerUp::unexplained would not be kept.
+    //! False if a model with this RunnerUp::unexplained would not be stored.
     bool wants(int unexplained) const
     {
         return count < most || unexplained >= kept[most - 1].unexplained;
     }
-    //! Keeps the model if it is among the most promising ones.
+    //! Stores the model if it is among the most promising ones.
     void add(const Candidate& candidate, const InlierBits& inliers);
-    //! Sets the inliers of the best model.
+    //! Sets the inliers of the best model and updates RunnerUp::unexplained of all stored models.
     void setBest(const InlierBits& inliers);
     const InlierBits& best() const { return known; }
-    //! The largest RunnerUp::unexplained of the models kept.
+    //! The largest RunnerUp::unexplained of the stored models; 0 if there are none.
     int mostUnexplained() const { return count > 0 ? kept[0].unexplained : 0; }
-    //! Gives the models kept since the last call, by descending RunnerUp::unexplained, then by
-    //! ascending cost; valid until the next call. @return their number
+    //! Returns the models stored since the last call, by descending RunnerUp::unexplained, then by
+    //! ascending cost, and forgets them. `taken` is valid until the next call.
+    //! @return number of models
     int take(const RunnerUp*& taken);
-    //! Forgets all models, also those given by take().
+    //! Forgets all models.
     void clear();
 
 private:
@@ -97,9 +101,10 @@ private:
 
     const int most;
     InlierBits known;  //!< inliers of the best model
-    RunnerUp* kept;    //!< in the order of take(), with one spare place; null before add()
-    RunnerUp* given;   //!< models given by the last take()
-    int count;         //!< number of models kept
+    RunnerUp* kept;    //!< stored models in the order of take(), and a spare element; null before
+                       //!< the first add()
+    RunnerUp* given;   //!< models returned by the last take()
+    int count;         //!< number of models in `kept`
     Arena& arena;
 };
 

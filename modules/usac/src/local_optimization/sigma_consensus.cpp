@@ -12,7 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Selects the points within the threshold, or #MAX_FIT random ones of these; nearest first.
+//! Selects the points within the threshold, or #MAX_FIT random ones of them if there are more, and
+//! sorts them by ascending error.
 void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model, Near* all)
 {
     const Correspondences& p = context.points;
@@ -24,7 +25,7 @@ void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model
     for (int i = 0; i < p.size; ++i)
     {
         const Near point = {errors[i] * scale, i};
-        if (point.error < 1)  // false for NaN
+        if (point.error < 1)  // NaN is not selected
             all[size++] = point;
     }
     count = std::min<int>(size, MAX_FIT);
@@ -46,7 +47,7 @@ void SigmaConsensus::marginalize(const Context& context, PointSubset& subset, co
     for (int i = 0; i < count; ++i)
     {
         const double u = std::max(squared[i] * scale, 1.0 / (int)MarginalizedWeights::SIZE);
-        if (u < end * end)  // false for NaN
+        if (u < end * end)  // NaN gets no weight
             weights[i] += table.tabulatedWeight((float)(u / (end * end))) -
                           (part > 1 ? table.tabulatedWeight((float)(u / (begin * begin))) : 0.f);
     }
@@ -91,9 +92,9 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 
 namespace {
 
-/** Local optimization by SigmaConsensus: the marginalized fit is repeated from its own result, at
-most Params::localIterations times. A better fit replaces the model; the first fit that is not
-better is the last. */
+/** Local optimization by SigmaConsensus: the marginalized fit is repeated at most
+Params::localIterations times, and each fit starts from the result of the previous one. A better fit
+replaces the model; the first fit that is not better is the last one. */
 class SigmaConsensusOptimizer : public LocalOptimizer
 {
 public:

@@ -13,15 +13,15 @@ namespace usacv20 {
 /** @brief sigma-consensus @cite barath2019magsac: a fit that is marginalized over the noise scale.
 
 The range 0 .. sigma_max of scales is divided into #PARTITIONS equal parts. The model of a part is
-the least-squares fit to the points whose error from the given model is at most thresholdInSigmas
-times the largest sigma of the part. If these points are too few or those of the previous part, the
-previous part's model is used (for the first part, the given model). A point's weight is its
-likelihood under the model of each scale, marginalized over the scale as in MarginalizedWeights:
-within a part, the integral is the formula of that class between the ends of the part. The result is
-the fit with these weights.
+the least-squares fit to the points whose error under the initial model is at most thresholdInSigmas
+times the largest sigma of the part. If there are too few such points, or if they are the same as
+for the previous part, the model of the previous part is used (for the first part, the initial
+model). The weight of a point is its likelihood under the model of each scale, marginalized over the
+scale as in MarginalizedWeights: within a part, the integral is the formula of that class between
+the ends of the part. The result is the fit with these weights.
 
-Only points within the threshold of the given model are used, at most #MAX_FIT random ones. This
-bounds the time of the fits: one per part, and a final one. There is also one pass over all
+Only points within the threshold of the initial model are used, at most #MAX_FIT random ones. This
+bounds the time of the fits (one per part and a final one). There is also one pass over all
 points. */
 class SigmaConsensus
 {
@@ -32,10 +32,10 @@ public:
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}
 
-    //! Replaces the model by the marginalized fit; false if the points do not determine one.
+    //! Replaces the model by the marginalized fit. False if the points do not determine a model.
     bool fit(const Context& context, Rng& rng, Model& model);
 
-    //! Points of positive weight in the last fit, nearest first, and their weights.
+    //! Points of positive weight in the last fit, by ascending error, and their weights.
     int size() const { return count; }
     const int* points() const { return indices; }
     const double* pointWeights() const { return weights; }
@@ -52,13 +52,13 @@ private:
         }
     };
 
-    //! @param all memory for all points
+    //! @param all array for all points, used as temporary memory
     void select(const Context& context, Rng& rng, const Model& model, Near* all);
-    //! Adds the likelihoods of the points under the model of a part.
+    //! Adds to the weights the likelihoods of the points under the model of a part of the scales.
     void marginalize(const Context& context, PointSubset& subset, const Model& model, int part);
 
     const int partitions;
-    int count;  //!< number of selected points, then of those with positive weight
+    int count;  //!< number of selected points; after a fit, of those with positive weight
     Near near[MAX_FIT];
     int indices[MAX_FIT];
     double weights[MAX_FIT];

@@ -13,33 +13,36 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving and doubling each constant: doc/constants.md.
+// AutomaticThreshold describes the steps in which these constants are used; "the guess" is guess().
+// doc/constants.md lists the effects of halving and doubling each constant.
 
-//! Maximum number of points of the guess.
+//! Maximum number of points that the guess uses.
 constexpr int POINTS = 512;
-//! Maximum number of samples of the guess; at most Params::maxIterations.
+//! Maximum number of samples of the guess, unless Params::maxIterations is smaller.
 constexpr int SAMPLES = 1000;
-//! The guess ends if one of its samples has consisted of inliers of the best model with this
-//! probability.
+//! The guess ends if, with this probability, one of its samples has consisted only of inliers of
+//! the best model.
 constexpr double CONFIDENCE = 0.9;
-//! Number of points that tell the noise of the models of the guess, and of the best one.
+//! Number of points from which the noise is estimated: for each new best model of the guess (FEW),
+//! and for the final one (SOME).
 constexpr int FEW = 150, SOME = 300;
 //! Steps of polishing of the best model of the guess.
 constexpr int STEPS = 3;
-//! If the noise is unknown, the threshold is the widest divided by this number.
+//! If the noise is unknown, the threshold is the widest threshold divided by this number.
 constexpr double UNKNOWN = 3;
-//! A core has at least this part of the inliers within wide noise; a model of it is drawn with
-//! probability CORE_FOUND.
+//! A core, see findCore(), has at least the fraction CORE of the inliers of the model with wide
+//! noise. If there is a core, findCore() draws an all-inlier sample of it with probability
+//! CORE_FOUND.
 constexpr double CORE = 0.5, CORE_FOUND = 0.8;
-//! The threshold of the search is wider than estimated by this many standard deviations of the
-//! estimate.
+//! The threshold of the search is wider than the estimated threshold by this many standard
+//! deviations of the estimate.
 constexpr double DEVIATIONS = 2;
-//! The search continues with another threshold if one of the two is more than SAME times the
-//! other, at most ROUNDS times.
+//! The search continues with another threshold if the present and the new threshold differ by more
+//! than the factor SAME, but at most ROUNDS times.
 constexpr double SAME = 1.4;
 constexpr int ROUNDS = 4;
 
-//! Ends the guess, see #CONFIDENCE.
+//! Termination criterion of the guess, see #CONFIDENCE.
 class NoiseTermination : public Termination
 {
 public:
@@ -56,7 +59,7 @@ public:
     }
 };
 
-//! The options of the guess. It draws other samples than the search.
+//! The options of the guess. With another seed, it draws other samples than the search.
 Params paramsOfGuess(const Params& params)
 {
     Params result = params;
@@ -75,13 +78,13 @@ Params paramsOfGuess(const Params& params)
 
 }  // namespace
 
-//! Uniform samples of some of the points.
+//! Draws uniform samples of some of the points.
 class ListedSampler : public Sampler
 {
 public:
     ListedSampler() : indices(0), count(0) {}
 
-    //! Keeps the pointer.
+    //! Sets the points. The array must exist as long as samples are drawn.
     void list(const int* indices_, int count_)
     {
         indices = indices_;
@@ -139,7 +142,8 @@ Model AutomaticThreshold::polished(const Context& context, const Model& model) c
 
 double AutomaticThreshold::searchThreshold(const InlierNoise& noise) const
 {
-    const double deviation = 1 / std::sqrt(2. * std::max(noise.beyond, 1));  // of sigma
+    // relative standard deviation of the estimated sigma
+    const double deviation = 1 / std::sqrt(2. * std::max(noise.beyond, 1));
     return std::min(noise.threshold * (1 + DEVIATIONS * deviation), widest);
 }
 
@@ -152,7 +156,7 @@ void AutomaticThreshold::account(const State& state)
 bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& model)
 {
     begin(given);
-    Correspondences points = given.points;  // which are in random order
+    Correspondences points = given.points;  // in random order: the first ones represent all
     points.size = std::min<int>(points.size, POINTS);
     const Context context(points, parts, params, given.arena, given.watch);
     parts.start(context);
@@ -198,7 +202,7 @@ bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
     for (int i = 0; i < points.size; ++i)
     {
         inliers[count] = i;
-        count += errors[i] <= noise.threshold * noise.threshold;  // false for NaN
+        count += errors[i] <= noise.threshold * noise.threshold;  // NaN is not an inlier
     }
     if (count <= m)
         return false;

@@ -16,35 +16,39 @@ class ListedSampler;
 
 /** @brief Finds the threshold of a run in the data, for #THRESHOLD_ESTIMATED.
 
+The threshold that the caller has given is the widest threshold that is considered.
+
 1. guess(): the models of some uniform samples are compared by LogarithmicScore, which prefers no
-   scale of the noise. The best one is polished, and its errors give the first threshold. If no
-   model is better than chance, it is a third of the widest.
-2. findCore(): a model between two motions, or two planes, explains both of them with wide noise. So
-   if the threshold is more than a third of the widest, samples of the inliers look for a model that
-   explains half of them within a third of the widest. If there is one, and the errors do not go on
-   beyond that third, see errorsGoOn(), the search begins with it.
-3. The search has this threshold and begins with this model. Its threshold is wider than that of the
-   mask by two standard deviations of the estimate: with few inliers, models that fit some of them
-   by luck would make it too narrow.
-4. adapt(): when the search has ended, the errors of the best model give the threshold anew. If it
-   differs much, the search continues with it: all samples are drawn anew. It becomes wider only if
-   the errors go on beyond the present one: a second motion is not noise.
-5. settle(): polishing and mask have the threshold that was found last; if the noise is unknown, a
-   third of the widest. */
+   scale of the noise. The best model is polished, and its errors give the first threshold. If no
+   model is better than chance, the first threshold is a third of the widest threshold.
+2. findCore(): a model between two motions, or between two planes, explains both of them with wide
+   noise. Therefore, if the threshold is more than a third of the widest one, samples of the inliers
+   are drawn to find a model of a core: it explains half of the inliers within a third of the widest
+   threshold. If there is such a model, and errorsGoOn() finds no more errors beyond this threshold,
+   the search begins with this model and threshold.
+3. The search begins with the model and the threshold of steps 1 and 2. Its threshold is wider than
+   that of the mask by two standard deviations of the estimate, because with few inliers, models
+   that fit some of them by chance would make the threshold too narrow.
+4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
+   model. If it differs much, the search continues with the new threshold, and all samples are drawn
+   anew. The threshold becomes wider only if errorsGoOn() finds errors beyond the present threshold,
+   because a second motion is not noise.
+5. settle(): polishing and mask use the threshold that was found last, or a third of the widest
+   threshold if the noise is unknown. */
 class AutomaticThreshold
 {
 public:
     AutomaticThreshold(const Problem& problem, const Params& params);
 
     /** @brief Steps 1 and 2. To be called before the components of the search are started.
-    @param context of the search
-    @param data its points, whose threshold is set
+    @param context context of the search
+    @param data points of the search; their threshold is set
     @param model output: initial model of the search
-    @return false if there is none */
+    @return false if no initial model was found */
     bool guess(const Context& context, ProblemData& data, Model& model);
     //! Step 4. @param ransac the search, which has ended
     void adapt(const Context& context, ProblemData& data, const State& state, Ransac& ransac);
-    //! Instead of steps 1 to 4 if a model is given.
+    //! Estimates the noise of a given model, instead of steps 1 to 4.
     void look(const Context& context, const Model& model);
     //! Step 5. @return standard deviation of the noise in pixels; 0: unknown
     double settle(ProblemData& data) const;
@@ -59,20 +63,21 @@ private:
     double searchThreshold(const InlierNoise& noise) const;
     Model polished(const Context& context, const Model& model) const;
     /** Step 2.
-    @param points of guess(); their threshold becomes a third of the widest
-    @param noise of the model
+    @param given context of the search
+    @param points points of guess(); their threshold becomes a third of the widest threshold
+    @param noise noise of the model
     @param model input: result of guess(); output: a model that explains a core of its inliers
-    @return false if there is none */
+    @return false if there is no core */
     bool findCore(const Context& given, Correspondences& points, const InlierNoise& noise,
                   Model& model);
     void account(const State& state);
 
-    Params params, coreParams;    //!< of guess() and findCore()
-    Components parts, coreParts;  //!< of guess() and findCore()
+    Params params, coreParams;    //!< options of guess() and of findCore()
+    Components parts, coreParts;  //!< components of guess() and of findCore()
     Ptr<ListedSampler> listed;    //!< sampler of findCore()
-    double widest;                //!< threshold of the mask at the begin of the run
-    InlierNoise latest;           //!< of the best model
-    int drawn, computed;          //!< samples() and models()
+    double widest;                //!< threshold of the mask at the beginning of the run
+    InlierNoise latest;           //!< latest estimate of the noise of the best model
+    int drawn, computed;          //!< results of samples() and models()
 };
 
 }  // namespace usacv20

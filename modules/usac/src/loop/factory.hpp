@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Creates the components that the options name. A new variant needs its file, its enumerator and
-//! one line in factory.cpp.
+//! Creates the components that the options select. A new variant of a component needs a file, an
+//! enumerator and a line in factory.cpp.
 Components createComponents(const Problem& problem, const Params& params);
 
 }  // namespace usacv20

@@ -11,16 +11,16 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! SAMPLES: number of samples whose models are compared by their errors. STARTS: least-squares fits
-//! start from so many of these models, the best ones.
+//! SAMPLES: number of samples whose models are compared by their errors. STARTS: number of the best
+//! of these models from which least-squares fits start.
 constexpr int SAMPLES = 64, STARTS = 4;
-//! PART: number of points with which the initial models are compared and fitted. STEPS: maximum
+//! PART: maximum number of points with which initial models are compared and fitted. STEPS: maximum
 //! number of steps of a fit; fits converge earlier.
 constexpr int PART = 500, STEPS = 100;
 
-//! Converts a list of numbers, one for each point, to CV_64F; empty if none is given.
+//! Converts a list with one number for each point to CV_64F. An empty list gives an empty matrix.
 Mat readNumbers(InputArray given, int size, const char* name)
 {
     const Mat list = given.getMat();
@@ -138,7 +138,7 @@ double GivenModels::lossOf(PointSubset& part, const Model& model) const
     double sum = 0;
     for (int k = 0; k < part.size(); ++k)
         sum += weights ? weights[k] * errors[k] : errors[k];
-    return sum <= DBL_MAX ? sum : DBL_MAX;  // DBL_MAX also for NaN
+    return sum <= DBL_MAX ? sum : DBL_MAX;  // NaN gives DBL_MAX, too
 }
 
 bool GivenModels::leastSquares(int size, Model& model) const

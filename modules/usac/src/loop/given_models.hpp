@@ -11,14 +11,15 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Implements Usac::fit, refine and errors, which need no search: least squares over given
-points, errors under a given model. */
+/** @brief Implements Usac::fit, Usac::refine and Usac::errors, which need no search: least squares
+over points that the caller chooses, and errors under a model that the caller gives. */
 class GivenModels
 {
 public:
     /** @param context points, components (already started) and options
     @param data the points
-    @param imageResidual result of Problem::createImageResidual; empty: none */
+    @param imageResidual result of Problem::createImageResidual; may be empty
+    @param imageFit the least-squares solver for `imageResidual`; empty: the solver of `context` */
     GivenModels(const Context& context, ProblemData& data, const Ptr<Residual>& imageResidual,
                 const Ptr<NonMinimalSolver>& imageFit);
 
@@ -29,30 +30,31 @@ public:
     //! Converts a model of the caller to the coordinates of the mask.
     //! @param forSearch output, the same model in the coordinates of the search; may be null
     Model read(InputArray given, Model* forSearch) const;
-    //! Returns State::best like Usac::run if Report::stop is #STOP_NO_SEARCH, else no model.
+    //! Returns State::best like Usac::run if Report::stop is #STOP_NO_SEARCH. Otherwise returns an
+    //! empty matrix.
     Mat give(State& state, OutputArray mask, Report* report);
 
 private:
     //! Reads which points are used, and their weights.
     void choose(InputArray weights, InputArray chosen);
     //! Finds an initial model: the best models of some samples are fitted to a subset of the
-    //! points, and the fit with the lowest loss is taken. @return false if there is none
+    //! points, and the fit with the lowest loss is used. @return false if no model is found
     bool begin(Model& model) const;
-    //! The sum of (weighted) squared errors over the points of `part`.
+    //! The loss: the sum of (weighted) squared errors over the points of `part`.
     double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
 
     const Context& context;
     ProblemData& data;
-    const Ptr<Residual> residual;  //!< the one that the mask uses
+    const Ptr<Residual> residual;  //!< residual from which the mask is computed
     const bool asSeen;             //!< true if `residual` is for the original image points
     const Correspondences points;  //!< in the coordinates of `residual`
     const NonMinimalSolver& solver;
     const Problem& problem;
     const int64 start;
-    int* indices;     //!< of the points that are used
-    double* weights;  //!< of these points; null: all 1
-    int count;
+    int* indices;     //!< indices of the points that are used
+    double* weights;  //!< weights of these points; null: all weights are 1
+    int count;        //!< number of points that are used
 };
 
 }  // namespace usacv20

@@ -15,22 +15,22 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Samples in the largest batch: enough work for several threads.
+//! Number of samples in the largest batch: enough work for several threads.
 constexpr int LARGEST_BATCH = 256;
-/** Samples in the first batch, half as many if they are expensive, as for E: all models of this
-batch except the best are optimized late. */
+/** Number of samples in the first batch; half as many if samples are expensive, as for E. The batch
+is small because only its best model is optimized at once. */
 constexpr int FIRST_BATCH = 8;
-//! A sample is expensive if SampleCost::time is above this many point tests: for E (1500), but not
+//! A sample is expensive if SampleCost::time exceeds this many point tests: for E (1500), but not
 //! for F (300).
 constexpr int EXPENSIVE = 1000;
 //! Batches with less work than this, in point tests (a tenth of a millisecond), are not distributed
-//! over threads. The result does not depend on it.
+//! to threads. The result does not depend on this value.
 constexpr double PARALLEL_WORK = 44800;
 
-//! A model may become a runner-up if its gain (reduction of the cost relative to no model at all)
-//! is at least this fraction of the gain of the best model.
+//! A model may become a runner-up if its gain is at least this fraction of the gain of the best
+//! model. The gain is the number of points, which is the cost without any model, minus the cost.
 constexpr double WORTHWHILE = 0.6;
 //! A runner-up is optimized if more than this fraction of its inliers are points that the best
 //! model does not explain.
@@ -142,8 +142,9 @@ bool Ransac::run(int pause)
     return ended;
 }
 
-//! State::sampleQuality, which models of samples have to beat, is not set: hardly any of them has
-//! as good a score as an optimized model, and the initial model may be that of another motion.
+//! State::sampleQuality, with which models of samples are compared, is not set: hardly any model of
+//! a sample has as good a score as an optimized model, and the initial model may be that of another
+//! motion.
 void Ransac::begin(const Model& initial)
 {
     Model model = initial;
@@ -164,7 +165,7 @@ void Ransac::thresholdChanged()
     state.sampleQuality = Quality();
     Quality quality = context.rate(state.best);
     const bool valid = recover(0, state.best, quality);
-    state.bestQuality = valid ? quality : Quality();  // else the search goes on without a model
+    state.bestQuality = valid ? quality : Quality();  // Quality(): there is no best model
     const Sample sample = sampleOfBest;
     if (valid && parts.localOptimizer)
     {
@@ -186,7 +187,8 @@ void Ransac::forgetSamples()
     explored = Model();
 }
 
-//! Batches grow, so that easy problems draw few superfluous samples and hard ones use all threads.
+//! Batches grow, so that easy problems draw few superfluous samples and hard problems use all
+//! threads.
 void Ransac::drawBatch()
 {
     const int left = context.params.maxIterations - state.iteration;
@@ -224,7 +226,7 @@ void Ransac::reserve(int wanted, int rows)
         errorRows = context.arena.take<float>((size_t)rows * context.points.size);
 }
 
-//! Called by several threads at the same time: writes only to its own `h`.
+//! Called by several threads at the same time, each with another `h`; writes only to `h`.
 void Ransac::solve(const Sample* drawn, int count, Hypotheses* h) const
 {
     const int* valid[MinimalSolver::MAX_TOGETHER];
@@ -248,7 +250,8 @@ void Ransac::solve(const Sample* drawn, int count, Hypotheses* h) const
         h[i].computed = h[i].rejectedSample ? 0 : found[k++];
 }
 
-//! Called by several threads at the same time: writes only to its own `h` and `row`.
+//! Called by several threads at the same time, each with another `h` and `row`; writes only to
+//! these.
 void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 {
     const int* sample = samples[index].val;
@@ -278,14 +281,14 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
         }
         const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start,
                                    row);  // 10, 12
-        if (tested == 0)  // otherwise only models that have passed preTest() would be counted
+        if (tested == 0)  // after preTest(), the block would count only models that have passed it
         {
             h.firstInliers += rating.firstInliers;
             h.firstTested += rating.firstTested;
         }
         if (rating.complete)  // 13
         {
-            h.models[h.count] = model;  // models that are kept move to the front
+            h.models[h.count] = model;  // moves good models to the front
             h.qualities[h.count++] = rating.quality;
         }
         else if (rating.refused)
@@ -322,9 +325,9 @@ bool Ransac::validModel(const int* sample, const Model& model) const
 
 /* Processes a model that is better than the models of all previous samples, or a runner-up. The
 paper compares with the optimized best model instead; but a good model of a noisy sample is often
-worse than an optimized bad one, and would never be optimized. `before` is the quality that models
-had to beat before this one; it applies again if a check rejects this model or makes it worse than
-that. */
+worse than an optimized bad model, and would never be optimized. `before` is the value of
+State::sampleQuality before this model. It is restored if a check rejects this model or makes it
+worse than `before`. */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
@@ -410,8 +413,8 @@ void Ransac::chooseByOrder()
         setBest(model, quality, chosen->sampled ? &candidate.sample : 0);
 }
 
-//! A model with the same inliers as the best one leads to the same optimum, unless the problem is
-//! ambiguous (Problem::ambiguous).
+//! A model with the same inliers as the best model is not worth optimizing, because it leads to the
+//! same optimum, unless the problem is ambiguous (Problem::ambiguous).
 bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
 {
     const int unexplained = runnerUp.inliers.without(runnersUp.best());
@@ -421,7 +424,8 @@ bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
            unexplained > DIFFERENT * runnerUp.inliers.count();
 }
 
-//! Lines 19 to 24; repeated if the optimized model was degenerate and was replaced by a better one.
+//! Lines 19 to 24. They are repeated if the optimized model was degenerate and recover() has
+//! replaced it by a better model.
 void Ransac::optimize(const Sample* sample, Model& model, Quality& quality)
 {
     const int64 start = getTickCount();
@@ -474,8 +478,8 @@ void Ransac::account(const Hypotheses& h)
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
-    // The best model may have changed since a thread scored these models: decide again whether the
-    // verifier or the cost excluded them first.
+    // The best model may have changed since a thread scored these models. Therefore it is decided
+    // again whether the verifier or the cost has excluded them.
     for (int k = 0; k < h.stopped; ++k)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
 }

@@ -20,13 +20,15 @@ struct Hypotheses
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
     bool rejectedSample;  //!< a degeneracy check has rejected the sample
-    bool repeated;        //!< rejected, but may consist of inliers, one of them twice
-    //! Numbers of models, for the report: all; excluded by a check, by Verifier::preTest, by cost.
+    bool repeated;        //!< the sample was rejected because it contains a match twice, but may
+                          //!< consist of inliers
+    //! Numbers of models, for the report: all models of the sample, and those excluded by a check,
+    //! by Verifier::preTest and by their cost.
     int computed, rejected, refused, dropped;
-    //! Inliers and points in the blocks that the models were tested with first, for the verifier.
+    //! For the verifier: numbers of inliers and of points in the first tests of the models.
     int firstInliers, firstTested;
     int stopped;               //!< number of models that the verifier rejected during scoring
-    double costs[MAX_MODELS];  //!< costs of these models before their last block of points
+    double costs[MAX_MODELS];  //!< costs of these rejected models before their last block of points
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
@@ -34,37 +36,38 @@ struct Hypotheses
 Samples are drawn in batches. Their models are computed and scored sequentially or by several
 threads, and in either case evaluated in the order of the samples. Everything that affects the
 result (samples, verification, the best model at the time of evaluation) is the same in both cases,
-so the result is bit-identical for any number of threads. Of the first batch, only the best model is
-optimized, because the first models are soon beaten @cite lebeda2012fixing. When the search is about
-to end, the runners-up (Params::runnersUp) are optimized, too, as are models of samples of the
-points that the best model does not explain; if one of them becomes the best model, the termination
-criteria are evaluated again. */
+so that the result is bit-identical for any number of threads. Of the first batch, only the best
+model is optimized at once, because better models than the first ones are soon found
+@cite lebeda2012fixing. When the search is about to end, the runners-up (Params::runnersUp) are
+optimized, too, as well as models of samples of the points that the best model does not explain. If
+one of these models becomes the best model, the termination criteria are evaluated again. */
 class Ransac
 {
 public:
-    //! `checkSamples`: check the samples, because the sampler is not a built-in one.
+    //! @param context, state the fixed and the changing data of the run
+    //! @param checkSamples true: validate the indices in samples, because the sampler is custom
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
-    //! Called before run(): scores and optimizes a model, like one of a sample.
+    //! To be called before run(): scores and optimizes an initial model, as if from a sample.
     void begin(const Model& initial);
-    /** Fills State::best; its quality stays infinite if no model was found. Searches until a
-    criterion ends the search, or until `pause` samples have been drawn. @return false in the latter
-    case; another call continues the search. */
+    /** Searches until a criterion ends the search, or until `pause` samples have been drawn. The
+    result is State::best; State::bestQuality stays infinite if no model is found. @return false if
+    the search was paused; another call then continues it. */
     bool run(int pause = INT_MAX);
-    //! Called when the threshold has changed: scores and optimizes the best model anew, and forgets
-    //! the scores of other models. If a check rejects the model now, there is no best model until
-    //! run() finds one.
+    //! To be called when the threshold has changed: scores and optimizes the best model anew, and
+    //! forgets the scores of other models. If a check now rejects the best model, there is no best
+    //! model until run() finds one.
     void thresholdChanged();
     //! To be called before thresholdChanged() if the samples so far do not count for the
-    //! confidence, as their models were tested with another threshold: the verifier and the
+    //! confidence, because their models were tested with another threshold. The verifier and the
     //! criteria begin anew.
     void forgetSamples();
-    //! The sample that led to State::best; null if it did not come from a sample.
+    //! The sample that led to State::best; null if State::best did not come from a sample.
     const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
 
 private:
     bool terminate();
-    //! True if the run must end now. @param work done since the last call, see Watch
+    //! True if the run must end now. @param work work done since the last call, in point tests
     bool stop(double work) const { return context.watch && context.watch->stop(work); }
     bool stopped() const { return context.watch && context.watch->stopped(); }
     void drawBatch();
@@ -74,9 +77,9 @@ private:
     //! Scores the models in `h`. @param index index of the sample in the batch
     //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
-    //! solve() and hypothesize() for one sample after the other.
+    //! Calls solve() and hypothesize() for one sample after the other.
     const Hypotheses& hypothesizeNext(int index);
-    //! solve() and hypothesize() for all samples of the batch, by several threads.
+    //! Calls solve() and hypothesize() for all samples of the batch, by several threads.
     void hypothesizeBatch();
     void hypothesizePart(int first, int count);
     //! Allocates memory for the hypotheses of `wanted` samples and for `rows` rows of errors.
@@ -84,38 +87,41 @@ private:
     //! A model of a sample with this cost or more becomes neither the best model nor a runner-up.
     double uselessCost() const;
     void improve(const Candidate& candidate, const Quality& before);
-    //! `sample`: the sample of the model; null: none
+    //! @param sample the sample of the model; null: the model does not come from a sample
     void setBest(const Model& model, const Quality& quality, const Sample* sample);
     void addRunnerUp(const Candidate& candidate);
-    //! Called when the search is about to end: looks for other models. @return false if it ends
+    //! Called when the search is about to end: optimizes runners-up and draws samples of
+    //! unexplained points. @return false if the search ends
     bool lookBeside();
     void improveRunnersUp();
-    //! With a known order: replaces the best model by one of `alternatives`, if any is preferred.
+    //! If the order of the points is known: replaces the best model by one of `alternatives` if the
+    //! order is clearly more likely with the inliers of the alternative.
     void chooseByOrder();
     bool worthOptimizing(const RunnerUp& runnerUp) const;
-    /** The best model explains the points whose errors are at most this many
-    Context::inlierThreshold: with wide noise, some of its correct matches lie beyond the threshold.
-    See doc/constants.md. */
+    /** The best model explains the points whose errors are at most EXPLAINED times
+    Context::inlierThreshold. The factor is above 1 because some correct matches lie beyond the
+    threshold if the noise is wide. See doc/constants.md. */
     static constexpr double EXPLAINED = 1.5;
     //! Draws samples of the points that the best model does not explain; see
-    //! ransac_unexplained.cpp. @return false if none was drawn
+    //! ransac_unexplained.cpp. @return false if there is nothing to search
     bool searchUnexplained();
     int unexplainedPoints(int* indices) const;
-    //! Draws few samples, and more only if there is evidence of a rival (a second model that
-    //! explains other points). @param drawn samples before this search
+    //! Draws few samples of unexplained points, and more of them only if there is evidence of a
+    //! rival (a second model that explains other points).
+    //! @param drawn number of samples drawn before searchUnexplained()
     void sampleForRivals(const int* indices, int count, double wanted, int drawn);
     void sampleUnexplained(const int* indices, int count, int most);
     //! @param index State::iteration of the sample
     Sample drawUnexplained(const int* indices, int count, int index) const;
-    //! Minimum number of inliers of a rival, among the points of InlierBits, that the best model
-    //! does not explain.
+    //! Minimum number of inliers of a rival that the best model does not explain. Only the points
+    //! of InlierBits are counted.
     double rivalInliers() const;
     //! @return false if the model is not a rival
     bool addRival(const Sample& sample, const Model& model);
-    //! Results of the degeneracy checks.
+    //! True if all degeneracy checks accept the sample, or the model.
     bool validSample(const int* sample) const;
     bool validModel(const int* sample, const Model& model) const;
-    //! @param sample the sample that led to the model; null: none
+    //! @param sample the sample that led to the model; null: the model does not come from a sample
     void optimize(const Sample* sample, Model& model, Quality& quality);
     void offer(const Model& model, const Quality& quality, const Sample* sample);
     bool recover(const int* sample, Model& model, Quality& quality);
@@ -133,31 +139,31 @@ private:
     const int m;                //!< sample size
     Degeneracy* const* checks;  //!< Components::degeneracies
     const int checkCount;       //!< number of `checks`
-    Sample* samples;            //!< of the batch
-    uchar* counts;              //!< State::counts of each
-    Hypotheses* batch;          //!< their models, or those of `ahead` samples at a time
-    float* errorRows;  //!< one for each thread that scores models; null: not needed by the score
+    Sample* samples;            //!< samples of the batch
+    uchar* counts;              //!< State::counts of each sample
+    Hypotheses* batch;          //!< models of the samples; without threads, of `ahead` samples only
+    float* errorRows;  //!< a row of errors per thread; null: the score does not need them
     int size;          //!< number of samples in the batch
-    int hypotheses;    //!< room in `batch`
+    int hypotheses;    //!< number of elements allocated for `batch`
     RunnersUp runnersUp;
     Alternatives alternatives;
     Sample sampleOfBest;
-    bool sampled;
+    bool sampled;            //!< true if the best model comes from `sampleOfBest`
     int forgotten;           //!< number of samples that do not count, see forgetSamples()
     Model explored;          //!< the best model whose unexplained points were searched last
     int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
-    const double sampleWork;  //!< time for a sample and its models, at most, in point tests
-    int firstOfBatch;         //!< index of its first sample
+    const double sampleWork;  //!< largest work for a sample and its models, in point tests
+    int firstOfBatch;         //!< State::iteration of the first sample of the batch
     const int ahead;          //!< number of samples that are solved at once
-    const int exhaustive;
+    const int exhaustive;     //!< see exhaustiveSamples()
     //! The run can stop after `required` samples that count, see samplesThatCount(), or after
-    //! `requiredOfAll` samples of any kind; each with the StopReason of the criterion.
+    //! `requiredOfAll` samples of any kind. The reasons are the StopReason of the criterion.
     int required, requiredReason, requiredOfAll, reasonOfAll;
-    int ending;     //!< StopReason of the last time that terminate() was true
-    bool anyModel;  //!< a sample has led to a model
-    double localTicks;
+    int ending;         //!< StopReason when terminate() was last true
+    bool anyModel;      //!< true if a sample has led to a model
+    double localTicks;  //!< duration of local optimization in ticks
     const bool checkSamples;
 };
 

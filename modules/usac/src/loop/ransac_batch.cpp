@@ -12,14 +12,14 @@ namespace usacv20 {
 
 namespace {
 
-//! Work of each thread between two checks of the clock, for a run that may be stopped; in point
-//! tests (two milliseconds). The result does not depend on it.
+//! Work of each thread between two checks of the clock in a run that may be stopped, in point tests
+//! (two milliseconds). The result does not depend on this value.
 constexpr double TOGETHER = 1e6;
 
 }  // namespace
 
-//! Divides the batch among the threads, each of which has its own memory. If the run may have to
-//! stop, the batch is processed in parts, with a check of the clock after each.
+//! Divides the batch among the threads, each of which has its own memory. If the run may be
+//! stopped, the batch is processed in parts, and the clock is checked after each part.
 void Ransac::hypothesizeBatch()
 {
     const bool watched = context.watch && context.watch->isActive();

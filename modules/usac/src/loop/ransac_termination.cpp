@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! After this many samples without a single model, which take some seconds, the points are taken
-//! for degenerate.
+//! If this many samples, which take some seconds, have given no model at all, the points are
+//! considered degenerate, and the search ends.
 constexpr int HOPELESS = 1000000;
 
 }  // namespace
@@ -37,9 +37,9 @@ bool Ransac::terminate()
     return true;
 }
 
-/* If more than half of the points outside the sample of the best model are its inliers, a model
-with more inliers must share some of them. Then all samples except repeated ones count, whatever
-points the sampler prefers. */
+/* If more than half of the points outside the sample of the best model are inliers of this model, a
+model with more inliers must share some of these inliers. Then all samples count, except those that
+contain a match twice, whatever points the sampler prefers. */
 int Ransac::samplesThatCount() const
 {
     const bool planar = state.degenerate ||
@@ -68,7 +68,7 @@ bool Ransac::adaptTerminations()
     if (state.wanted != wanted && state.iteration > 0)
     {
         improveRunnersUp();
-        runnersUp.clear();  // samples of other points may yield worse runners-up
+        runnersUp.clear();  // because the next samples may yield runners-up with fewer inliers
     }
     if (changed)
         updateTermination();

@@ -13,20 +13,22 @@ end.
 
 Wrong matches may be consistent with each other: matches of repeated windows have a common shift, a
 moving object has its own motion. Their model may have enough inliers to end the search before the
-model of the correct matches is found. That takes a good sample, and many all-inlier samples are not
-good: with noise, half of those of H and most of those of F and E yield models that SPRT rejects.
-But if two models share few of their inliers, the points that one does not explain are mostly
-inliers of the other, and samples of these points are far more often all-inlier: with 45 % inliers
-of one model and 35 % of another, (45 / 65)^7 = 8 % of the samples of seven points, instead of
-(45 / 100)^7 = 0.4 % among all points.
+model of the correct matches is found. To find this model takes a good sample, and many all-inlier
+samples are not good: with noise, half of the all-inlier samples for H and most of those for F and E
+yield models that SPRT rejects. But if two models share few of their inliers, the points that one
+model does not explain are mostly inliers of the other model, and samples of these points are
+all-inlier samples far more often. For example, if 45 % of the points are inliers of one model and
+35 % of another, (45 / 65)^7 = 8 % of the samples of seven points that the latter does not explain
+are all-inlier samples, instead of (45 / 100)^7 = 0.4 % among all points.
 
-A few such samples are always drawn. If the model of one of them, or a runner-up, has inliers that
-the best model does not explain, at least RIVAL times as many as the best model has inliers, there
-may be a rival: a second model of about the same support. Then enough samples are drawn to find,
-with the promised confidence, a model with as many inliers as the best one that shares few of them;
-at most a third of the number drawn so far. If ConfirmedOrderTermination has ended the search, the
-order that it trusts may be that of a group of wrong matches; then it sets the number of samples.
-All these samples are iterations, but not among State::countedSamples.
+A few such samples are always drawn. There may be a rival, a second model with about as many
+inliers, if the model of such a sample, or a runner-up, has many inliers that the best model does
+not explain: at least RIVAL times as many as the best model has inliers. Then more samples are
+drawn, enough to find, with the required confidence, a model that has as many inliers as the best
+model and shares few of them; but at most a third of the number drawn so far. If
+ConfirmedOrderTermination has ended the search, the order that it relies on may be that of a group
+of wrong matches; then this criterion sets the number of samples. All these samples count as
+iterations, but not for State::countedSamples.
 */
 
 namespace cv {
@@ -34,16 +36,17 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of those drawn so
-//! far, or LEAST_SAMPLES if this is more.
+//! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of the number drawn
+//! so far, or LEAST_SAMPLES if this number is larger.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
-//! With evidence of a rival, the number of samples is at most 1 / MOST_PART of those drawn so far.
+//! With evidence of a rival, the number of samples is at most 1 / MOST_PART of the number drawn so
+//! far.
 constexpr int MOST_PART = 3;
 //! A rival has at least this many inliers that the best model does not explain, as a fraction of
-//! the inliers of the best model. Models of random wrong matches have up to 0.06, those of matches
-//! of a cluster up to 0.15.
+//! the inliers of the best model. Models of random wrong matches reach fractions up to 0.06, models
+//! of matches in a cluster up to 0.15.
 constexpr double RIVAL = 0.1;
 //! The number of samples is computed for a rival with as many inliers as the best model, of which
 //! the best model does not explain this fraction.

@@ -12,21 +12,22 @@ namespace usacv20 {
 
 namespace {
 
-/** The reach is the ratio of the search threshold to the mask threshold. Suitable threshold of the
-search in standard deviations of the noise, about the same as that of Params::magsacPlusPlus for a
-threshold of 2 sigma. The reach grows if the search threshold is less than two thirds of it, and
-shrinks if it is more than 1.4 times as large; too large a reach costs time rather than accuracy.
-Far too large a value fails: a wider threshold contains larger errors, and the reach grows again.
-See doc/constants.md. */
+/** Suitable threshold of the search in standard deviations of the noise, about the same as that of
+Params::magsacPlusPlus for a threshold of 2 sigma. The reach is the ratio of the search threshold to
+the mask threshold. It grows if the search threshold is less than two thirds of the suitable
+threshold, and shrinks if it is more than 1.4 times as large; too large a reach costs time rather
+than accuracy. A constant far above 5 fails: a wider threshold contains larger errors, so that the
+reach grows again and again. See doc/constants.md. */
 constexpr double REACH = 5;
 
-/** Points of another motion, or of a second plane, may look like wide noise. But real noise of that
-width has errors everywhere within the threshold. So the reach does not grow if the errors within
-the threshold fit small noise, with at least this fraction of the inliers found for the wide noise.
-See doc/constants.md. */
+/** Points of another motion, or of a second plane, may look like wide noise. But real wide noise
+has errors everywhere within the threshold. Therefore the reach does not grow if the errors within
+the threshold fit small noise that has at least this fraction of the inliers found for the wide
+noise. See doc/constants.md. */
 constexpr double CORE = 1. / 3;
 
-//! Standard deviation of the noise in the errors of the model; 0 if none is significant.
+//! Estimated standard deviation of the noise in the errors of the model, in the coordinates of the
+//! points; 0 if chance explains the inliers.
 double noiseOf(const Context& context, const Model& model)
 {
     const Correspondences& p = context.points;
@@ -47,7 +48,7 @@ double noiseOf(const Context& context, const Model& model)
                                               1);
     if (core.sigma > 0 && core.sigma <= widest && core.inliers >= CORE * all.inliers)
         return core.sigma;
-    float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);  // needed only here
+    float* const wrong = scope.take<float>((size_t)WRONG_PARTNERS * size);
     const int count = wrongErrors(residual, model, p, size, wrong, context.arena);
     return Scale::estimate(errors, size, wrong, count, p.threshold, chance, degrees, m).sigma;
 }

@@ -10,12 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-//! The reach changes if the suitable reach is more than REACH_GROWS times or less than
-//! REACH_SHRINKS times the current one. See doc/constants.md.
+//! The reach (the ratio of the search threshold to the mask threshold, see Params::reach) changes
+//! if the suitable reach is more than REACH_GROWS times or less than REACH_SHRINKS times the
+//! current reach. See doc/constants.md.
 constexpr double REACH_GROWS = 1.5, REACH_SHRINKS = 0.7;
 
-//! The reach, see Params::reach, that suits the errors of the best model, between Params::reach and
-//! Params::widestReach; `current` if there is no model. @param current reach of the search
+//! The reach that suits the errors of the best model: between Params::reach and
+//! Params::widestReach; `current` if there is no model.
+//! @param current present reach of the search
 double suitableReach(const Context& context, const State& state, double current);
 
 }  // namespace usacv20

@@ -28,18 +28,18 @@ namespace {
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
 //! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples.
-//! With 4 or 1, errors change by 2 % at most.
+//! With 4 or 1 instead of 2, errors of models change by 2 % at most.
 constexpr int FIRST_LOOK = 2;
 
-//! For Params::significance 0: a model is rejected if Report::chance exceeds LIMIT, provided that
-//! there are enough points for a model with a fraction DECISIVE of inliers not to exceed it. With
-//! half or double these values, no correct model is rejected and no run differs; doc/design.md says
-//! which models are rejected.
+//! Used if Params::significance is 0. A model is rejected if Report::chance exceeds LIMIT, but only
+//! if there are so many points that a model with the inlier ratio DECISIVE would not exceed LIMIT.
+//! With half or double these values, no correct model is rejected and no run differs; doc/design.md
+//! says which models are rejected.
 constexpr double LIMIT = 0.01, DECISIVE = 0.25;
-/* Fraction of the gain of a model (reduction of the cost relative to no model at all) that must
-remain after polishing; else polishing is undone. If the threshold is no larger than the noise, the
-error of H is 3.1 times that of least squares with 0.9, as polishing is undone, and 1.2 times with
-0.5. On the benchmark lists, 0.25 changes nothing, and 1 raises errors by 2 to 6 %. */
+/* Polishing is undone unless at least this fraction of the gain of the model remains (the number of
+points, which is the cost without any model, minus the cost). If the threshold is no larger than the
+noise, the error of H is 3.1 times that of least squares with 0.9, because polishing is undone, and
+1.2 times with 0.5. On the benchmark lists, 0.25 changes nothing; 1 raises errors by 2 to 6 %. */
 constexpr double KEPT = 0.5;
 //! Values of Report::chance below this need not be exact. Halving or doubling it changes no run.
 constexpr double CLEAR = 1e-6;
@@ -51,7 +51,7 @@ public:
              const Params& params_)
         : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false)
     {
-        checkProblem(*problem, params.residual);  // before any of its methods is used
+        checkProblem(*problem, params.residual);  // before any method of the problem is used
         seeImage(problem->createResidual(params.residual));
         keepsImage = !imageResidual.empty();
         setPoints(points1, points2);
@@ -77,7 +77,7 @@ public:
         const int64 begun = getTickCount();
         if (created == 0)  // another run with the same points
             readTicks = 0;
-        created = begun - readTicks;  // without the time that the caller used in between
+        created = begun - readTicks;  // excludes the time between reading the points and run()
         Watch watch(params.maxTime, readTicks);
         prepare();
         const Context context(data.searchPoints(), parts, params, arena,
@@ -155,7 +155,7 @@ private:
         arena.clear();
     }
 
-    //! @param guess begin with this model; null: none
+    //! @param guess initial model of the search; null: there is none
     void search(const Context& context, State& state, const Model* guess)
     {
         state.report.setupMs = milliseconds(created);
@@ -187,12 +187,12 @@ private:
         ransac.begin(model);
     }
 
-    /** Searches with a reach that grows if the errors of the best model show wide noise. This is
-    tested when the search ends, and once before, after half of Params::maxIterations: with a reach
-    that is far too small, models have few inliers, and no criterion ends the search. It is not
-    tested earlier, as a wrong model with more noise, between two planes for example, may still be
-    the best. At the end the reach may also shrink again, because poor models show more noise than
-    there is. */
+    /** Searches with a reach (see reach.hpp) that grows if the errors of the best model show wide
+    noise. The noise is estimated when the search ends, and once after half of
+    Params::maxIterations: with a reach that is far too small, models have few inliers, and no
+    criterion ends the search. It is not estimated earlier, because the best model may then still be
+    a wrong one with more noise, for example between two planes. At the end the reach may also
+    shrink again, because poor models show more noise than there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
@@ -221,8 +221,8 @@ private:
         ransac.thresholdChanged();
     }
 
-    //! Tests whether the model could have been found in random matches. @return false if it is to
-    //! be rejected
+    //! Tests whether such a model could have been found in random matches. @return false if the
+    //! model must be rejected
     bool significant(const Context& context, const Model& model, Report& learned)
     {
         const bool unset = params.significance == 0;
@@ -241,13 +241,13 @@ private:
         return learned.chance <= limit || (unset && !test.decisive(DECISIVE, limit));
     }
 
-    /** Polishes the best model. Polishing minimizes a loss other than the score, and may end
+    /** Polishes the best model. Polishing minimizes another loss than the score, and may end
     between two models: if the score is clearly worse afterward, the model of the search is kept.
-    With few points, polishing is repeated from other initial models, and a model that was bent to
-    fit wrong matches of high leverage is freed from them.
+    With few points, polishing is repeated from other initial models (Restarts). A model that is
+    distorted by wrong matches of high leverage is corrected (Leverage).
     @param search context of the search
-    @param context that of the polishing
-    @return score of the model */
+    @param context context in which models are polished
+    @return score of the polished model */
     Quality polish(const Context& search, const Context& context, State& state, Model& best)
     {
         const Model found = problem->closest(best);
@@ -261,7 +261,7 @@ private:
         best = problem->closest(best);
         Quality quality = context.rate(best);
         const double size = context.points.size;
-        if (!(size - quality.cost >= KEPT * (size - before.cost)))  // true for NaN
+        if (!(size - quality.cost >= KEPT * (size - before.cost)))  // undone if the cost is NaN
         {
             best = found;
             quality = before;
@@ -273,8 +273,8 @@ private:
         return quality;
     }
 
-    //! Creates the residual for the original image points, which polishing and mask use instead of
-    //! that of the search, if the problem has one.
+    //! If the problem has a residual for the original image points, creates it. Polishing and mask
+    //! use it instead of the residual of the search.
     void seeImage(const Ptr<Residual>& residual)
     {
         rated = residual;
@@ -298,11 +298,11 @@ private:
                       state.best);
     }
 
-    //! Does polishAsSeen() use the original image points?
+    //! True if polishAsSeen() uses the original image points.
     bool seesImage() const { return imageFit && parts.nonMinimalSolver == made.nonMinimalSolver; }
 
-    //! Report::covariance and, unless the threshold was estimated, Report::sigma of a polished
-    //! model. It follows polishAsSeen(), which has set imageParts.
+    //! Computes Report::covariance of a polished model and, unless the threshold was estimated,
+    //! Report::sigma. To be called after polishAsSeen(), which sets imageParts.
     void tellCertainty(const Context& context, const Model& model, Report& learned) const
     {
         const bool image = seesImage();
@@ -405,7 +405,7 @@ private:
     const Ptr<Problem> problem;
     ProblemData data;
     Components parts;
-    Ptr<AutomaticThreshold> automatic;  //!< null: the threshold is given
+    Ptr<AutomaticThreshold> automatic;  //!< null: the threshold is not estimated
     Components made;                 //!< the defaults for `params`, before the caller replaced any
     Ptr<Residual> fitted;            //!< the residual that made.nonMinimalSolver minimizes
     Ptr<Residual> rated;             //!< the residual that imageResidual was created for
@@ -414,7 +414,7 @@ private:
     Components imageParts;           //!< components during polishing
     bool keepsImage;                 //!< the original image points are stored, too
     int sample[MAX_SAMPLE_SIZE];     //!< the sample that led to the best model of the run
-    bool sampled;                    //!< false if that model did not come from a sample
+    bool sampled;                    //!< false if the best model did not come from a sample
 };
 
 }  // namespace

@@ -11,24 +11,25 @@ namespace usacv20 {
 
 namespace {
 
-//! LAYERS: number of layers, each twice as wide as the previous one. WIDEST: maximum number of
-//! neighbors kept per point, unless the caller asks for more. See doc/constants.md.
+//! LAYERS: number of layers; each is twice as wide as the previous one. WIDEST: maximum number of
+//! neighbors stored per point, unless the caller asks for more. See doc/constants.md.
 constexpr int LAYERS = 4, WIDEST = 512;
 //! Maximum number of edges from a point to its neighbors. See doc/constants.md.
 constexpr int LINKS = 8;
 
-//! Work in point tests, the unit of Watch: to build the tree, per point; to sort the edges, per
-//! edge; to find the neighbors of a point. It affects only how late a run with a time limit ends.
+//! Estimated work in point tests, the unit of Watch: to build the tree (per point), to sort the
+//! edges (per edge), and to find the neighbors of one point. The values affect only how late a run
+//! with a time limit ends.
 constexpr double BUILD_WORK = 300, SORT_WORK = 60, FIND_WORK = 2000;
 
 typedef cvflann::L2<float> SquaredDistance;
-typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, without random numbers
+typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, not randomized
 
 //! Squared distance and index of a point.
 typedef std::pair<float, int> Found;
 
-//! The nearest points within a radius, at most `capacity` of them, in a heap. FLANN's own result
-//! sets limit either the radius or the number, not both.
+//! Collects the nearest points within a radius, at most `capacity` of them, in a heap. The result
+//! sets of FLANN limit either the radius or the number of points, but not both.
 class NearestWithin : public cvflann::ResultSet<float>
 {
 public:
@@ -63,27 +64,27 @@ private:
     std::vector<Found>& found;
 };
 
-//! Which neighbors of a point a layer contains.
+//! Limits of the neighbors of a point that a layer contains.
 struct Reach
 {
-    int neighbors;         //!< maximum number; the nearest ones are kept
-    double squaredRadius;  //!< pixels
+    int neighbors;         //!< maximum number of neighbors; the nearest neighbors are used
+    double squaredRadius;  //!< largest squared distance, in squared pixels
 };
 
 /** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in
-pixels, by an exact kd-tree of cv::flann. If the two arrays have no common unit
-(Problem::commonUnit; an absolute pose), only the coordinates of the second one are used.
+pixels, found by an exact kd-tree of cv::flann. If the two arrays have no common unit
+(Problem::commonUnit, as for an absolute pose), only the coordinates of the second array are used.
 
 Each of the #LAYERS layers is twice as wide as the previous one: for k nearest neighbors, the layers
-have k, 2 k, 4 k and 8 k of them; for a radius r, the points within r, 2 r, 4 r and 8 r. P-NAPSAC
-needs growing layers because it asks for more and more members. The parameters define the finest
-layer; the graph cut uses that one, NAPSAC the coarsest. The nearest #WIDEST neighbors are kept, or
-k if k is larger; memory is thus O(N) for any radius. Edges link each point to its nearest neighbors
-in the finest layer, at most #LINKS of them: with more, the graph cut would weigh the labels of
-neighbors more than the error of the point itself.
+have k, 2 k, 4 k and 8 k neighbors; for a radius r, they have the points within r, 2 r, 4 r and 8 r.
+P-NAPSAC needs growing layers because it asks for more and more members. The caller's k or r is that
+of the finest layer, which the graph cut uses; NAPSAC uses the coarsest layer. At most #WIDEST
+neighbors of a point are stored, or k if k is larger, so that memory is O(N) for any radius. Edges
+link each point to at most #LINKS nearest neighbors in the finest layer: with more edges, the graph
+cut would give the labels of neighbors more weight than the error of the point itself.
 
-The tree is built at first use in O(N log N). The neighbors of a point are searched at its first
-query, in O(log N), because samplers use only some points. */
+The tree is built at its first use in O(N log N). The neighbors of a point are searched at the first
+query for this point, in O(log N), because samplers use only some points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
@@ -131,12 +132,12 @@ public:
     }
 
 private:
-    //! Neighbors of a point that have been searched so far.
+    //! Neighbors of a point that have been found so far.
     struct Surroundings
     {
-        int* members;        //!< the point itself, then its neighbors, nearest first
-        int layers;          //!< number of layers searched, from the finest
-        int counts[LAYERS];  //!< number of members in each of these layers
+        int* members;        //!< the point itself, then its neighbors by increasing distance
+        int layers;          //!< number of layers that have been searched, from the finest one on
+        int counts[LAYERS];  //!< number of elements of `members` in each of these layers
     };
 
     static bool isLess(const Vec2i& a, const Vec2i& b)
@@ -144,7 +145,7 @@ private:
         return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
     }
 
-    //! Returns only the point itself, for a run that has to end.
+    //! Returns only the point itself. Used if the run must end before the tree is built.
     static int alone(const Context& context, int point, const int*& members)
     {
         int* const one = context.arena.take<int>(1);
@@ -153,7 +154,8 @@ private:
         return 1;
     }
 
-    //! Creates the edges; if the run has to end meanwhile, those of the first points or none.
+    //! Creates the edges. If the run must end meanwhile, there are only the edges of the first
+    //! points, or no edges.
     void link(const Context& context)
     {
         const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
@@ -172,7 +174,7 @@ private:
         linkCount = (int)(std::unique(links, end) - links);
     }
 
-    //! @return false if the run has to end before there is a tree
+    //! Builds the tree unless it exists. @return false if the run must end before it can be built
     bool build(const Context& context)
     {
         const Correspondences& p = context.points;
@@ -202,7 +204,7 @@ private:
         return true;
     }
 
-    //! Writes the point itself and then its neighbors, sorted, to `found`.
+    //! Writes the point itself and then its neighbors, sorted by distance, to `found`.
     void find(int point, const Reach& wanted)
     {
         const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, size);
@@ -210,7 +212,7 @@ private:
                              found);
         tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
         std::sort(found.begin(), found.end());
-        size_t self = 0;  // position of the point itself; many equal points may have displaced it
+        size_t self = 0;  // index of the point itself, which is not 0 if other points are equal
         while (self + 1 < found.size() && found[self].second != point)
             ++self;
         found[self] = Found(0.f, point);
@@ -227,14 +229,14 @@ private:
     }
 
     Reach reach[LAYERS];
-    float* coordinates;  //!< pixels, one point per row
-    int columns;         //!< number of columns
-    int size;            //!< points
+    float* coordinates;  //!< coordinates in pixels, one row per point
+    int columns;         //!< number of coordinates per point
+    int size;            //!< number of points
     Ptr<KdTree> tree;
     const cvflann::SearchParams exact;
     Surroundings* known;       //!< neighbors of each point
-    std::vector<Found> found;  //!< result of the last search; its memory is kept
-    Vec2i* links;              //!< null: not requested yet
+    std::vector<Found> found;  //!< result of the last search; a member to reuse its memory
+    Vec2i* links;              //!< the edges; null: they have not been requested yet
     int linkCount;
 };
 

@@ -10,9 +10,9 @@ namespace usacv20 {
 
 namespace {
 
-//! CODE_BITS: bits of the code of a cell; with four axes these are four per axis, for layers with
-//! 16, 8, 4 and 2 cells per axis as in the program of the authors of @cite barath2019progressive.
-//! MOST_BITS: maximum number of bits per axis, with fewer axes.
+//! CODE_BITS: bits of the code of a cell. Four axes have four bits each, for layers with 16, 8, 4
+//! and 2 cells per axis as in the program of the authors of @cite barath2019progressive.
+//! MOST_BITS: maximum number of bits per axis, which matters if there are fewer axes.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
 //! Maximum number of edges from a point to later points in its cell of the second layer. See
 //! doc/constants.md.
@@ -21,12 +21,13 @@ constexpr int LINKS = 3;
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
 barath2019progressive.
 
-The finest layer divides each of four axes into 16 cells, the next ones into 8, 4 and 2. With the
-bits of the four cell numbers interleaved (Morton's code, 16 bits), the points of a cell of any
-layer are contiguous in the sorted list of codes: one sorted list serves all layers. With fewer axes
-there are more layers, as each axis gets more of the 16 bits. Points outside the range of nearly all
-points fall into the outermost cells. O(N) memory and time (radix sort), O(log N) per query; edges
-link each point to the next #LINKS points in its cell of the second layer. */
+The finest layer divides each of four axes into 16 cells, the next layers divide it into 8, 4 and 2.
+The bits of the four cell numbers are interleaved (Morton's code, 16 bits). Thus the points of a
+cell of any layer are contiguous in the sorted list of codes, and one sorted list serves all layers.
+With fewer axes there are more layers, because each axis gets more of the 16 bits. Points outside
+the range Correspondences::lower to upper belong to the outermost cells. The grid takes O(N) memory
+and time (radix sort), a query takes O(log N). Edges link each point to the next #LINKS points in
+its cell of the second layer. */
 class GridNeighborhood : public Neighborhood
 {
 public:
@@ -47,8 +48,9 @@ public:
     {
         build(context);
         const int shift = axes * layer, cell = codes[point] >> shift;
-        int first = rank[point],
-            last = first + 1;  // points in the cell; the steps double until they leave it
+        // Range of the points of the cell in `sorted`. Both ends move away from the point by steps
+        // that double until they leave the cell; then a binary search finds the border.
+        int first = rank[point], last = first + 1;
         for (int step = 1; first > 0 && sortedCodes[first - 1] >> shift == cell; step *= 2)
             first = std::max(first - step, 0);
         first = (int)(std::lower_bound(sortedCodes + first, sortedCodes + rank[point],
@@ -137,7 +139,7 @@ private:
                 start[d + 1] += start[d];
             for (int i = 0; i < size; ++i)
                 to[start[(codes[from[i]] >> shift) & 255]++] = from[i];
-            std::swap(from, to);  // twice: the result is in `sorted`
+            std::swap(from, to);  // after two swaps the result is in `sorted`
         }
         for (int i = 0; i < size; ++i)
         {
@@ -152,7 +154,7 @@ private:
     int* sorted;           //!< points, sorted by code
     int* rank;             //!< position of each point in `sorted`
     ushort* sortedCodes;   //!< codes of the points in `sorted`
-    Vec2i* links;          //!< null: not requested yet
+    Vec2i* links;          //!< the edges; null: they have not been requested yet
     int linkCount;
 };
 

@@ -10,11 +10,13 @@
 namespace cv {
 namespace usacv20 {
 
-//! Multi-layer grid in the joint space of the columns, see GridNeighborhood.
+//! Creates a multi-layer grid in the joint space of the columns, see GridNeighborhood.
 Ptr<Neighborhood> createGridNeighborhood(int columns);
-//! Nearest neighbors, see FlannNeighborhood. @param neighbors number of them in the finest layer
+//! Creates a graph of nearest neighbors, see FlannNeighborhood.
+//! @param neighbors number of neighbors of a point in the finest layer
 Ptr<Neighborhood> createKnnNeighborhood(int neighbors);
-//! Points within a radius, see FlannNeighborhood. @param radius of the finest layer, in pixels
+//! Creates a graph of the neighbors within a radius, see FlannNeighborhood.
+//! @param radius radius of the finest layer, in pixels
 Ptr<Neighborhood> createRadiusNeighborhood(double radius);
 
 }  // namespace usacv20

@@ -10,16 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-//! Densest points first, see DensityOrdering.
+//! Creates an ordering by the local density of the matches, see DensityOrdering.
 Ptr<Ordering> createDensityOrdering();
-//! Best Params::scores first.
+//! Creates an ordering by Params::scores, with the best score first.
 Ptr<Ordering> createScoreOrdering();
-//! In the caller's order, see InputOrderOrdering.
+//! Creates an ordering that keeps the order of the caller's arrays, see InputOrderOrdering.
 Ptr<Ordering> createInputOrderOrdering();
 
-/** Moves matches that equal an earlier one to the end of the order: they add no information, and a
-growing set that contains only copies of one match gives no valid sample. The other matches keep
-their order. O(N), by a hash table. */
+/** Moves each match that equals an earlier match to the end of the order. Such a copy adds no
+information, and a growing set that contains only copies of one match gives no valid sample. The
+other matches keep their order. Takes O(N), with a hash table. */
 void repeatedLast(const Context& context, int* order);
 
 }  // namespace usacv20

@@ -21,8 +21,8 @@ uint64 keyOf(float score, int point)
     return (uint64)bits << 32 | (unsigned)point;
 }
 
-/** Orders points by the given scores, best first; points of equal score keep their pseudo-random
-order, repeated matches come last. O(N log N). */
+/** Orders points by Params::scores so that the best point comes first. Points of equal score keep
+their pseudo-random order, and repeated matches come last. Takes O(N log N). */
 class ScoreOrdering : public Ordering
 {
 public:

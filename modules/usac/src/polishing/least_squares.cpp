@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Least squares over all inliers, repeated while the new inliers make the model better (Algorithm
-1, last line). Only a better model is accepted, so that the inlier sets cannot cycle. */
+/** Least squares over all inliers, repeated while a fit to the new inliers improves the model
+(Algorithm 1, last line). Only a better model is accepted, so that the inlier sets cannot cycle. */
 class LeastSquaresPolisher : public Polisher
 {
 public:

@@ -15,31 +15,32 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Part of the inliers that is fitted first: those with the lowest leverage.
+//! Fraction of the inliers that is fitted first: the inliers with the lowest leverage.
 constexpr double BULK = 0.85;
-//! Leverage (at most 1) from which on a point may determine a parameter alone.
+//! A point with at least this leverage (which is at most 1) may determine a parameter alone.
 constexpr double HIGH = 0.4;
-//! A point is taken back if its error is at most DEVIATIONS standard deviations of its prediction
-//! and, in the first of two rounds, its leverage is at most PREDICTED.
+//! A point is included again if its error is at most DEVIATIONS standard deviations of its
+//! predicted error and, in the first of two rounds, if its leverage is at most PREDICTED.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
-/** Minimum decrease (gain) of the sum of squared errors, in noise variances: HOPE for the first
-fit, else the attempt ends; GAIN for the result. Changing two parameters gains 6 by chance in one of
-20 cases; the result is then as good as the model. */
+/** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
+less than HOPE, the attempt ends; the result must gain GAIN. Changing two parameters gains 6 by
+chance in one of 20 cases; the result is then as good as the model. */
 constexpr double HOPE = 3, GAIN = 6;
-/** Stricter conditions if nearly all inliers leave parameters free (Problem::leavesFree), as points
-on a plane leave the epipole. The gain must be FREE_GAIN or more. It must also be TURNED sqrt(n) or
-more for n points: another epipole changes the direction in which all errors are measured, and the
-difference of two sums of n squares has a standard deviation of at most 2 sqrt(n) noise variances.
-The evidence of the lost inliers (surpriseOf()) must be at most gain / FREE_AGAINST, because only
-inliers off the plane determine the epipole. With GAIN alone, an F whose right matches are nearly
-all on a plane may lose those off it. An ambiguous model (E) is not changed if parameters are free:
-fits may end between its two solutions. */
+/** Stricter conditions if nearly all inliers leave parameters undetermined (Problem::leavesFree),
+like points on a plane the epipole. The gain must be at least FREE_GAIN. It must also be at least
+TURNED sqrt(n) for n points: another epipole changes the direction in which all errors are measured,
+and the difference of two sums of n squares has a standard deviation of at most 2 sqrt(n) noise
+variances. The evidence of the lost inliers (surpriseOf()) must be at most gain / FREE_AGAINST,
+because only inliers off the plane determine the epipole. With GAIN alone, an F whose right matches
+are nearly all on a plane may lose the right matches off the plane. An ambiguous model (E) is not
+changed if parameters are undetermined, because fits may end between its two solutions. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
-//! Lower bound of the noise, in thresholds: the accuracy of errors in float.
+//! Lower bound of the standard deviation of the noise, in thresholds: the accuracy of errors in
+//! single precision.
 constexpr double LEAST_NOISE = 1e-3;
-//! Steps of a fit; it need not converge, because the result is polished.
+//! Steps of a fit. A fit need not converge, because the result is polished.
 constexpr int STEPS = 5;
 
 }  // namespace
@@ -99,7 +100,7 @@ bool Leverage::convinces(const Model& fitted, const Model& model, const Points& 
     if (!(gain >= GAIN))
         return false;
     const double against = surpriseOf(all - inliersOf(fitted));
-    if (against > gain / 2 ||  // half the gain is the gain of log-likelihood
+    if (against > gain / 2 ||  // gain / 2 is the increase of the log-likelihood
         against > byChance())
         return false;
     const Problem& problem = *context.points.problem;
@@ -115,7 +116,7 @@ bool Leverage::look(const Model& model)
     all = inliers.count = 0;
     for (int i = 0; i < p.size; ++i)
     {
-        if (!(errors[i] <= (float)limit))  // or NaN
+        if (!(errors[i] <= (float)limit))  // NaN is not an inlier
             continue;
         ++all;
         if (inliers.count == MOST)
@@ -156,7 +157,7 @@ bool Leverage::findBulk(const Model& model)
     std::nth_element(order, order + bulk.count, order + count, [&own](int a, int b) {
         return own[a] < own[b] || (own[a] == own[b] && a < b);
     });
-    std::sort(order, order + bulk.count);  // nth_element leaves them in no specified order
+    std::sort(order, order + bulk.count);  // because the order after nth_element is unspecified
     for (int k = 0; k < bulk.count; ++k)
         bulk.indices[k] = inliers.indices[order[k]];
     return true;
@@ -236,8 +237,8 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
            result.count > parts.minimalSolver->sampleSize();
 }
 
-//! Uses derivatives by all entries of the model. It has fewer parameters, but this affects all
-//! points alike.
+//! Uses derivatives with respect to all entries of the model, although it has fewer parameters; the
+//! difference affects all points alike.
 template <int ENTRIES>
 bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points,
                            double* result) const
@@ -248,8 +249,8 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     NormalEquationsOf<ENTRIES> sums;
     sums.accumulate(*parts.residual,
                     PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
-    // Errors do not depend on the scale of the model, so the scale is fixed. A custom residual may
-    // be undefined: then the trace is NaN.
+    // Errors do not depend on the scale of the model; the added term makes A regular in this
+    // direction. If a custom residual is undefined, the trace is NaN and the factorization fails.
     const Row scale = Eigen::Map<const Row>(model.val);
     Square A = sums.JtJ;
     A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());
@@ -285,7 +286,7 @@ double Leverage::sumOf(const Points& points, const Model& model) const
     for (int k = 0; k < points.count; ++k)
     {
         const double error = errors[points.indices[k]];
-        sum += error < limit ? error : limit;  // also for NaN
+        sum += error < limit ? error : limit;  // NaN counts as `limit`
     }
     return sum;
 }

@@ -12,27 +12,31 @@ namespace usacv20 {
 
 /** @brief Corrects a polished model that is distorted by a few wrong matches of high leverage.
 
-If the right matches leave some parameters of a model nearly free (the epipole of F for a short
-baseline), the model can be distorted to fit wrong matches as well: the errors of the right matches
-grow, but stay far below a threshold that is wide for the noise. Such a model costs less than the
-true one, by the loss of any score or polisher and by the likelihood of the true noise, so no search
-can prefer the true model by its cost. But the wrong matches alone determine these parameters.
-Therefore they have a high leverage (the part of its own error that a point removes from a fit), and
-without them, the other inliers have another optimum with clearly lower errors.
+If the right matches hardly determine some parameters of a model (the epipole of F for a short
+baseline), the model can be distorted to fit wrong matches as well. The errors of the right matches
+then grow, but stay far below a threshold that is wide for the noise. Such a model has a lower cost
+than the true model, by the loss of any score or polisher and by the likelihood of the true noise,
+so that no search can prefer the true model by its cost. But the wrong matches alone determine these
+parameters. Therefore they have a high leverage (the fraction of its own error that a point removes
+from a fit), and without them, the other inliers have another optimum with clearly lower errors.
 
-So the inliers with the highest leverage are left out. Fits to the others start from the model and
-from samples of these others. Points that agree with the fit are taken back, at first only those of
-low leverage, as in a forward search @cite atkinson2000robust. A fit to all points taken back is
-polished. It replaces the model on two conditions: the errors of those of these points that are
-inliers of the model are lower by more than chance explains; and the lost inliers are no evidence
-against the fit, that is, the best of all models through two wrong matches would have as many by
-chance, and losing them is less improbable than the decrease of the errors. (Right matches off a
-plane have a high leverage, too. But they are more than the matches that agree with one epipole by
-chance, and if most inliers are on a plane, the errors have to decrease more; E is then not
-changed.)
+So the inliers with the highest leverage are left out. Fits to the remaining inliers start from the
+model and from samples of these inliers. Points with small errors under the fit are included again,
+at first only points of low leverage, as in a forward search @cite atkinson2000robust. A fit to all
+points that are included is polished. It replaces the model on two conditions:
+- The errors of these points, as far as they are inliers of the model, decrease by more than chance
+explains.
+- The inliers that are lost are no evidence against the fit: the best of all models through two
+wrong matches would have as many inliers by chance, and the loss is less improbable than the
+decrease of the errors.
 
-Only for errors with one component: with more, a wrong match is rarely within the threshold by
-chance. At most #MOST inliers are used, which bounds the time, except that of polishing. */
+Right matches off a plane have a high leverage, too. But there are more of them than matches that
+fit one epipole by chance. If most inliers are on a plane, the errors must decrease more, and E is
+not changed.
+
+The method is used only for errors with one component: with more components, a wrong match is rarely
+within the threshold by chance. At most #MOST inliers are used, which bounds the time of everything
+except polishing. */
 class Leverage
 {
 public:
@@ -41,14 +45,15 @@ public:
     @param threshold inlier threshold of the mask, in the coordinates of `polish` */
     Leverage(const Context& search, const Context& polish, double threshold);
 
-    //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
+    //! Replaces a polished model by a better one if one is found.
+    //! @param quality quality of the model in the context `polish`
     void improve(Model& model, Quality& quality);
 
 private:
-    //! Effects of halving or doubling each: doc/constants.md.
+    //! doc/constants.md lists the effects of halving or doubling each constant.
     enum {
         MOST = 200,  //!< maximum number of inliers that are used
-        STARTS = 4   //!< number of samples whose best model is another start of a fit
+        STARTS = 4   //!< number of samples; the best of their models is another start of a fit
     };
 
     //! A subset of the points.
@@ -58,27 +63,31 @@ private:
         int count;
     };
 
-    //! Finds the inliers that are used. @return false if there is nothing to do
+    //! Finds the inliers that are used. @return false if there are too few inliers, if all points
+    //! are inliers, or if even one inlier less would be evidence against a fit
     bool look(const Model& model);
-    //! Is a fit better than the model for the points that agree with the fit, and are the lost
-    //! inliers no evidence against the fit?
+    //! True if a fit is better than the model for the points that agree with the fit, and if the
+    //! lost inliers are no evidence against the fit.
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
-    //! Minus the logarithm of Chernoff's bound (see SignificantScale) of the probability that
-    //! `lost` of the points that are not inliers of a fit are inliers of the model by chance.
+    //! Evidence of lost inliers against a fit: minus the logarithm of Chernoff's bound (see
+    //! SignificantScale) of the probability that `lost` of the points that are not inliers of the
+    //! fit are inliers of the model by chance.
     double surpriseOf(int lost) const;
-    //! Value of surpriseOf() that the best of all models through two outliers has by chance.
+    //! Value of surpriseOf() that the best of all models through two outliers reaches by chance.
     double byChance() const;
     //! Finds the inliers with the lowest leverage in a fit to all inliers. @return false if no
     //! inlier has a high leverage
     bool findBulk(const Model& model);
-    //! Least squares over some points, from the model and from the result of sampled().
+    //! Least squares over `points`, which starts from `model` and from the result of sampled(). The
+    //! fit with the lower sum of squared errors is returned in `model`.
     bool fit(const Points& points, int first, Model& model) const;
-    //! The best model of #STARTS samples of the points. @param first number of the first sample
+    //! Finds the best model of #STARTS samples of the points.
+    //! @param first number of the first sample, which selects the random numbers
     bool sampled(const Points& points, int first, Model& model) const;
     //! Finds the points that agree with `model`, which is a fit to `fitted`, and whose leverage in
-    //! this fit is at most `most`.
+    //! this fit is at most `most`. False if there are too few.
     bool agreeing(const Model& model, const Points& fitted, double most, Points& result) const;
-    //! Leverages of points in a fit to `fitted`.
+    //! Computes the leverages of `points` in a fit to `fitted`.
     template <int ENTRIES>
     bool leveragesOf(const Model& model, const Points& fitted, const Points& points,
                      double* result) const;
@@ -86,20 +95,20 @@ private:
                    double* result) const;
     //! Sum of the squared errors of the points, each capped at the squared threshold.
     double sumOf(const Points& points, const Model& model) const;
-    //! Noise variance, if sumOf() is `sum` for a fit to `count` points.
+    //! Estimates the noise variance of a fit to `count` points for which sumOf() is `sum`.
     double variance(double sum, int count) const;
-    //! Number of inliers among all points.
+    //! Number of inliers of `model` among all points.
     int inliersOf(const Model& model) const;
 
     const Context& search;
     const Context& context;
     const Components& parts;
     const double limit;  //!< squared threshold
-    float* errors;       //!< room for all points
+    float* errors;       //!< squared errors; the array has the size of all points
     int looked;          //!< only the first `looked` points are used
-    Points inliers;      //!< inliers among these points
-    Points bulk;         //!< those of `inliers` with low leverage
-    int all;             //!< number of inliers among all points
+    Points inliers;      //!< at most MOST inliers among the first `looked` points
+    Points bulk;         //!< the elements of `inliers` with low leverage
+    int all;             //!< number of inliers of the model among all points
 };
 
 }  // namespace usacv20

@@ -10,15 +10,15 @@
 namespace cv {
 namespace usacv20 {
 
-//! Work per point of a fit to convergence, in point tests, the unit of Watch: 100 ns with a million
-//! points. It affects only how late a time limit ends a run.
+//! Work per point of a fit that runs to convergence, in point tests, the unit of Watch: 100 ns with
+//! a million points. It affects only how late a time limit ends a run.
 constexpr double FIT_WORK = 50;
 
-//! See LeastSquaresPolisher.
+//! Creates the polisher that fits to all inliers, see LeastSquaresPolisher.
 Ptr<Polisher> createLeastSquaresPolisher();
-//! See ReweightedPolisher.
+//! Creates the polisher with the weights of MAGSAC++, see ReweightedPolisher.
 Ptr<Polisher> createReweightedPolisher();
-//! See RobustPolisher.
+//! Creates the polisher with Tukey's biweight, see RobustPolisher.
 Ptr<Polisher> createRobustPolisher();
 
 }  // namespace usacv20

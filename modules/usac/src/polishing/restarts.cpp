@@ -12,24 +12,24 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Number of samples that fits start from: of the inliers; and, for each tried outlier, of this
-//! outlier and inliers.
+//! Number of samples from which fits start: RESTARTS samples of inliers and, for each outlier that
+//! is tried, RESTARTS_OUTSIDE samples of this outlier and inliers.
 constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
 //! The threshold is wide if a point is an inlier of a wrong model with at least this probability.
 constexpr double WIDE = 0.2;
-//! The loss of another minimum must be below this part of the model's loss.
+//! The loss (see lossOf()) of another minimum must be below this fraction of the model's loss.
 constexpr double CLEAR = 0.9;
-/** For models that the checks reject, this part must also be so small that the decrease is chance
-with at most this probability, which is the part to the power of half the remaining degrees of
-freedom. */
+/** A minimum reached from a model that the checks reject must have an even lower loss: the
+probability that the decrease is chance must be at most UNLIKELY. This probability is the ratio of
+the losses to the power of half the remaining degrees of freedom. */
 constexpr double UNLIKELY = 0.1;
-//! For begin(): maximum probability that random points have as low a loss.
+//! For begin(): maximum probability that random points have as low a loss as the model.
 constexpr double CHANCE = 1e-6;
-//! Largest loss that another point may add per component of its error, in units of the inliers'
-//! loss per degree of freedom: one right point in a hundred exceeds 8 if ten degrees of freedom are
-//! left.
+//! Largest loss that an additional point may add per component of its error, in units of the
+//! inliers' loss per degree of freedom. If ten degrees of freedom are left, one right point in a
+//! hundred exceeds 8.
 constexpr double GROWN = 8;
 //! Number of points whose errors are computed together. It has no effect on the result.
 constexpr int BLOCK = 1024;
@@ -161,7 +161,7 @@ bool Restarts::restart(int index, int size, Model& model, Quality& quality)
         sample[k] = members[places[k]];
     Model models[MAX_MODELS];
     const int found = parts.minimalSolver->solve(search.points, sample, models);
-    int best[2] = {-1, -1};  // among models that the checks reject, and among the others
+    int best[2] = {-1, -1};  // best model that the checks reject, and best one that they accept
     double least[2] = {DBL_MAX, DBL_MAX};
     for (int k = 0; k < found; ++k)
     {
@@ -220,7 +220,7 @@ double Restarts::lossOf(const Model& model, int size) const
         double error;
         parts.residual->squaredErrors(model, column, 1, &error);
         const double part = error * scale;
-        sum += part < 1 ? part : 1;  // also for NaN
+        sum += part < 1 ? part : 1;  // NaN counts as 1
     }
     return sum;
 }

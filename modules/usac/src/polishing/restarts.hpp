@@ -14,19 +14,19 @@ namespace usacv20 {
 few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
-the best one. A search that ends with its first sample may not have: for example, if the errors of
-ten points are below the threshold for any model. Orientation checks make this worse where they do
-not apply: for an H whose horizon lies between the points, they reject all samples except those on
-one side of the horizon, which may all lead to one wrong minimum.
+the best minimum. A search that ends after its first sample may have missed it, for example because
+the errors of ten points are below the threshold for any model. Orientation checks make this worse
+if they reject right models: for an H whose horizon lies between the points, they reject all samples
+except those on one side of the horizon, which may all lead to one wrong minimum.
 
 Least squares over the inliers (at most #MOST) starts from the models of random samples of inliers,
 including models that the checks reject. A clearly lower minimum is polished and replaces the model
-if its cost is not higher. From a rejected model the minimum must be much lower, because there are
-more such models.
+if its cost is not higher. If the fit starts from a rejected model, the minimum must be much lower,
+because there are more such models.
 
 A few inliers close to each other determine the model poorly far from them. The outliers with the
 smallest errors are therefore tried: a fit to the inliers and one such outlier replaces the model if
-all of these points are its inliers, with hardly larger errors. */
+all of these points are inliers of the fit, with hardly larger errors. */
 class Restarts
 {
 public:
@@ -36,50 +36,55 @@ public:
     @param state state of the run */
     Restarts(const Context& search, const Context& polish, State& state);
 
-    //! Replaces a polished model by a better one, if any. @param quality its quality in `polish`
+    //! Replaces a polished model by a better one if one is found.
+    //! @param quality quality of the model in the context `polish`
     void improve(Model& model, Quality& quality);
 
-    /** For a few points whose samples the checks have all rejected: finds a model that fits all
-    points better than a model of random points would. @return false if there is none */
+    /** To be called if there are only a few points and the checks have rejected all samples: finds
+    a model that fits all points better than the model of random points would. @return false if no
+    such model is found */
     bool begin(Model& model, Quality& quality);
 
 private:
     enum {
-        //! Maximum number of inliers that are used; with more, there are no restarts unless the
-        //! threshold is wide.
+        //! Maximum number of inliers that are used. If there are more inliers, nothing is done
+        //! unless the threshold is wide.
         MOST = 30,
-        //! Number of outliers that are tried.
+        //! Maximum number of outliers that are tried.
         NEXT = 4,
-        //! Steps of a fit.
+        //! Maximum number of steps of a fit.
         STEPS = 20
     };
 
     //! Finds the inliers, and the outliers with the smallest errors. @return false if there are too
     //! few inliers, or more than #MOST and the threshold is not wide
     bool look(const Model& model);
-    //! Fits to the inliers, from samples of them and from the model itself.
+    //! Tries fits to the inliers that start from samples of inliers and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Fits to the inliers and one outlier at a time, from samples that contain this outlier.
+    //! Tries fits to the inliers and one outlier at a time that start from samples with this
+    //! outlier.
     void restartOutside(Model& model, Quality& quality);
-    //! Fits to the inliers and one outlier at a time, from the model.
+    //! Tries fits to the inliers and one outlier at a time that start from the model.
     void extendInliers(Model& model, Quality& quality);
-    //! Least squares over the first `size` members, from the models of a sample of these; it
-    //! contains the last member if that is an outlier. @return true if the model was replaced
+    //! Least squares over the first `size` members, which starts from the models of a sample of
+    //! these members. If the last of them is an outlier, the sample contains it. `index` is the
+    //! number of the sample. @return true if the model was replaced
     bool restart(int index, int size, Model& model, Quality& quality);
-    //! Do the checks accept a sample and its model?
+    //! True if the checks accept a sample and its model.
     bool isValid(const int* sample, const Model& model) const;
-    //! Least squares over the inliers and one outlier, from the model.
+    //! Least squares over the inliers and one outlier, which starts from the model. @return true if
+    //! the model was replaced
     bool extend(int outside, Model& model, Quality& quality);
     //! Degrees of freedom that are left after a fit to `size` points.
     int freedom(int size) const;
-    //! Sum of the squared errors of the first `size` members in squared thresholds, each capped at
-    //! 1.
+    //! The loss of a model: the sum of the squared errors of the first `size` members, in squared
+    //! thresholds, each capped at 1.
     double lossOf(const Model& model, int size) const;
     bool fit(int size, Model& model) const;
     //! Polishes a fit. It replaces the model if its loss, before and after polishing, is below
-    //! `limit`, the checks accept it, and its cost is not higher than the model's.
+    //! `limit`, the checks accept it, and its cost is not higher than that of the model.
     bool accept(const Model& fitted, int size, double limit, Model& model, Quality& quality);
-    //! Updates model and quality by the checks; false if they reject the model.
+    //! Lets the checks update model and quality. False if they reject the model.
     bool check(Model& model, Quality& quality);
 
     const Context& search;
@@ -87,11 +92,11 @@ private:
     const Components& parts;
     State& state;
     const int m;            //!< sample size
-    int members[MOST + 1];  //!< inliers, and room for another point
-    int next[NEXT];         //!< outliers with the smallest errors, in this order
-    int count, all;         //!< numbers of members and of inliers
+    int members[MOST + 1];  //!< inliers that are used; the last element is for an outlier
+    int next[NEXT];         //!< outliers with the smallest errors, in ascending order of the error
+    int count, all;         //!< number of inliers in `members`, and of all inliers
     int outside;            //!< number of outliers in `next`
-    double loss;            //!< lossOf() the model
+    double loss;            //!< lossOf() of the present model
 };
 
 }  // namespace usacv20

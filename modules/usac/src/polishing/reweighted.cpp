@@ -12,12 +12,12 @@ namespace usacv20 {
 
 namespace {
 
-//! A fit that lowers the loss by less than this part is the last.
+//! A fit that lowers the loss by less than this fraction is the last one.
 constexpr double SETTLED = 1e-5;
 
 /** Iteratively re-weighted least squares over all points within the threshold of the score, with
-the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted while they lower the loss that
-belongs to these weights; the cost by the score of the run does not matter. */
+the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted as long as they lower the loss
+that belongs to these weights, even if the cost by the score of the run increases. */
 class ReweightedPolisher : public Polisher
 {
 public:

@@ -12,37 +12,39 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-/** Support of the biweight in standard deviations of the noise; fits are 1.6 % (F, E) or 2.3 % (H)
-less accurate than least squares under Gaussian noise. */
+/** Support of the biweight in standard deviations of the noise. With 5.3, fits are 1.6 % (F, E) or
+2.3 % (H) less accurate than least squares under Gaussian noise. */
 constexpr double SUPPORT = 5.3;
-/** All steps except the last two use only the first points: so many that FEW of them, or 1 / PART
-of all points if this is more, are within REACH thresholds. */
+/** All steps except the last two use only the first points: so many that FEW points, or 1 / PART of
+all points if this number is larger, are within REACH thresholds. */
 constexpr int REACH = 3, FEW = 500, PART = 8;
-/** Of more than MANY points only a part has been searched (ProblemData::SEARCHED), and the model is
-further from the minimum in units of the standard error of all points. Therefore MORE steps are
-added, nearly all of them on the first points. */
+/** If there are more than MANY points, the search has used only a part of them
+(ProblemData::SEARCHED), and the model is further from the minimum in units of the standard error of
+all points. Therefore MORE steps are added, nearly all of them on the first points. */
 constexpr int MANY = 1 << 15, MORE = 6;
-//! BLOCK points are passed to each call of the kernel; the last fit has LAST steps, enough to
-//! converge.
+//! BLOCK points are passed to each call of the kernel. The last fit has at most LAST steps, which
+//! are enough to converge.
 constexpr int BLOCK = 256, LAST = 10;
 //! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
-//! point within the support, or if the scale changes by at least the part SAME_SCALE.
+//! point within the support, or if the scale changes by at least the fraction SAME_SCALE.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! The noise is estimated again if the loss has decreased by more than this part of the loss of the
-//! points within the support.
+//! The noise is estimated again if the loss has decreased by more than this fraction of the loss of
+//! the points within the support.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
 by re-weighting with w = (1 - (error / support)^2)^2 in each step. The support is #SUPPORT standard
-deviations of the noise (NoiseScale), with which the biweight is nearly as accurate as least squares
-under Gaussian noise. Points beyond the support have no influence: a wrong match far from the others
-in the images (for example near the epipole) would distort F even with a hundredth of its weight.
+deviations of the noise (NoiseScale); with this value, the biweight is nearly as accurate as least
+squares under Gaussian noise. Points beyond the support have no influence: a wrong match far from
+the other points in the images (for example near the epipole) would distort F even with a hundredth
+of its weight.
 
-It ends when the last step has lowered the loss by less than a tenth of the mean loss of a point
-within the support (which does not depend on the threshold) and the scale of the noise no longer
-changes; or after Params::polishingSteps steps, of which the last is a fit to convergence. */
+The iteration ends when the last step has lowered the loss by less than a tenth of the mean loss of
+a point within the support (which does not depend on the threshold) and the scale of the noise no
+longer changes, but at the latest after Params::polishingSteps steps. The last of these steps is a
+fit that runs to convergence. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -94,8 +96,8 @@ public:
     double weight(double square, int) const CV_OVERRIDE { return (1 - square) * (1 - square); }
 
 private:
-    //! Computes errors of the first points, in blocks, until `wanted` are within #REACH thresholds.
-    //! @return number of these points
+    //! Computes errors of the first points, in blocks, until `wanted` points are within #REACH
+    //! thresholds. @return number of points whose errors were computed
     int look(const Context& context, const Model& model, int wanted)
     {
         const Correspondences& p = context.points;
@@ -122,10 +124,10 @@ private:
         const float* const e = errors;
         int* const members = near;
         int size = 0;
-        for (int i = 0; i < looked; ++i)  // no branches, as these would often be mispredicted
+        for (int i = 0; i < looked; ++i)  // without branches, which would often be mispredicted
         {
             members[size] = i;
-            size += e[i] < limit;  // false for NaN
+            size += e[i] < limit;  // NaN is not within the support
         }
         double sum = 0;
         for (int k = 0; k < size; ++k)
@@ -139,12 +141,12 @@ private:
         return lossNear + looked - count;
     }
 
-    // during polish()
-    float* errors;
-    int* near;        //!< points within the support, the first `count`
-    double* weights;  //!< weights of these points
-    int count;        //!< number of these points
-    double lossNear;  //!< loss of these points
+    // The following are valid only during polish().
+    float* errors;    //!< squared errors of the points
+    int* near;        //!< points within the support: the first `count` elements
+    double* weights;  //!< weights of the points in `near`
+    int count;        //!< number of points within the support
+    double lossNear;  //!< sum of the losses of the points within the support
 };
 
 }  // namespace

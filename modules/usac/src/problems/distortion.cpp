@@ -18,11 +18,12 @@ enum { K1, K2, P1, P2, K3, K4, K5, K6, S1, S2, S3, S4, TAU_X, TAU_Y };
 constexpr int STEPS = 50;
 //! Number of bisections that reduce an interval of radii to rounding error.
 constexpr int HALVES = 60;
-//! Error of the equations that is due to rounding, relative to 1 + the distorted radius.
+//! Newton's method ends when the distance between the distorted point and the wanted point is at
+//! most EXACT times (1 + the distorted radius), which is about the rounding error.
 constexpr double EXACT = 1e-14;
 
-//! The projection onto a sensor that is tilted about the axes x and y, corrected so that the center
-//! stays in place.
+//! Homography of the projection onto a sensor that is tilted by the angles `x` and `y`, in radians,
+//! about the axes of the same name; the center of the image stays in place.
 Matx33d tiltOf(double x, double y)
 {
     if (x == 0 && y == 0)
@@ -38,7 +39,7 @@ Matx33d tiltOf(double x, double y)
 Distortion::Distortion(const Mat& coefficients)
     : identity(true), straight(true), c(), limit(INFINITY)
 {
-    Mat doubles;  // continuous, which a column of a matrix is not
+    Mat doubles;  // a continuous copy: a column of a matrix is not continuous in memory
     coefficients.convertTo(doubles, CV_64F);
     for (int i = 0; i < (int)doubles.total(); ++i)
         c[i] = doubles.ptr<double>()[i];
@@ -63,11 +64,11 @@ double Distortion::radial(double squared, double* derivative) const
 }
 
 //! The smallest q = r^2 > 0 at which the distorted radius r radial(r^2) stops growing or the
-//! denominator is 0.
+//! denominator is 0; INFINITY if there is none. With radial = N / D as in the code below.
 double Distortion::firstFold() const
 {
     const double N[4] = {1, c[K1], c[K2], c[K3]}, D[4] = {1, c[K4], c[K5], c[K6]};
-    double slope[7] = {0}, roots[7];  // (N + 2 q N') D - 2 q N D', q^7 does not occur
+    double slope[7] = {0}, roots[7];  // slope: (N + 2 q N') D - 2 q N D', of degree 6 in q
     for (int i = 0; i < 4; ++i)
         for (int k = 0; k < 4; ++k)
             slope[i + k] += (1 + 2 * i - 2 * k) * N[i] * D[k];
@@ -89,7 +90,7 @@ double Distortion::firstFold() const
 bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
 {
     const double x = p[0], y = p[1], q = x * x + y * y;
-    if (!(q < limit))  // also for NaN
+    if (!(q < limit))  // NaN is not seen either
         return false;
     double slope;
     const double factor = radial(q, &slope), mixed = 2 * x * y;
@@ -117,8 +118,8 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
     return true;
 }
 
-//! Inverts the radial terms alone by bisection: up to the first fold, the distorted radius grows
-//! with the radius.
+//! Finds a start for Newton's method: inverts the radial terms alone by bisection, since the
+//! distorted radius grows with the radius up to the first fold. False if no radius is found.
 bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
 {
     const double wanted = std::sqrt(d.dot(d));
@@ -139,8 +140,8 @@ bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
     return low > 0;
 }
 
-//! Starts from the distorted point, which suffices for an ordinary lens; if that fails, from the
-//! solution for the radial terms.
+//! Newton's method starts from the distorted point, which suffices for an ordinary lens. If it
+//! fails, it starts again from the solution of the radial terms alone.
 bool Distortion::undistort(const Vec2d& d, Vec2d& p) const
 {
     p = d;
@@ -163,7 +164,8 @@ void Distortion::undistort(double* x, double* y, int count) const
     }
 }
 
-//! Newton's method; a step that crosses the fold or increases the error is halved.
+//! Newton's method, starting from `p`. A step that crosses the fold or does not decrease the error
+//! is halved. False if the method does not converge.
 bool Distortion::descend(const Vec2d& d, Vec2d& p) const
 {
     const double tolerance = EXACT * (1 + std::sqrt(d.dot(d)));

@@ -12,27 +12,29 @@ namespace usacv20 {
 
 /** @brief OpenCV's model of lens distortion, on the normalized image plane.
 
-Rational radial terms k1 to k6, tangential p1, p2, thin prism s1 to s4, tilt of the sensor tau_x,
-tau_y; in the order k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y (see cv::projectPoints). A model
-with few coefficients is valid near the center of the image only: beyond some radius, the radial
-terms fold the plane back onto itself. Points outside the first fold are not seen. */
+The coefficients are k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y, in this order (see
+cv::projectPoints): rational radial terms k, tangential terms p, thin prism terms s, and the tilt of
+the sensor tau. Such a model is valid near the center of the image only: beyond a certain radius,
+the first fold, the distorted radius no longer grows with the radius. Points beyond the first fold
+are treated as not seen by the camera. */
 class Distortion
 {
 public:
-    //! @param coefficients the first ones of the list above, any depth, as readDistortion() returns
-    //! them; empty: no distortion
+    //! @param coefficients the first few of the list above, of any depth, as readDistortion()
+    //! returns them; an empty matrix means that there is no distortion
     explicit Distortion(const Mat& coefficients);
 
     bool none() const { return identity; }
     /** @brief Distorts a point.
     @param p the point
     @param d output, distorted point
-    @param derivative output, of `d` with respect to `p`; may be null
+    @param derivative output, derivative of `d` with respect to `p`; may be null
     @return false if `p` is not seen */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
-    //! Finds the point `p` that distort() maps to `d`, to double precision. False if there is none.
+    //! Finds the point `p` that distort() maps to `d`, to double precision. False if there is no
+    //! such point.
     bool undistort(const Vec2d& d, Vec2d& p) const;
-    //! The same for many points, in place; NaN where there is no such point.
+    //! Undistorts `count` points in place. A point that undistort() cannot solve becomes NaN.
     void undistort(double* x, double* y, int count) const;
 
 private:
@@ -43,10 +45,10 @@ private:
     bool startOf(const Vec2d& d, Vec2d& p) const;
     bool descend(const Vec2d& d, Vec2d& p) const;
 
-    bool identity, straight;  //!< no distortion; the sensor is not tilted
+    bool identity, straight;  //!< without any distortion; without a tilt of the sensor
     double c[COEFFICIENTS];
     Matx33d tilt;
-    double limit;  //!< squared radius of the first fold
+    double limit;  //!< squared radius of the first fold; INFINITY: there is no fold
 };
 
 }  // namespace usacv20

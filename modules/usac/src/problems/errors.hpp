@@ -15,19 +15,19 @@ namespace usacv20 {
 
 namespace {
 
-//! A list of formulas, see residual/formula_residual.hpp.
+//! A list of formulas of residuals, see residual/formula_residual.hpp.
 template <class... Errors>
 struct ErrorList
 {
     enum { COUNT = sizeof...(Errors) };
 };
 
-//! All formulas that kernels are compiled for; a new one is added here.
+//! All formulas for which kernels are compiled. A new formula must be added here.
 typedef ErrorList<TransferError, SymmetricTransferError, SampsonError, SymmetricEpipolarError,
                   ReprojectionError, SpaceTransferError>
     Errors;
 
-//! VALUE: place of a formula in a list.
+//! VALUE is the index of the formula `Error` in the list `List`.
 template <class Error, class List>
 struct PlaceOf;
 template <class Error, class... More>

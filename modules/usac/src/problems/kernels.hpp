@@ -15,7 +15,7 @@ namespace usacv20 {
 //! The loops over points of all problems, compiled once for each instruction set.
 struct Kernels
 {
-    ResidualKernels residuals[Errors::COUNT];  //!< in the order of the list of formulas
+    ResidualKernels residuals[Errors::COUNT];  //!< in the order of the list #Errors
     ArcsKernel arcs;
 };
 
@@ -32,21 +32,21 @@ const Kernels& kernels();
 
 namespace {  // unnamed, because the formulas are in unnamed namespaces
 
-//! The loops of a formula.
+//! The compiled loops over points for the formula `Error`.
 template <class Error>
 inline const ResidualKernels& kernelsOf()
 {
     return kernels().residuals[PlaceOf<Error, Errors>::VALUE];
 }
 
-//! The residual of a formula.
+//! Creates the residual with the formula `Error`.
 template <class Error>
 inline Ptr<Residual> createResidualOf()
 {
     return makePtr<FormulaResidual<Error>>(kernelsOf<Error>());
 }
 
-//! True if this is the residual of the formula. Such a residual may have a fit in closed form.
+//! True if `residual` uses the formula `Error`. Callers can then use a closed-form fit for it.
 template <class Error>
 inline bool hasFormula(const Residual& residual)
 {

@@ -46,7 +46,7 @@ void Prediction::linearize(const Model& model, const double* datum, double* deri
                 derivative[i * model.size() + 4 * i + k] = k < 3 ? datum[k] : 1;
 }
 
-//! y = K M x / (third component of it), x homogeneous.
+//! The image point is K M x divided by its third component; M is the model and x is homogeneous.
 void Prediction::project(const Model& model, const double* datum, double* derivative) const
 {
     const int cols = model.cols, size = model.size();
@@ -60,14 +60,15 @@ void Prediction::project(const Model& model, const double* datum, double* deriva
     for (int c = 0; c < 2; ++c)
         for (int i = 0; i < 3; ++i)
         {
-            // derivative of component c of the image point by y[i]
+            // derivative of coordinate c of the image point with respect to y[i]
             const double factor = (K(c, i) - image[c] / image[2] * K(2, i)) / image[2];
             for (int k = 0; k < cols; ++k)
                 derivative[c * size + cols * i + k] = factor * x[k];
         }
 }
 
-//! The line in image 2 is l = second^T M first x1, the distance l^T x2 / |(l_1, l_2)|.
+//! The epipolar line in image 2 is l = second^T M first x1, where M is the model. The signed
+//! distance of x2 from this line is l^T x2 / |(l_1, l_2)|.
 void Prediction::lineDistance(const Model& model, const double* datum, double* derivative) const
 {
     const Vec3d x1 = first * Vec3d(datum[0], datum[1], 1), x2(datum[2], datum[3], 1);

@@ -10,28 +10,28 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief What a model says of a datum, and how that depends on the model: the place of a mapped,
-projected or moved point, or for F and E the signed distance of the point of image 2 from its
-epipolar line. */
+/** @brief The derivative of a model's prediction for a datum with respect to the model. The
+prediction is the position of the mapped, projected or moved point; for F and E, it is the signed
+distance of the point of image 2 from its epipolar line. */
 class Prediction
 {
 public:
-    //! Most components.
+    //! Maximum number of components of a prediction.
     enum { MOST = 3 };
 
     //! Camera matrices as for Usac::create; not used by problems without cameras.
     Prediction(ProblemType problem, InputArray cameraMatrix1, InputArray cameraMatrix2);
 
-    //! 1 to 3.
+    //! Number of components of a prediction: 1 to 3.
     int components() const { return kind == LINE ? 1 : kind == MOTION ? 3 : 2; }
-    //! True if the point of array 2 matters.
+    //! True if the prediction also depends on the point of array 2.
     bool needsBoth() const { return kind == LINE; }
     /** @brief Derivatives of the components by the entries of the model.
     @param model 3x3, or 3x4 for points of space, in the coordinates of Problem::ofOutput; absolute
     pose: [R t]
-    @param datum numbers of the point of array 1; F, E: followed by those of array 2
-    @param derivative output, components() rows of Model::size() numbers; not finite where the
-    prediction is not */
+    @param datum coordinates of the point of array 1; for F and E, those of array 2 follow
+    @param derivative output, components() rows of Model::size() numbers; not finite if the
+    prediction is not finite */
     void linearize(const Model& model, const double* datum, double* derivative) const;
 
 private:
@@ -42,8 +42,8 @@ private:
     void lineDistance(const Model& model, const double* datum, double* derivative) const;
 
     const Kind kind;
-    Matx33d K;              //!< absolute pose: the camera; else the identity
-    Matx33d first, second;  //!< E: from pixels to the normalized image planes; else the identity
+    Matx33d K;              //!< camera matrix for absolute poses, otherwise the identity
+    Matx33d first, second;  //!< for E, inverse camera matrices; otherwise the identity
 };
 
 }  // namespace usacv20

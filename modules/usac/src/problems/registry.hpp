@@ -5,10 +5,10 @@
 #ifndef OPENCV_USACV20_REGISTRY_HPP
 #define OPENCV_USACV20_REGISTRY_HPP
 
-// What is made from the rows of registry.inl.hpp: the factory of all problems (registry.cpp), the
-// functions estimate<NAME> (api/estimate.cpp) and estimate<PLURAL> (api/batch.cpp), and, by
-// misc/python/make_names.py, which also compares the rows with the public headers, the functions in
-// Python. Tests take their lists of problems from it.
+// The rows of registry.inl.hpp generate the factory of all problems (registry.cpp) and the
+// functions estimate<NAME> (api/estimate.cpp) and estimate<PLURAL> (api/batch.cpp). From the same
+// rows, misc/python/make_names.py generates the functions in Python; it also compares the rows with
+// the public headers. Tests take their lists of problems from these rows.
 
 #include "opencv2/usac/problem.hpp"
 

@@ -2,14 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The table of problems, a row for each kind of model. Included several times, see registry.hpp for
-// what is made from it; each includer defines
+// The table of problems, with a row for each kind of model. It is included several times;
+// registry.hpp lists what is generated from it. Each file that includes it defines
 //
 //     USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS)
 //
 // TYPE       its enumerator of ProblemType
-// NAME       estimate<NAME> is its function, create<NAME>Problem() its factory in its folder
-// PLURAL     estimate<PLURAL> is its function for many sets of points
+// NAME       estimate<NAME> is its public function, create<NAME>Problem() its factory
+// PLURAL     estimate<PLURAL> is its public function for many sets of points
 // ARGUMENTS  what these functions take besides options:
 //            IMAGES   points1, points2: points of two images
 //            SPACES   points1, points2: points of two spaces

@@ -29,13 +29,13 @@ inline bool shareAPoint(const Correspondences& p, int i, int j)
     return samePoint(p, 0, i, j) || (p.coordinates[1] > 0 && samePoint(p, 1, i, j));
 }
 
-//! True if two matches are the same.
+//! True if two matches have the same points in both arrays.
 inline bool sameMatch(const Correspondences& p, int i, int j)
 {
     return samePoint(p, 0, i, j) && samePoint(p, 1, i, j);
 }
 
-//! True if `share(i, k)` holds for at least one pair of points i and k of a sample of m.
+//! True if `share(i, k)` holds for at least one pair of points i and k of a sample of `m` points.
 template <class Share>
 inline bool anyPair(const int* sample, int m, const Share& share)
 {
@@ -46,8 +46,8 @@ inline bool anyPair(const int* sample, int m, const Share& share)
     return false;
 }
 
-//! True if two points of a sample of m have the same value in a column. `m` may be a compile-time
-//! constant, so that the loops are unrolled.
+//! True if two points of a sample of `m` points have the same value in a column. If `m` is a
+//! compile-time constant, the loops are unrolled.
 template <class Size>
 inline bool anyEqual(const float* column, const int* sample, Size m)
 {
@@ -62,8 +62,9 @@ inline bool anyEqual(const float* column, const int* sample, Size m)
     return equal;
 }
 
-/** Fast first test: false if no two matches of a sample have the same first coordinate in an array,
-so that they share no point of it. It settles nearly all samples without data-dependent branches. */
+/** Fast preliminary test: false if no two matches of a sample have the same first coordinate in an
+array, so that they cannot share a point in this array. For nearly all samples this test suffices,
+and it has no data-dependent branches. */
 inline bool mayShareAPoint(const Correspondences& p, int array, const int* sample, int m)
 {
     const float* const column = p.column[array ? p.coordinates[0] : 0];
@@ -84,8 +85,8 @@ inline bool anyShareAPoint(const Correspondences& p, const int* sample, int m)
            anyPair(sample, m, [&p](int i, int k) { return shareAPoint(p, i, k); });
 }
 
-//! True if a sample of m contains a match twice, and no two different matches share a point (one of
-//! the two would be wrong).
+//! True if a sample of `m` matches contains a match twice, but no two different matches that share
+//! a point (of which at least one would be wrong).
 inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 {
     return mayShareAPoint(p, 0, sample, m) &&
@@ -94,11 +95,11 @@ inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
                     [&p](int i, int k) { return shareAPoint(p, i, k) && !sameMatch(p, i, k); });
 }
 
-//! Upper bound of the scale between two images of a small surface, divided by the ratio of the
-//! image sizes. See doc/constants.md.
+//! Largest plausible ratio between the sizes of a small surface in two images, relative to the
+//! ratio of the image sizes. A larger value rejects fewer pairs of matches. See doc/constants.md.
 constexpr int FAR_APART = 10;
-//! Points that are at most NEAR_THRESHOLDS thresholds apart, and at most 1 / NEAR_PART of the
-//! image, may be the same point up to noise.
+//! Two points may be the same up to noise if their distance is at most NEAR_THRESHOLDS thresholds
+//! and at most 1 / NEAR_PART of the image size.
 constexpr int NEAR_THRESHOLDS = 2, NEAR_PART = 50;
 
 template <class T>
@@ -107,13 +108,13 @@ T square(T x)
     return x * x;
 }
 
-//! Squared distances in the two images below which two points may be the same up to noise, and
-//! above which they are far apart.
+//! Limits of squared distances in the two images: two points at a distance of at most `near` may be
+//! the same up to noise; two points at a distance above `far` are far apart.
 struct TargetLimits
 {
-    /** Points are near if they are within two thresholds and within a fiftieth of the image: a
-    threshold may be as large as an image.
-    @param threshold of the errors
+    /** The limits depend on the threshold and on the image size, because a threshold may be as
+    large as an image.
+    @param threshold threshold of the errors, in the coordinates of the points
     @param sizes extents of the points in the two images, above 0 */
     TargetLimits(double threshold, const float* sizes)
     {
@@ -129,8 +130,8 @@ struct TargetLimits
     float near[2], far[2];
 };
 
-/** True if two matches share a point; or if their points in one image are the same up to noise, but
-in the other image more than FAR_APART times as far apart: at most one of the matches is right. */
+/** True if at most one of two different matches can be right: they share a point, or their points
+are near in one image and far apart in the other image, see TargetLimits. */
 inline bool shareATarget(const Correspondences& p, const TargetLimits& limits, int i, int j)
 {
     const float dx1 = p.column[X1][i] - p.column[X1][j], dy1 = p.column[Y1][i] - p.column[Y1][j],

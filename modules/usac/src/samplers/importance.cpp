@@ -10,22 +10,24 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of attempts to draw a point that is new to the sample, before a pass over all
-//! weights.
+//! Maximum number of attempts to draw a point that is not yet in the sample. If all fail, a pass
+//! over all weights finds the point.
 constexpr int TRIES = 64;
 
 /** @brief Draws points with probabilities proportional to their weights w_i (Params::scores).
 
-A point is drawn with probability w_i / sum(w), and again if it is already in the sample. The k-th
-point thus has the probability w_i / (sum(w) - sum of the weights drawn before). Points of weight 0
-are not drawn unless fewer than m points have a positive weight: then each sample contains all of
-these, and the rest is uniform among the points of weight 0.
+A point is drawn with probability w_i / sum(w); if it is already in the sample, the draw is
+repeated. The k-th point of the sample is thus point i with probability w_i / (sum(w) - sum of the
+weights already in the sample). If fewer than m points (the sample size) have a positive weight,
+each sample contains all of them and uniformly drawn points of weight 0. Otherwise points of weight
+0 are not drawn.
 
-Walker's alias method @cite walker1977efficient in the form of Vose @cite vose1991linear: each of n
-columns of equal probability belongs to one point up to a height and to another above it. Built once
-in O(N); O(1) per draw, with the resolution of 32 random bits. If the points drawn before have
-nearly all of the weight, almost every draw repeats one: after #TRIES repetitions, an O(N) pass over
-the other weights finds the next point. */
+The sampler uses Walker's alias method @cite walker1977efficient in the form of Vose
+@cite vose1991linear: each of n columns of equal probability belongs to one point up to a height and
+to another point above this height. The table is built once in O(N); a draw takes O(1) and has the
+resolution of 32 random bits. If the points already in the sample have nearly all of the weight,
+almost every draw repeats one of them: after #TRIES repetitions, an O(N) pass over the other weights
+finds the next point. */
 class ImportanceSampler : public Sampler
 {
 public:
@@ -53,12 +55,12 @@ public:
     }
 
 private:
-    //! Uniform in [0, 1).
+    //! A uniform random number in [0, 1).
     static double fraction(Rng& rng) { return rng.next() * (1. / 4294967296.); }
 
     void build(const Context& context)
     {
-        const float* scores = context.points.scores;  // negated, lower is better
+        const float* scores = context.points.scores;  // the negated weights: lower is better
         CV_Assert(scores != 0);
         const int size = context.points.size;
         points = context.arena.take<int>(size);
@@ -84,7 +86,7 @@ private:
             alias[c] = c;
             (height[c] < 1 ? low[lows++] : high[highs++]) = c;
         }
-        while (lows > 0 && highs > 0)  // a high column fills the gap above a low one
+        while (lows > 0 && highs > 0)  // a column above 1 fills the gap of a column below 1
         {
             const int c = low[--lows], giver = high[highs - 1];
             alias[c] = giver;
@@ -110,7 +112,7 @@ private:
         return drawOther(rng, sample, count);
     }
 
-    //! The same, by the cumulative weights of the points that are not in the sample.
+    //! The same as draw(), but by the cumulative weights of the points that are not in the sample.
     int drawOther(Rng& rng, const int* sample, int count) const
     {
         double sum = 0;
@@ -132,8 +134,8 @@ private:
     int* points;      //!< points of positive weight, one per column; null before the first sample
     int* rest;        //!< points of weight 0
     double* weights;  //!< weights of `points`
-    double* height;   //!< below it, a column belongs to its own point
-    int* alias;       //!< column of the point above that height
+    double* height;   //!< height, 0 to 1, up to which a column belongs to its own point
+    int* alias;       //!< column whose point a column belongs to above that height
 };
 
 }  // namespace

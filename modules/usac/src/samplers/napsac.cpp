@@ -10,19 +10,20 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of first points tried for a sample.
+//! Maximum number of first points that are tried for a sample, see NapsacSampler.
 constexpr int TRIES = 100;
 
 /** @brief NAPSAC: a random point and some of its neighbors @cite nasuto2002napsac.
 
-The first point is uniform, the others are uniform among its neighbors in the coarsest layer of the
-graph. Finer layers give more all-inlier samples, but a model of points close to each other is
-inaccurate, and an F or E is wrong if they lie on a plane.
+The first point of a sample is drawn uniformly from all points, the others uniformly from its
+neighbors in the coarsest layer of the graph. Finer layers would give more all-inlier samples, but a
+model of points close to each other is inaccurate, and F or E is wrong if these points lie on a
+plane.
 
 A point with fewer neighbors than a sample needs is most likely an outlier. The paper discards the
 sample; here another first point is drawn, which has the same effect without a lost iteration. If
-#TRIES first points have too few neighbors, hardly any point has enough, and the sample is drawn
-from all points. */
+#TRIES first points have too few neighbors, hardly any point has enough of them, and the sample is
+drawn uniformly from all points. */
 class NapsacSampler : public Sampler
 {
 public:

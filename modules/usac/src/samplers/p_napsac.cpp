@@ -11,36 +11,37 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Numbers of samples, see PNapsacSampler.
+//! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
 constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
-//! Sample size of H; an affinity or a similarity needs fewer points.
+//! Sample size of a homography. An affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
-//! One in LOCAL_EVERY non-uniform samples is local if the order is known, and one in
-//! LOCAL_EVERY_GUESS if it is guessed.
+//! Of the non-uniform samples, one in LOCAL_EVERY is local if the order of the points is known, and
+//! one in LOCAL_EVERY_GUESS if the order is a guess.
 constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
-//! Minimum size of the first neighborhood of a point, in sample sizes.
+//! Minimum size of the first neighborhood of a point, as a multiple of the sample size.
 constexpr int FIRST_MEMBERS = 2;
 
-//! True if the order is a guess from the density of the points, not given and not made from scores.
+//! True if the order of the points is a guess from their density: the caller has given neither an
+//! order nor scores.
 bool isGuess(const Context& context) { return !orderIsKnown(context); }
 
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
-The first, location-defining point of a sample comes from PROSAC's growing set of the best points,
-the others from its neighborhood: the finest layer of the graph in which it has at least
-#FIRST_MEMBERS m members. That number doubles each time the point is chosen again; once no layer has
-enough members, the sample is drawn as in PROSAC. Such a local sample is one in #LOCAL_EVERY of the
-non-uniform samples (Params::orderedEvery), or one in #LOCAL_EVERY_GUESS if the order is a guess
-from the density of the points. With more local samples, small groups of consistent outliers
-(repeated patterns) are more often taken for the inliers.
+The first point of a local sample comes from PROSAC's growing set of the best points. The other
+points come from its neighborhood in the finest layer of the graph that contains at least
+#FIRST_MEMBERS times m members (m is the sample size). This number doubles each time the same first
+point is chosen again; once no layer has enough members, the sample is drawn as in PROSAC. Of the
+non-uniform samples (Params::orderedEvery), one in #LOCAL_EVERY is local, or one in
+#LOCAL_EVERY_GUESS if the order is a guess from the density of the points. With more local samples,
+small groups of consistent outliers (repeated patterns) are more often taken for the inliers.
 
-The first #BEFORE_ORDER samples are uniform, unless all samples follow the order. If the order is a
-guess, there are exceptions: with #SMALL points per sample (H), the first #ORDERED samples all
-follow the order instead: four inliers are soon drawn from the few densest points. With fewer points
-per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, as they take less time than computing
-the order. */
+The first #BEFORE_ORDER samples are uniform, unless all samples follow the order. There are two
+exceptions if the order is a guess. With #SMALL points per sample (H), all of the first #ORDERED
+samples follow the order instead, because four inliers are soon drawn from the few densest points.
+With fewer points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, because they take
+less time than computing the order. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -82,7 +83,7 @@ private:
         return isGuess(context) ? LOCAL_EVERY_GUESS : LOCAL_EVERY;
     }
 
-    //! isOrdered() with exceptions for the first samples, see the class.
+    //! The same as isOrdered(), except for the first samples, see PNapsacSampler.
     static bool isOrderedGuess(const Context& context, State& state, int* sample)
     {
         const int m = context.components.minimalSolver->sampleSize(),
@@ -102,13 +103,15 @@ private:
         return isOrdered(context, state, sample);
     }
 
-    //! How often a point was the first of a local sample; its finest layer with enough members.
+    //! Number of times that a point was the first point of a local sample, and the finest layer
+    //! that may still have enough members around it.
     struct Center
     {
         int chosen, layer;
     };
 
-    //! Draws the other points from the neighborhood of sample[0]; false if no layer suffices.
+    //! Draws the other points from the neighborhood of sample[0]. False if no layer has enough
+    //! members.
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();
@@ -118,8 +121,9 @@ private:
             std::fill(centers, centers + context.points.size, Center());
         }
         Center& center = centers[sample[0]];
-        const int wanted = FIRST_MEMBERS * m << std::min(center.chosen++, 16);  // 16: no overflow
-        for (; center.layer < neighborhood.layers(); ++center.layer)  // finer layers stay too small
+        // at most 16 doublings, to avoid an overflow
+        const int wanted = FIRST_MEMBERS * m << std::min(center.chosen++, 16);
+        for (; center.layer < neighborhood.layers(); ++center.layer)  // skips too small layers
         {
             const int* members;
             const int count = neighborhood.members(context, center.layer, sample[0], members);
@@ -138,7 +142,7 @@ private:
     }
 
     GrowingSet growth;
-    Center* centers;  //!< one per point; null before the first local sample
+    Center* centers;  //!< one element per point; null before the first local sample
 };
 
 }  // namespace

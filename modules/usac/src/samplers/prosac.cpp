@@ -11,8 +11,9 @@ namespace usacv20 {
 
 namespace {
 
-/** PROSAC @cite chum2005matching: samples of the n best points, with slowly growing n. Each sample
-contains the newest of them, the n-th; once n is the number of all points, samples are uniform. */
+/** PROSAC @cite chum2005matching: samples are drawn from the n best points, and n grows slowly.
+Each sample contains the n-th point, the newest one. When n has reached the number of all points,
+samples are uniform. */
 class ProsacSampler : public Sampler
 {
 public:

@@ -20,8 +20,9 @@ inline void drawUniform(const Context& context, State& state, int* sample)
 
 /** @brief Decides by Params::orderedEvery how the current sample is drawn.
 
-True: the sampler has to draw it in its own way; the sample counts for the termination criteria only
-if all samples are drawn in this way. False: a uniform sample has been drawn. */
+If the result is true, the sampler must draw the sample in its own, non-uniform way; such a sample
+counts for the termination criteria only if all samples are drawn in this way. If the result is
+false, this function has drawn a uniform sample. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -34,11 +35,12 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! Number of first samples that are uniform even if some samples follow an order: many searches end
-//! with them and then need neither the order nor neighborhoods. See doc/constants.md.
+//! Number of first samples that are uniform even if other samples follow an order of the points: many
+//! searches end with them and then need neither the order nor neighborhoods. See doc/constants.md.
 constexpr int BEFORE_ORDER = 8;
 
-//! isOrdered() for a known order (orderIsKnown()); State::wanted may make it true more often.
+//! The same as isOrdered() for a known order of the points, see orderIsKnown(). Depending on
+//! State::wanted, the result is true more often.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -55,19 +57,19 @@ inline bool isOrderedByKnowledge(const Context& context, State& state, int* samp
     return true;
 }
 
-//! All samples equally likely, see UniformSampler.
+//! Creates a sampler for which all samples are equally likely, see UniformSampler.
 Ptr<Sampler> createUniformSampler();
-//! The best points first, see ProsacSampler.
+//! Creates a sampler that uses the best points first, see ProsacSampler.
 Ptr<Sampler> createProsacSampler();
-//! The best points and their neighbors first, see PNapsacSampler.
+//! Creates a sampler that uses the best points and their neighbors first, see PNapsacSampler.
 Ptr<Sampler> createPNapsacSampler();
-//! A random point and its neighbors, see NapsacSampler.
+//! Creates a sampler that draws a random point and some of its neighbors, see NapsacSampler.
 Ptr<Sampler> createNapsacSampler();
-//! Points drawn in proportion to their scores, see ImportanceSampler.
+//! Creates a sampler that draws points in proportion to their scores, see ImportanceSampler.
 Ptr<Sampler> createImportanceSampler();
 
-//! Fills places 1 .. m-1 of a sample with distinct points of `count` >= m `members`, of which
-//! sample[0] is one.
+//! Sets sample[1] .. sample[m-1] to distinct points that are drawn from the `count` elements of
+//! `members`. These must contain sample[0], and `count` must be at least `m`.
 inline void drawOthers(Rng& rng, const int* members, int count, int m, int* sample)
 {
     for (int k = 1; k < m;)

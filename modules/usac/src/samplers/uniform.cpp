@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** All samples of distinct points are equally likely @cite fischler1981random. */
+/** Draws samples so that all samples of distinct points are equally likely
+@cite fischler1981random. */
 class UniformSampler : public Sampler
 {
 public:

@@ -11,12 +11,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Minimum number of wrong matches per point.
+//! Minimum number of wrong matches that are made with each point of array 1.
 constexpr int PARTNERS = 4;
 
-/** Makes wrong matches: pairs points of array 1 with points of other matches in array 2. T is
-float; for a custom residual it is double: such a residual may depend on the Correspondences of the
-run, so it gets columns only. */
+/** Makes wrong matches: pairs points of array 1 with points of other matches in array 2. T is float
+for built-in residuals and double for a custom residual. A custom residual may depend on the
+Correspondences of the run; therefore only columns are passed to it. */
 template <typename T>
 class WrongPairs
 {
@@ -38,13 +38,13 @@ public:
         computeErrors(0);
         int sum = 0;
         for (int i = 0; i < size; ++i)
-            sum += mask[i] = row(columns)[i] <= limit;  // false for NaN
+            sum += mask[i] = row(columns)[i] <= limit;  // NaN is not an inlier
         return sum;
     }
 
-    //! Removes the marked points and appends a copy of array 2 to itself, so that the last points
-    //! have partners, too. If there is only one array, its last column serves as array 2. @return
-    //! number of points left
+    //! Removes the marked points and appends a copy of array 2 to itself, so that agreeing() finds
+    //! a partner for the last points, too. If there is only one array, its last column serves as
+    //! array 2. @return number of points left
     int drop(const uchar* repeated)
     {
         int kept = 0;
@@ -61,8 +61,8 @@ public:
         return size;
     }
 
-    //! Number of wrong matches within the threshold, if each point of array 1 is paired with the
-    //! point `partner` places further in array 2. To be called after drop().
+    //! Number of wrong matches within the threshold if each point i of array 1 is paired with the
+    //! point i + `partner` of array 2. To be called after drop().
     int agreeing(int partner)
     {
         computeErrors(partner);

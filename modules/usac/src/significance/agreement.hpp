@@ -10,37 +10,37 @@
 namespace cv {
 namespace usacv20 {
 
-//! Numbers of matches and of wrong matches, and of those within the threshold of a model.
+//! Numbers of matches and of artificial wrong matches: in total, and within a model's threshold.
 struct Agreement
 {
-    int points;    //!< matches that are independent of each other
+    int points;    //!< number of matches that are independent of each other
     int inliers;   //!< number of these matches within the threshold
-    int pairs;     //!< wrong matches: the points of two different matches in images 1 and 2
+    int pairs;     //!< number of wrong matches, each made of points of two different matches
     int agreeing;  //!< number of the wrong matches within the threshold
 };
 
 /** @brief Compares the errors of the first `count` matches with those of wrong matches of the same
 points.
 
-If the matches are random, any other pairing of their points is as likely as the given one. The
-wrong matches thus tell how often a random match agrees with this very model, for any positions of
-the points and any model (even if it maps everything to one place, or has an epipole amid the
-points), and right matches do not affect the result.
+If the matches are random, any other pairing of their points is as likely as the pairing given. The
+wrong matches thus tell how often a random match is within the threshold of this very model, for any
+positions of the points and any model (even if it maps everything to a single point, or has an
+epipole amid the points). Right matches do not affect the result.
 
-Of inliers in one place of an image (see #markRepeated), all but one are left out. Each point is
-paired with 4 others, or with more to get `pairs` wrong matches, but at most with all others.
-O(count + pairs). */
+Of several inliers in the same cell of an image (see #markRepeated), only one is counted. Each point
+is paired with 4 other points, or with more of them to get `pairs` wrong matches, but at most with
+all others. Takes O(count + pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);
 
-/** Squared errors of wrong matches, each of them the points of two of the first `count` matches: of
-one match in array 1, of another one in array 2.
-@param errors output, at most #WRONG_PARTNERS numbers per match
-@return number of errors */
+/** Computes the squared errors of wrong matches. Each wrong match is made of two of the first
+`count` matches: it has the point of one match in array 1 and of another match in array 2.
+@param errors output, at most #WRONG_PARTNERS squared errors per match
+@return number of errors written */
 int wrongErrors(const Residual& residual, const Model& model, const Correspondences& points,
                 int count, float* errors, Arena& arena);
-//! Number of wrong matches per point.
+//! Maximum number of wrong matches per point of array 1 that wrongErrors() makes.
 enum { WRONG_PARTNERS = 4 };
 
 }  // namespace usacv20

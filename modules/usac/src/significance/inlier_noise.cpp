@@ -17,27 +17,29 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving and doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving and doubling each constant.
 
-//! The smallest threshold is the widest one divided by FINEST: the noise of data without noise.
+//! The smallest threshold that is estimated is the widest one divided by FINEST; data without noise
+//! give this threshold.
 constexpr int FINEST = 1024;
-//! Number of inliers beyond those of a sample that are needed to tell the noise: models of samples
-//! fit some wrong matches exactly.
+//! Number of inliers, in addition to those of a sample, that are needed to estimate the noise. With
+//! fewer, the estimate may come from wrong matches that the model of a sample fits exactly.
 constexpr int BEYOND = 10;
 //! Threshold of the rough estimate, in standard deviations of the noise.
 constexpr double IN_SIGMAS = 2.2;
-//! The mixture needs at least LEAST inliers. It is fitted in STEPS steps to the errors within
-//! WINDOW times the first estimate of sigma, at first with these parts of inliers and of badly
-//! located ones.
+//! The mixture is fitted only if there are at least LEAST inliers, in STEPS steps of the EM
+//! algorithm, to the errors within WINDOW times the first estimate of sigma. The initial fractions
+//! are FIRST_PART inliers among these points and FIRST_TAIL badly located points among the inliers.
 constexpr int LEAST = 50, STEPS = 20, WINDOW = 8;
 constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple
 //! (table 4.2).
 constexpr double WITHIN = 0.95;
-//! Number of inliers that tell how a model changes noise.
+//! Number of inliers at which errorsGoOn() computes how the model changes the noise of points.
 constexpr int CHANGES = 20;
 
-//! The errors of the first points and the scale that stands out from those of wrong matches.
+//! The errors of the first points, and the scale at which they differ most from the errors of wrong
+//! matches.
 class Errors
 {
 public:
@@ -52,7 +54,7 @@ public:
         float* const memory = scope.take<float>((size_t)WRONG_PARTNERS * size);
         wrong = memory;
         wrongCount = wrongErrors(residual, model, p, size, memory, context.arena);
-        unit = 4 * widest / FINEST;  // SignificantScale begins with a quarter of it
+        unit = 4 * widest / FINEST;  // SignificantScale begins with a quarter of the unit
         Correspondences narrow = p;
         narrow.threshold = unit;
         chance = p.problem->randomInlierRatio(narrow);
@@ -61,7 +63,8 @@ public:
             find();
     }
 
-    //! Noise over errors, as the model was fitted to the inliers.
+    //! Ratio of the noise to the errors, which are smaller because the model was fitted to the
+    //! inliers.
     double correction() const
     {
         return std::sqrt((double)found.inliers / std::max(found.inliers - sampleSize, 1));
@@ -91,8 +94,8 @@ private:
                                            sampleSize, FINEST / 4, true);
     }
 
-    //! Of inliers in one place of an array, leaves one: copies of a match have the same error,
-    //! which may look like small noise. @return false if there are none
+    //! Removes all but one of the inliers in the same cell of an array: copies of a match have the
+    //! same error, which may look like small noise. @return false if nothing was removed
     bool dropRepeated(const Correspondences& p, double threshold, Arena& arena)
     {
         Arena::Scope local(arena);
@@ -112,7 +115,7 @@ private:
 
     const float* wrong;  //!< squared errors of wrong matches
     int wrongCount;
-    double unit;    //!< unit of SignificantScale
+    double unit;    //!< unit of the radii of SignificantScale
     double chance;  //!< probability that a point is within one unit of a wrong model
 };
 
@@ -146,10 +149,10 @@ double relativeNoise(const Correspondences& points, int column)
 
 namespace {
 
-/** Degrees of freedom of an error, after Satterthwaite, whose components have the noise of both
-images: 2 if it has the same variance in all directions of the plane, and nearly 1 if the model
-enlarges the noise in one direction.
-@param step of the finite differences: a small noise */
+/** Effective degrees of freedom of the error of a point, by Satterthwaite's formula, for noise in
+both images: 2 if the error has the same variance in all directions of the plane, and nearly 1 if
+the model enlarges the noise in one direction.
+@param step step of the finite differences, which should be below the noise */
 double degreesAt(const Context& context, const Model& model, int point, double step)
 {
     const Correspondences& p = context.points;
@@ -172,7 +175,7 @@ double degreesAt(const Context& context, const Model& model, int point, double s
     }
     const double variance = change.squaredNorm(),
                  degrees = variance * variance / (change * change.transpose()).squaredNorm();
-    return degrees >= 1 ? degrees : 1;  // or NaN
+    return degrees >= 1 ? degrees : 1;  // NaN gives 1
 }
 
 }  // namespace

@@ -19,23 +19,25 @@ namespace usacv20 {
 namespace {
 
 //! The noise is estimated from the errors up to WINDOW times the support, in at most STEPS steps,
-//! until its variance changes by less than SETTLED.
+//! until its variance changes by less than the fraction SETTLED.
 constexpr double WINDOW = 2, SETTLED = 1e-3;
 constexpr int STEPS = 30;
-//! Rounds in which leverages and probabilities are computed in turn.
+//! Number of rounds. Each round computes the leverages and then, from them, the probabilities.
 constexpr int ROUNDS = 3;
-//! Points have a similar leverage if one is at most SIMILAR times the other, or higher. ALONE is
-//! the number of inliers that is expected to have a leverage that no other inlier has: with 0.05,
-//! 79 instead of 87 % of the E of forward motion with 30 % wrong matches are within the region of
-//! 95 %.
+//! The probability that a point is an inlier depends on the numbers of inliers and of outliers that
+//! have at least 1 / SIMILAR times its leverage. ALONE is the number of inliers that are expected
+//! to have a leverage that no other inlier has. With 0.05 instead of 0.01, only 79 instead of 87 %
+//! of the essential matrices in tests of forward motion with 30 % wrong matches are within their
+//! 95 % confidence region.
 constexpr double SIMILAR = 10, ALONE = 0.01;
-//! The share of the information that may come from the noise, and the number of points that it is
-//! computed from.
+//! Largest fraction of the information on a parameter that may come from the noise, and the number
+//! of points from which the information of the noise is computed.
 constexpr double NOISE_SHARE = 0.25;
 constexpr int NOISE_POINTS = 128;
-//! Cells of the integrals over the distribution of the errors.
+//! Number of cells of the numerical integrals over the distribution of the errors.
 constexpr int CELLS = 64;
-//! Step of the derivative of the caller's parameters by those of the search: exact to about 1e-10.
+//! Step of the finite differences for the derivative of the caller's parameters with respect to
+//! those of the search; the derivative has an error of about 1e-10.
 constexpr double STEP = 1e-6;
 
 double power(double base, int exponent)
@@ -43,9 +45,9 @@ double power(double base, int exponent)
     return exponent > 1 ? base * power(base, exponent - 1) : base;
 }
 
-//! Expected values over the errors of inliers within the support: of the derivative of weight times
-//! error (for Gaussian noise that of weight times squared error over the variance), and of the
-//! square of a component of weight times error.
+//! Computes two expected values over the errors of inliers within the support. `slope`: of the
+//! derivative of weight times error, which for Gaussian noise is that of weight times squared error
+//! divided by the variance. `square`: of the square of a component of weight times error.
 void expectations(const Polisher& polisher, double support, double sigma, int degrees,
                   double& slope, double& square)
 {
@@ -123,7 +125,7 @@ void ModelCovariance::estimateNoise()
         int size = 0;
         for (int i = 0; i < looked; ++i)
         {
-            if (!(squared[i] < limit))  // or NaN
+            if (!(squared[i] < limit))  // skips NaN, too
                 continue;
             const double inlier = peak * std::exp(-squared[i] / (2 * variance));
             const double weight = inlier / (inlier + (1 - part) * outlier);
@@ -142,9 +144,9 @@ void ModelCovariance::estimateNoise()
     noise = std::sqrt(variance);
 }
 
-//! Number of wrong matches per unit of error^`degrees` near the model: from those with errors up to
-//! #WINDOW times the support; the number expected for uniform matches weighs as much as one of
-//! them.
+//! Number of wrong matches per unit of error^`degrees` near the model. It is computed from the
+//! wrong matches with errors up to #WINDOW times the support; as a prior, the number expected for
+//! uniformly distributed matches has the weight of one wrong match.
 double ModelCovariance::chanceDensity() const
 {
     const double window = WINDOW * support, limit = window * window;
@@ -157,7 +159,7 @@ double ModelCovariance::chanceDensity() const
     return (1 + std::max(within - right, 0.)) / (1 / expected + 1) / power(window, degrees);
 }
 
-//! The derivatives of a point's error by the parameters; `components` rows.
+//! Computes the derivatives of a point's error with respect to the parameters: `components` rows.
 void ModelCovariance::linearize(int point, double* rows)
 {
     double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[MAX_DERIVATIVE];
@@ -210,7 +212,8 @@ bool ModelCovariance::judge(Arena::Scope& scope)
     }
 }
 
-//! The variances of the predicted errors, in units of the noise, of points outside of the support.
+//! Computes the variances of the predicted errors of some points outside of the support, relative
+//! to the variance of the noise. @return their number, at most OTHERS
 int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* levers)
 {
     const float limit = (float)(support * support);
@@ -224,7 +227,7 @@ int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* lever
         const FewRows scaled = Eigen::Map<const Rows>(row, components, dimension) *
                                scale.asDiagonal();
         levers[found] = llt.matrixL().solve(scaled.transpose()).squaredNorm() / degrees;
-        found += levers[found] <= DBL_MAX;  // not NaN
+        found += levers[found] <= DBL_MAX;  // NaN is left out
     }
     return found;
 }
@@ -253,7 +256,8 @@ void ModelCovariance::likelihoods(const double* levers, double* others, int othe
     }
 }
 
-//! The information that comes from noise, see the class. False if that is too much of it.
+//! Computes the information N that comes from noise, see ModelCovariance. False if it is more than
+//! NOISE_SHARE of the total information on some parameter.
 bool ModelCovariance::noiseInformation(Square& N)
 {
     N.setZero(dimension, dimension);
@@ -288,7 +292,7 @@ bool ModelCovariance::combine(const Polisher& polisher)
     expectations(polisher, support, noise, degrees, slope, square);
     for (int i = 0; i < count; ++i)
         inliers += shares[i];
-    const double each = (double)points.size / looked;  // points that a member stands for
+    const double each = (double)points.size / looked;  // number of points that a member represents
     const double freedom = degrees * inliers * each - dimension;
     if (!(freedom > 2))
         return false;
@@ -318,7 +322,8 @@ bool ModelCovariance::combine(const Polisher& polisher)
     return llt.info() == Eigen::Success && own.allFinite();
 }
 
-//! Derivatives of the caller's parameters by those of the search.
+//! Computes the derivatives T of the caller's parameters with respect to those of the search. False
+//! if a model cannot be converted.
 bool ModelCovariance::change(const Model& center, const Basis& basis, Square& T) const
 {
     const Problem& problem = *points.problem;
@@ -338,7 +343,7 @@ bool ModelCovariance::change(const Model& center, const Basis& basis, Square& T)
                 return false;
             moved = rule->plus(moved, Vector::Zero(dimension).eval().data());
             sides[side] = Eigen::Map<const Vector>(moved.val, n);
-            if (sides[side].dot(middle) < 0)  // the other sign of a homogeneous model
+            if (sides[side].dot(middle) < 0)  // a homogeneous model has an arbitrary sign
                 sides[side] = -sides[side];
         }
         x[k] = 0;

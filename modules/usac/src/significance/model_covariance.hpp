@@ -19,40 +19,41 @@ parameters. Its covariance is A^-1 B A^-1 @cite huber1981robust, with
 
     A = c sum p J^T J - N,    B = sum (p s + (1 - p) w^2 e^2) J^T J.
 
-- The noise sigma and the number of inliers: a mixture of inliers and uniform wrong matches, cut off
-  at twice the support, is fitted to the errors by the EM algorithm.
+- The standard deviation sigma of the noise and the number of inliers come from a mixture of inliers
+  and uniform wrong matches, which the EM algorithm fits to the errors up to twice the support.
 - c and s are the expected derivative of w(e) e and the expected square of a component of w(e) e for
   this noise. They allow for the points that the support cuts off and for the weights: c = 1 and s =
   sigma^2 for plain least squares.
-- p is the probability that the point is an inlier, from the likelihood of its deleted residual: a
-  wrong match of high leverage (the part of its own error that a point removes from a fit) has
-hardly an error, because the model has turned to it. That inliers have this leverage, too, is known
-from the other inliers, and how many wrong matches have it from the points outside of the support.
-Wrong matches add no information to A, but their own shift of the model to B.
-- N is the information that noise of the points alone contributes to sum p J^T J, if the error is
-the distance from a curve (F, E): sigma^2 sum p (dJ/dx)^T dJ/dx. If it is more than half of that,
-noise is all that determines some parameter.
-- As sigma is estimated from f degrees of freedom, s is multiplied by f / (f - 2): errors have the
-  distribution of Student, and the covariance is that of the latter.
+- p is the probability that a point is an inlier, from the likelihood of its deleted residual, that
+  is, of its error under a fit without it. The reason is that a wrong match of high leverage (the
+  fraction of its own error that a point removes from a fit) has nearly no error, because the model
+  has adapted to it. The other inliers show how many inliers have such a leverage, and the points
+  outside of the support show how many wrong matches have it. Wrong matches add no information to
+  A, but they add to B the shift of the model that they cause.
+- N is the information that the noise of the points alone contributes to sum p J^T J, if the error
+  is the distance from a curve (F, E): sigma^2 sum p (dJ/dx)^T dJ/dx. If N is at least a quarter of
+  the sum for some parameter, there is no covariance.
+- As sigma is estimated from f degrees of freedom, s is multiplied by f / (f - 2): the errors have
+  Student's distribution, and the result is the covariance of this distribution.
 
-At most #MOST points within the support are used, of more a random part. */
+If there are more than #MOST points within the support, a random subset of #MOST is used. */
 class ModelCovariance
 {
 public:
-    //! Most points within the support and outside of it that are used.
+    //! Maximum numbers of points that are used: within the support, and outside of it.
     enum { MOST = 512, OTHERS = 128 };
 
     //! @param context points, residual and polisher with which the model was polished
     explicit ModelCovariance(const Context& context);
 
-    //! @param model in the coordinates of the points
+    //! Computes noise and covariance. @param model in the coordinates of the points
     void estimate(const Model& model);
 
     //! Standard deviation of the noise in each component, in the coordinates of the points; 0:
     //! unknown.
     double sigma() const { return noise; }
-    //! Covariance in the parameters of callerBasis() of the model in the caller's coordinates, NaN
-    //! if it is not determined.
+    //! Covariance matrix of the model in the caller's coordinates, for the parameters of
+    //! callerBasis(). All entries are NaN if it is not determined.
     Mat ofCaller() const;
 
 private:
@@ -60,7 +61,7 @@ private:
     typedef AnyParameterization::Basis Basis;
     typedef AnyParameterization::Step Vector;
     typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Rows;
-    //! The rows of one point, without memory of the heap.
+    //! The rows of one point, without heap memory.
     typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor,
                           Residual::MAX_COMPONENTS, MAX_MODEL_SIZE>
         FewRows;
@@ -82,16 +83,16 @@ private:
     const Residual& residual;
     const Ptr<Parameterization> rule;
     const int degrees, dimension;
-    double support, noise, right;  //!< right: number of inliers among the first `looked` points
+    double support, noise, right;  //!< Polisher::support(); sigma(); inliers in first `looked`
     bool known;
     float* squared;     //!< squared errors of all points
-    int* members;       //!< points within the support, the first `count`
-    double* shares;     //!< probability that each of them is an inlier
-    double* rowMemory;  //!< their rows of J, scaled by `scale`
+    int* members;       //!< indices of the first `count` points within the support
+    double* shares;     //!< for each member, the probability that it is an inlier
+    double* rowMemory;  //!< the rows of J of the members, scaled by `scale`
     int count, looked, components;
     Model here;
     Basis tangent;
-    Vector scale;  //!< of the parameters, such that J^T J has a unit diagonal
+    Vector scale;  //!< factors of the parameters such that J^T J has a unit diagonal
     Square information, own;
 };
 

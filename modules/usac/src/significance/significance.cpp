@@ -13,21 +13,21 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
-//! among them. While a test does not decide, the next has MORE times as many points. A test of all
-//! points has PAIRS wrong matches, which give their inlier probability with a standard deviation of
-//! at most 0.01.
+//! among them. While a test does not decide, the next test has MORE times as many points. A test
+//! of all points has PAIRS wrong matches, which give their inlier probability with a standard
+//! deviation of at most 0.01.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
-//! Wider thresholds that are tried, as multiples of the given one.
+//! Wider thresholds that are tried, too, as multiples of the given threshold.
 constexpr double WIDE[] = {4, 16};
 //! Work of look() per point in point tests, the unit of Watch: 90 ns with a million points.
 constexpr double LOOK_WORK = 45;
-//! Number of passes over all points, including the pass of decisive().
+//! Number of calls of look() for all points, including a pass over all points by decisive().
 constexpr int LOOKS = 4;
 
-//! T, see Significance.
+//! The number T of trials, see Significance.
 double trialsOf(const SearchEffort& effort, int points)
 {
     const double m = effort.sampleSize, n = std::max<double>(points, m);
@@ -80,9 +80,9 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
-    // The share of independent matches is taken from the inliers, or from all matches if it is
-    // larger there: a model that maps everything to one place has few independent inliers, even if
-    // many matches are independent.
+    // The fraction of independent matches is taken from the inliers, or from all matches if the
+    // latter is larger: a model that maps everything to a single point has few independent inliers,
+    // even if many matches are independent.
     const double inliers = size - last.points + last.inliers,
                  different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);

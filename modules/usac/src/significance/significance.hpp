@@ -15,65 +15,67 @@ struct SearchEffort
 {
     int sampleSize;
     double samples;      //!< number of samples drawn
-    double models;       //!< number of their models that were compared with the points
-    bool countsInliers;  //!< the local optimization maximizes the number of inliers
-    bool ownThreshold;   //!< the threshold was chosen from the errors, #QUALITY_LMEDS
+    double models;       //!< number of models of these samples that were compared with the points
+    bool countsInliers;  //!< true if the local optimization maximizes the number of inliers
+    bool ownThreshold;   //!< true if the threshold was chosen from the errors (#QUALITY_LMEDS)
 };
 
-/** @brief Is the best model of a search better than the best one that the same search would find in
-random matches?
+/** @brief Tests whether the best model of a search is better than the best model that the same
+search would find in random matches.
 
 The m points of the sample are inliers in any case. Each other point is an inlier of a model of
-random matches with the same, unknown probability as a wrong match; some wrong matches are tested to
-estimate this probability, see Agreement. The probability p that one such model has at least as many
-inliers is thus a beta-binomial tail. For the best of T models it is at most 1 - (1 - p)^T.
+random matches with the same, unknown probability as a wrong match. This probability is estimated by
+testing some wrong matches, see Agreement. The probability p that one such model has at least as
+many inliers as the given model is thus a beta-binomial tail. The probability that the best of T
+models has as many inliers is at most 1 - (1 - p)^T.
 
 T is the number of models that were compared with the points (scaled down if more samples were drawn
-than there are, C(n, m)), times a factor for local optimization and polishing, which move a model to
-where it has more inliers than the model of any sample. Such an optimum is determined by one point
-more than a sample has (the narrowest strip around points of a plane by three, a line by two), and
-there are C(n, m + 1) / C(n, m) = (n - m) / (m + 1) times as many sets of m + 1 points as samples.
-The factor is this quotient if the local optimization maximizes the number of inliers, else its
-square root: T = models min(1, C(n, m) / samples) factor. The probability was checked on random
-points (doc/design.md): with n = 1000, LO-RANSAC needs a factor of 30 (F) and 40 (E), and the
-formula gives 124 and 166; USACV20 needs 10, and the formula gives 11 and 13. The bound of @cite
-moisan2004probabilistic counts all samples, drawn or not.
+than the C(n, m) different samples), times a factor for local optimization and polishing, which may
+give a model more inliers than the model of any sample has. Such an optimum is determined by m + 1
+points (for example, a line by two points, but the narrowest strip around points by three). The
+number of sets of m + 1 points is C(n, m + 1) / C(n, m) = (n - m) / (m + 1) times the number of
+samples. The factor is this quotient if the local optimization maximizes the number of inliers,
+otherwise its square root: T = models min(1, C(n, m) / samples) factor. The probability was checked
+on random points (doc/design.md): with n = 1000, LO-RANSAC needs a factor of 30 (F) and 40 (E), and
+the formula gives 124 and 166; USACV20 needs 10, and the formula gives 11 and 13. The bound of @cite
+moisan2004probabilistic counts all possible samples, even those that were not drawn.
 
-With a threshold far below the noise a right model has few inliers. Therefore 4 and 16 times the
+With a threshold far below the noise, a right model has few inliers. Therefore 4 and 16 times the
 threshold are tried, too, each with a tenth of the allowed error probability. If the threshold was
 chosen from the errors, T is n - m times as large @cite moisan2004probabilistic.
 
-O(n), or O(1) if a few points are enough to decide: these are a random subset of all points, so
-their result is a bound. */
+Takes O(n), or O(1) if a few points are enough to decide. Such points are a random subset of all
+points, so that their result is an upper bound of the probability. */
 class Significance
 {
 public:
     /** @param threshold in the coordinates of `points`
-    @param arena memory
-    @param context context of the run; if the run has to end meanwhile, only some of the points are
-    tested. Null: it need not end */
+    @param arena memory for the tests
+    @param context context of the run; if the run must end meanwhile, only some of the points are
+    tested. Null: there is no time limit */
     Significance(const Residual& residual, const Model& model, const Correspondences& points,
                  double threshold, const SearchEffort& effort, Arena& arena,
                  const Context* context = 0);
 
     /** Probability that the same search finds a model as good as this one in random matches.
     @param inliers approximate number of inliers of the model
-    @param clear subsets of the points give upper bounds; the first that is at most this is returned
-    */
+    @param clear subsets of the points give upper bounds of the probability; the first bound that is
+    at most `clear` is returned */
     double chance(int inliers, double clear);
 
-    /** To be called after chance(). Are there so many points that chance() would be at most `limit`
-    for a model with this inlier ratio? A point and its repetitions count once. */
+    /** True if there are so many points that chance() would be at most `limit` for a model with
+    this inlier ratio. A point and its repetitions count once. To be called after chance(). */
     bool decisive(double inlierRatio, double limit) const;
 
 private:
     Agreement look(int count, double scale, int pairs) const;
-    //! True if there is no time to test so many points: all later tests use fewer.
+    //! True if there is no time to test `count` points. All later tests then use fewer points.
     bool shorten(double count);
-    //! @param share the threshold's part of the allowed error probability, as several are tried
+    //! @param share the fraction of the allowed error probability for this threshold, because
+    //! several thresholds are tried
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;
 
-    //! Parts of the allowed error probability: for the threshold itself, and for each wider one.
+    //! Fractions of the allowed error probability for the threshold itself and for each wider one.
     static const double MAIN_SHARE, WIDE_SHARE;
 
     const Residual& residual;
@@ -84,8 +86,8 @@ private:
     const double trials;
     Arena& arena;
     const Context* const context;
-    int size;        //!< number of points that are tested
-    Agreement last;  //!< result with the threshold itself
+    int size;        //!< number of points that may be tested
+    Agreement last;  //!< result of the last test with the threshold itself
 };
 
 }  // namespace usacv20

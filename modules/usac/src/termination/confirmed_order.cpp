@@ -12,31 +12,34 @@
 namespace cv {
 namespace usacv20 {
 
-//! Of this many first samples, every second one follows the order; see doc/constants.md.
+//! Among the first FIRST_ORDERED samples, every second one follows the order of the points; see
+//! doc/constants.md.
 constexpr int FIRST_ORDERED = 480;
-//! Minimum evidence for the order, in standard deviations of the rank sum; one random order in 1000
-//! has as much.
+//! Minimum evidence for the order, in standard deviations of the rank sum. One random order in 1000
+//! reaches this value.
 constexpr double CONFIRMED = 3.1;
-//! The order is divided into this many equal parts; from the number of inliers in the last one
-//! follows how many are spread over the whole order.
+//! The order is divided into this many equal parts. The number of inliers in the last part shows
+//! how many inliers are spread over the whole order.
 constexpr int LATE_PART = 4;
 
 // The other constants decide whether another motion is ruled out, see otherMotionWouldShow().
 
-//! The coherence (CellPairs::coherence) of another motion is assumed to be this part of the best
-//! model's.
+//! The coherence (CellPairs::coherence) of another motion is assumed to be this fraction of that of
+//! the best model. With a larger value, another motion is ruled out more easily.
 constexpr double OTHER_COHERENCE = 0.75;
-//! The best model's coherence is estimated from at least this many pairs of inliers in one cell.
+//! The coherence of the best model is estimated only if at least this many pairs of its inliers
+//! share a cell (geometric mean of the numbers in both arrays). With fewer pairs, coherence rules
+//! out no motion.
 constexpr double LEAST_PAIRS = 50;
-//! The other motion is ruled out if there are fewer pairs in common cells than expected with it, by
-//! more than this many standard deviations. For each of two cell sizes, this misses 0.5 % of
-//! motions.
+//! The other motion is ruled out if there are fewer pairs in common cells than expected with this
+//! motion, by more than this many standard deviations. For each of the two cell sizes, this wrongly
+//! rules out 0.5 % of the motions.
 constexpr double MISSED_DEVIATIONS = 2.58;
-//! Side of the larger cells, in sides of the smaller ones; with few matches, the smaller cells have
-//! few pairs.
+//! Side of the larger cells as a multiple of that of the smaller cells. The larger cells help if
+//! there are few matches, because the smaller ones then have few pairs.
 constexpr int COARSE = 2;
-//! If a larger part of the inliers repeat others, no motion is ruled out: repeated matches share
-//! cells in any case.
+//! If more than this fraction of the inliers repeat other inliers, no motion is ruled out, because
+//! repeated matches share cells in any case.
 constexpr double MOST_REPEATED = 0.1;
 
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left)
@@ -44,11 +47,11 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
     if (std::sqrt(own.in[0] * own.in[1]) < LEAST_PAIRS || other > left)
         return other > left;
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
-    const double chance = rest.expected * (1 - part * part);  // without its own pairs
-    // a lower bound, as points that are not spread evenly share cells more often
+    const double chance = rest.expected * (1 - part * part);  // without pairs of the other motion
+    // a lower bound, because points that are not spread evenly share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
-                        own.cells;  // other points in the cell of a point add to the variance
+                        own.cells;  // other points in the cell of a point increase the variance
     const double deviation = std::sqrt(chance + together * (1 + 2 * each));
     return rest.both < chance + together - MISSED_DEVIATIONS * deviation;
 }
@@ -56,7 +59,7 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m)
 {
     double ranks = 0,
-           others = 0;  // outliers that come later
+           others = 0;  // number of outliers that come later in the order than point i
     int own = 0, skipped = 0;
     for (int i = size - 1; i >= 0; --i)
         others += !inliers[i];
@@ -81,23 +84,23 @@ double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int 
 namespace {
 
 /** @brief PROSAC's criterion for scores that may be misleading: it ends the search only if the data
-confirm the order, and if no other model can be hidden among the outliers of the best one.
+confirm the order of the points and if the outliers of the best model cannot hide another model.
 
 1. Of the first #FIRST_ORDERED samples, every second one follows the order; later, one in
 Params::orderedEvery does.
 2. The order is confirmed if the inliers of a new best model come early in it (orderEvidence()).
 Then all samples follow the order until PROSAC's criterion is fulfilled, see prosacSamples().
-3. The inliers may still be a wrong group with the best scores, for example those of another motion.
-The search therefore ends only after samples of the best model's outliers have led to no model with
-significantly more inliers (State::unexplainedSamples, significantInliers()); among these outliers,
-such a model has a higher inlier ratio than among all points. It may share with the best model the
-inliers that are spread over the whole order (otherInliers()). No such samples are needed if
-neighboring matches of the other model would show among the outliers and do not
+3. The inliers may still be a wrong group with the best scores, for example the matches of another
+motion. The search therefore ends only after samples of the best model's outliers have led to no
+model with significantly more inliers (State::unexplainedSamples, significantInliers()). Among these
+outliers, such a model has a higher inlier ratio than among all points. It may share with the best
+model the inliers that are spread over the whole order (otherInliers()). No such samples are needed
+if neighboring matches would reveal the other model among the outliers, but do not
 (otherMotionWouldShow()).
 
-The other criteria end the search instead where they need fewer samples, and where an all-inlier
-sample may lead to another model than the best one (State::successProbability; two motions are
-compatible with a plane). Time: at most O(N) per batch of samples. */
+The other criteria end the search if they need fewer samples, or if an all-inlier sample may lead to
+another model than the best one (State::successProbability; two motions are compatible with a
+plane). Takes at most O(N) per batch of samples. */
 class ConfirmedOrderTermination : public Termination
 {
 public:
@@ -155,7 +158,7 @@ private:
         context.components.residual->squaredErrors(context.points, state.best, 0, size, errors);
         const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
         for (int i = 0; i < size; ++i)
-            inliers[i] = errors[i] <= limit;  // false for NaN
+            inliers[i] = errors[i] <= limit;  // NaN is not an inlier
     }
 
     //! Computes `orderedNeeded` for a new best model, if its inliers confirm the order.
@@ -206,8 +209,8 @@ private:
     }
 
     //! To be called when enough samples have followed the order. Ends the search after samples of
-    //! the outliers, or without these if the outliers cannot contain another motion. If uniform
-    //! samples are enough earlier, the search goes on with these.
+    //! the outliers, or immediately if the outliers cannot contain another motion. If uniform
+    //! samples end the search earlier, it continues with uniform samples.
     void end(const Context& context, State& state)
     {
         const int size = context.points.size, m = context.components.minimalSolver->sampleSize();
@@ -221,7 +224,7 @@ private:
                                 : otherModelSamples(context, state, other, left, m);
         if (samples > uniformLeft(context, state))
         {
-            orderedNeeded = INT_MAX;  // uniform samples are enough earlier
+            orderedNeeded = INT_MAX;  // uniform samples end the search earlier
             state.wanted = SAMPLES_MIXED;
             return;
         }
@@ -229,8 +232,8 @@ private:
         enough = state.iteration;
     }
 
-    //! True if another motion with `other` inliers would show among the `left` outliers of the best
-    //! model, but does not.
+    //! True if another motion with `other` inliers is ruled out, see otherMotionWouldShow(). `left`
+    //! is the number of outliers of the best model.
     bool seesNoOther(const Context& context, const uchar* inliers, double other, int left) const
     {
         bool shows = false;
@@ -241,10 +244,10 @@ private:
         return shows;
     }
 
-    /** Number of inliers that another model needs among the `left` outliers of the best one to have
-    significantly more inliers than that. If the best model is that of a wrong group early in the
-    order, the two models share the inliers that are spread over the whole order; their number is
-    estimated from the last part of the order. */
+    /** Number of inliers that another model needs among the `left` outliers of the best model to
+    have significantly more inliers than the best model. If the best model is that of a wrong group
+    early in the order, the two models share the inliers that are spread over the whole order. The
+    number of shared inliers is estimated from the last part of the order. */
     double otherInliers(const Context& context, const State& state, int left) const
     {
         const double shared = (late + std::sqrt((double)late)) * left * LATE_PART /
@@ -270,11 +273,11 @@ private:
     }
 
     double randomRatio, cost;
-    int orderedNeeded;  //!< samples that have to follow the order; INT_MAX: they do not end the
-                        //!< search
-    int enough;         //!< samples after which the search may end; INT_MAX: not known
-    int late;           //!< inliers of the best model in the last part of the order
-    bool manyRepeated;  //!< more than #MOST_REPEATED of the inliers repeat others
+    int orderedNeeded;  //!< number of samples that must follow the order; INT_MAX: such samples do
+                        //!< not end the search
+    int enough;         //!< number of samples after which the search may end; INT_MAX: not known
+    int late;           //!< number of inliers of the best model in the last part of the order
+    bool manyRepeated;  //!< more than the fraction #MOST_REPEATED of the inliers repeat others
 };
 
 }  // namespace

@@ -11,27 +11,27 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Do the inliers of a model come early in an order? Mann-Whitney rank-sum statistic of
-inliers against outliers, as its deviation from the mean over random orders, in standard deviations;
-positive if the inliers come early.
+/** @brief Tells whether the inliers of a model come early in an order: the Mann-Whitney rank-sum
+statistic of inliers against outliers, as its deviation from the mean over random orders, in
+standard deviations. It is positive if the inliers come early.
 
-The first m inliers do not count, because the model may have been computed from them; nor do
-inliers that repeat an earlier one.
+The first m inliers do not count, because the model may have been computed from them. Inliers that
+repeat an earlier inlier do not count either.
 @param inliers which of the `size` points are inliers, best point first
-@param repeated which of the inliers repeat an earlier one
+@param repeated which of the inliers repeat an earlier inlier
 @param size number of points
 @param m size of a sample */
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
 
-/** @brief Can the outliers of the best model contain no other motion, because neighbors would
-remain neighbors? Matches of a motion about as smooth as the best model's share cells of both arrays
-about as often as inliers of the best model.
+/** @brief True if the outliers of the best model cannot contain another motion, because its matches
+would be neighbors in both arrays, and too few outliers are. Matches of a motion that is about as
+smooth as the best model share cells of both arrays about as often as inliers of the best model.
 @param own pairs of inliers of the best model
 @param rest pairs of outliers of the best model
 @param other number of matches of the other motion among these outliers
 @param left number of these outliers
-@return true if there are fewer pairs in common cells than there would be with the other motion, or
-if `other` exceeds `left`; false if the best model has too few pairs */
+@return true if clearly fewer pairs of outliers share cells than with the other motion, or if
+`other` exceeds `left`; false also if the best model has too few pairs to decide */
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left);
 
 }  // namespace usacv20

@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of noise scales, as in the program of the paper's authors. See doc/constants.md.
+//! Number of noise scales, the same as in the program of the paper's authors. See
+//! doc/constants.md.
 constexpr int PARTITIONS = 5;
 
 /** MAGSAC @cite barath2019magsac: the number of samples that the standard criterion asks for,
@@ -18,10 +19,10 @@ averaged over the noise scale, which is uniform in 0 .. sigma_max. For the scale
 #PARTITIONS (i = 1, ..., #PARTITIONS), the inliers of the best model are the points with errors up
 to i / #PARTITIONS thresholds.
 
-The smallest scale has the fewest inliers and asks for the most samples, so the criterion is
-stricter than the standard one. It suits a threshold several times as large as the noise requires;
-with a tight threshold, the smallest scale has too few inliers for the search to end before
-Params::maxIterations. One pass over the points. */
+The smallest scale has the fewest inliers and asks for the most samples, so that this criterion is
+stricter than the standard one. It suits a threshold several times as large as the noise requires.
+With a tight threshold, the smallest scale has too few inliers for the search to end before
+Params::maxIterations. Takes one pass over the points. */
 class MagsacTermination : public Termination
 {
 public:
@@ -64,7 +65,7 @@ private:
         for (int i = 0; i < p.size; ++i)
         {
             const float error = std::sqrt(errors[i]) * scale;
-            if (error <= PARTITIONS)  // false for NaN
+            if (error <= PARTITIONS)  // NaN is not counted
                 ++inliers[std::max((int)std::ceil(error) - 1, 0)];
         }
     }

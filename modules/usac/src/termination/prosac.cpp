@@ -11,12 +11,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! Upper bound of the probability that a support arises by chance, as in @cite chum2005matching.
-//! ROUNDING allows for rounding errors of T_n.
+//! SIGNIFICANCE: upper bound of the probability that so many inliers arise by chance, as in
+//! @cite chum2005matching. ROUNDING allows for rounding errors of T_n.
 constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
-//! Whether the run has to end is checked every PART lengths n. LENGTH_WORK is the work per length
-//! in point tests, the unit of Watch: up to 0.4 us. Both affect only how late a time limit ends a
-//! run.
+//! After every PART lengths n, the loop checks whether the run must end. LENGTH_WORK is the work
+//! per length in point tests, the unit of Watch: up to 0.4 us. Both affect only how late a time
+//! limit ends a run.
 constexpr int PART = 1024;
 constexpr double LENGTH_WORK = 200;
 
@@ -54,28 +54,30 @@ namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
-If both hold for a length n*, see prosacSamples, the search ends when T'_n* samples have been drawn.
+If both conditions hold for a length n*, see prosacSamples, the search ends when T'_n* samples have
+been drawn.
 Three things differ from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
 is chosen. Here the set keeps growing, because other criteria need this, and the smallest n* is
 chosen. Only the first T'_n* samples count, which come from the n* best points (except local and
 uniform samples of P-NAPSAC). Only for n* = N does the number of samples have no limit.
-- In the paper, each sample counts as much as a uniform one. But the first samples must contain the
-newest of a few points: for any order of the inliers, the first T'_n* samples are worth only T_n*
-uniform ones. If each sample counted, two or three samples of the very best points could end a run
-with a wrong model.
-- In the paper, 5 % bounds the probability that one wrong model has such a support. But the best of
-thousands of wrong models has it more often than not. Here 5 % bounds the probability for all T'_n*
-samples together.
+- In the paper, each sample counts as much as a uniform sample. But the first samples must contain
+the newest point of a small set: for any order of the inliers, the first T'_n* samples are worth
+only T_n* uniform samples. If each sample counted fully, two or three samples of the very best
+points could end a run with a wrong model.
+- In the paper, 5 % bounds the probability that one wrong model has so many inliers. But the best of
+thousands of wrong models has so many inliers more often than not. Here 5 % bounds the probability
+for all T'_n* samples together.
 
-Inliers that share a cell of the size of the threshold with a better inlier in either image (see
+Inliers that share a cell of the size of the threshold with an earlier inlier in either image (see
 markRepeated) do not count for non-randomness, because the best points are often one match found
 several times. The order must be independent of the positions of the points, like an order by
-scores: many wrong models fit all points in the densest place of the images, and these points come
+scores: many wrong models fit all points in the densest region of the images, and these points come
 first with #ORDERING_DENSITY.
 
-O(N) per update; O(N log N) if both conditions hold while repeated inliers still count. */
+Takes O(N) per update, or O(N log N) if both conditions hold before repeated inliers are excluded.
+*/
 class ProsacTermination : public Termination
 {
 public:
@@ -95,7 +97,7 @@ public:
         const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
         uchar *const inliers = scope.take<uchar>(size), *const repeated = scope.take<uchar>(size);
         for (int i = 0; i < size; ++i)
-            inliers[i] = errors[state.order[i]] <= limit;  // false for NaN
+            inliers[i] = errors[state.order[i]] <= limit;  // NaN is not an inlier
         const int every = countsOrdered(context, state) ? context.params.orderedEvery : 1;
         const double kept = share * every * keptProbability(context, state.bestQuality.inliers);
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
@@ -120,8 +122,8 @@ private:
         return context.params.orderedEvery > 1 && state.orderedSamples > 0;
     }
 
-    //! Number of all samples when `samples` of them follow the order, if from now on one in `every`
-    //! does.
+    //! Total number of samples at which `samples` of them have followed the order, if from now on
+    //! one in `every` samples follows it.
     static int ofAll(int samples, int every, const State& state)
     {
         if (samples == INT_MAX || every == 1)

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** Standard criterion: the number of samples among which, with the given confidence, there is at
-least one all-inlier sample, if the so-far-the-best model has all inliers
+/** Standard criterion: the number of samples that contain, with the given confidence, at least one
+all-inlier sample, if all inliers are inliers of the so-far-the-best model
 @cite fischler1981random. */
 class StandardTermination : public Termination
 {

@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! After exhaustiveSamples(), the probability that a certain sample has not been drawn. It matters
-//! only if there are very few points.
+//! Probability that a particular sample has not been drawn after exhaustiveSamples() samples. It
+//! matters only if there are very few points.
 constexpr double MISSED = 1e-6;
 //! Minimum of exhaustiveSamples(); so few samples take almost no time.
 constexpr int LEAST_EXHAUSTIVE = 100;

@@ -11,65 +11,67 @@
 namespace cv {
 namespace usacv20 {
 
-//! See StandardTermination.
+//! Creates the standard criterion of RANSAC, see StandardTermination.
 Ptr<Termination> createStandardTermination();
-//! See SprtTermination.
+//! Creates the criterion for models that are verified by SPRT, see SprtTermination.
 Ptr<Termination> createSprtTermination();
-//! See PNapsacTermination.
+//! Creates the criterion of P-NAPSAC, see PNapsacTermination.
 Ptr<Termination> createPNapsacTermination();
-//! See MagsacTermination.
+//! Creates the criterion of MAGSAC, see MagsacTermination.
 Ptr<Termination> createMagsacTermination();
-//! See ProsacTermination.
+//! Creates the criterion of PROSAC, see ProsacTermination.
 Ptr<Termination> createProsacTermination();
-//! See ConfirmedOrderTermination.
+//! Creates the criterion for an order that the data confirm, see ConfirmedOrderTermination.
 Ptr<Termination> createConfirmedOrderTermination();
 
 /** Probability that the verifier does not reject a good model with this number of inliers, see
-Verifier::keptProbability(). With epsilon the inlier ratio, T(d,d) thus needs epsilon^-d times as
-many samples @cite matas2004randomized. (SPRT has a criterion of its own.) */
+Verifier::keptProbability(). For example, the T(d,d) test needs epsilon^-d times as many samples for
+the inlier ratio epsilon @cite matas2004randomized. (SPRT has its own criterion.) */
 double keptProbability(const Context& context, double inliers);
-/** Estimated number of copies of each match, assumed to be the same for all: each of the m (m - 1)
-/ 2 pairs of a sample consists of copies of one match with a probability of (copies - 1) / (n - 1),
-and samples with such a pair are rejected. */
+/** Estimated number of copies of each match, which is assumed to be the same for all matches; 1: no
+copies. It follows from the number of samples that were rejected because they contain two copies of
+a match: each of the m (m - 1) / 2 pairs of a sample is such a pair with a probability of
+(copies - 1) / (n - 1). */
 double copiesOf(const State& state, int n, int m);
 /** Probability that a sample gives a good model, with this number of inliers, and that the verifier
-does not reject it. Samples rejected because they contain a match twice are left out here; from
-their number, copiesOf() estimates how many distinct matches there are. */
+does not reject this model. Samples that were rejected because they contain a match twice are left
+out; from their number, copiesOf() estimates how many distinct matches there are. */
 double goodModelProbability(const Context& context, const State& state, double inliers);
-/** Probability that a sample leads to a good model with this number of inliers: that of an
-all-inlier sample, times State::successProbability. Points are assumed to be drawn with repetition
+/** Probability that a sample leads to a good model with this number of inliers: the probability of
+an all-inlier sample times State::successProbability. Points are assumed to be drawn with repetition
 or, with #TERMINATION_EXACT, without repetition from the distinct matches. */
 double goodSampleProbability(const Context& context, const State& state, double inliers);
 
-/** Minimum number of inliers of a significantly better model, see PNapsacTermination. The best
-model must have more inliers than the points of a sample. */
+/** Minimum number of inliers of a model that is significantly better than the best model, see
+PNapsacTermination. The best model must have more inliers than the sample size. */
 double significantInliers(const Context& context, const State& state);
 
-/** Number of samples after which practically all different samples have been drawn. If no model has
-more inliers than its own sample, the criteria may ask for more samples, or never be fulfilled. */
+/** Number of samples after which practically all different samples have been drawn. This limit is
+needed because the criteria may ask for more samples, or may never be fulfilled, if no model has
+inliers outside its own sample. INT_MAX: there are no criteria. */
 int exhaustiveSamples(const Context& context);
 
 /** @brief PROSAC's criterion for a model, see ProsacTermination. @return the smallest T'_n, see
 Growth, of a length n* such that
 
-- maximality: T_n* samples of the n* best points all miss its I_n* inliers with a probability of at
-most exp(`logFailure`);
+- maximality: with a probability of at most exp(`logFailure`), none of T_n* samples of the n* best
+points is an all-inlier sample of the model, which has I_n* inliers among these points;
 - non-randomness: the probability that one of T'_n* wrong models has as many independent inliers
 among the n* points is less than 5 %.
 
-Once the set contains all points, sampling goes on: for n* = N, as many samples as T_N lacks for
-maximality are added to T'_N.
+Sampling continues after the set has reached all N points: for n* = N, the samples that are missing
+for maximality are added to T'_N.
 @param inliers which of the `size` points are inliers, best point first
-@param repeated which of the inliers are no evidence as they repeat an earlier one; null: none
+@param repeated which inliers are no evidence because they repeat an earlier inlier; null: none
 @param size number of points
 @param m size of a sample
 @param kept probability that a sample comes from the growing set and a good model is kept
 @param randomRatio probability that a point is an inlier of a wrong model
 @param logFailure logarithm of 1 - confidence
 @param exact points are drawn without repetition, see goodSampleProbability
-@param length output: n*, 0 if there is none; the result is then INT_MAX
-@param context context of the run; the result is INT_MAX if the run has to end meanwhile. Null: it
-need not end */
+@param length output: n*; 0 if no length fulfills the conditions, and the result is then INT_MAX
+@param context context of the run; the result is INT_MAX if the run must end meanwhile. Null: there
+is no time limit */
 int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept,
                   double randomRatio, double logFailure, bool exact, int& length,
                   const Context* context = 0);

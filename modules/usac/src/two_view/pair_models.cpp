@@ -22,24 +22,25 @@ namespace {
 
 const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
-//! F has seven degrees of freedom, E five: with each additional one, F can fit one more match,
-//! right or wrong.
+//! Additional degrees of freedom of F (seven) compared with E (five). With each of them, F can fit
+//! one more match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
-/* If E was rejected although the cameras are known, an F means that the focal lengths are wrong.
-The search for F then uses the significance raised to this power, 10^-8 by default, and draws only
-LEAST_SAMPLES samples. */
+/* If E was rejected although the cameras are known, a valid F would mean that the focal lengths are
+wrong. To accept only strong evidence, the search for F then uses the significance raised to this
+power, 10^-8 by default. It draws only LEAST_SAMPLES samples. */
 constexpr double ALONE = 2;
 //! F is preferred to E if its surplus of inliers exceeds this many standard deviations of the
-//! number expected by chance; by chance, one in a thousand does.
+//! number expected by chance. One surplus in a thousand does so by chance.
 constexpr double DEVIATIONS = 3;
-//! Samples of a search for F that starts from E, or for E that starts from F: few, because local
-//! optimization does the work.
+//! Number of samples of a search for F that starts from E, or for E that starts from F. Few samples
+//! are enough, because local optimization finds the model.
 constexpr int SAMPLES_FROM_E = 10;
-//! Samples of the search for H among inliers of E or F. An H that fits 80 % of them is found within
-//! 17 samples with probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
+//! Number of samples of the search for H among inliers of E or F. An H that fits 80 % of them is
+//! found within 17 samples with probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
 constexpr int SAMPLES_IN_INLIERS = 100;
-//! Largest Report::chance (a probability) of an accepted model if Params::significance is 0: a
-//! hundredth of the limit for one estimation, because most pairs of a collection do not overlap.
+//! Largest Report::chance (a probability) of an accepted model if Params::significance is 0. It is
+//! a hundredth of the limit for a single estimation, because most pairs of a collection do not
+//! overlap.
 constexpr double SIGNIFICANCE = 1e-4;
 
 Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat& distCoeffs)
@@ -69,7 +70,7 @@ std::vector<double> numbersOf(const Matx33d& matrix)
     return std::vector<double>(matrix.val, matrix.val + 9);
 }
 
-//! Why a search has found no model.
+//! Describes why a search has found no model.
 String whyNot(const Report& report)
 {
     switch (report.stop)
@@ -225,11 +226,12 @@ void PairModels::searchHomography()
 void PairModels::homographyOfInliers(const PairModel& explained)
 {
     const Points first = chosen(points1, explained.mask), second = chosen(points2, explained.mask);
-    // The error of H is measured in its second image: that in which the points are closer together.
+    // The error of H is measured in its second image. This should be the image in which the points
+    // are closer together; otherwise the images are swapped.
     const bool swapped = squaredArea(second) > squaredArea(first);
     Params given = options(SAMPLES_IN_INLIERS);
     given.threshold *= planarReach();
-    given.significance = 1;  // only the share of the inliers that H explains matters
+    given.significance = 1;  // not tested: only the number of inliers that H explains matters
     if (!scores.empty())
     {
         given.scores.clear();
@@ -238,8 +240,8 @@ void PairModels::homographyOfInliers(const PairModel& explained)
                 given.scores.push_back(scores[i]);
     }
     Report report;
-    // A report takes time for the significance, which is not needed here; it is requested only if
-    // the run may be cancelled.
+    // A report takes time because it contains the significance, which is not needed here. It is
+    // requested only if the run may be cancelled.
     Report* const asked = BatchProgress::isWatched() ? &report : 0;
     const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second,
                                    given)
@@ -295,7 +297,7 @@ void PairModels::settle(const Report& report, double reach)
     sigma = report.sigma;
 }
 
-//! Keeps the reason and the report of the rejected model with the lowest Report::chance.
+//! Stores the reason and the report if the rejected model has the lowest Report::chance so far.
 void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
 {
     if (why.empty() || report.chance < refused.chance)
@@ -308,7 +310,7 @@ void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, c
     if (report.iterations < params.maxIterations ||
         params.maxIterations >= rules.samples(params, kind.sampleSize, size()))
         return;
-    // Rounded down, so that it is never displayed as large as the requested confidence.
+    // Rounded down, so that the message never shows the requested confidence as reached.
     const double reached = std::floor(1e4 * rules.reached(params, kind.sampleSize, size())) / 1e4;
     limited += format("%s%g for %s", limited.empty() ? "" : ", ", reached, kind.name);
 }
@@ -330,8 +332,8 @@ const PairModel* PairModels::base() const
     if (surplus <= 0)
         return &E;
     const std::vector<double> errors = sampsonDistances(fundamental(E.matrix), points1, points2);
-    // The band from one to three thresholds is twice as wide as the band of the inliers, so that
-    // beside / 2 matches are expected in the latter by chance.
+    // The range of errors from one to three thresholds is twice as wide as that of the inliers.
+    // Therefore beside / 2 matches are expected among the inliers by chance.
     const int beside = withinDistances(errors, 3 * params.threshold) -
                        withinDistances(errors, params.threshold);
     return surplus <= DEVIATIONS * std::sqrt(beside / 2.) ? &E : &F;

@@ -14,20 +14,20 @@ namespace usacv20 {
 
 struct ModelKind;
 
-//! Minimum number of samples of a search; these take less than 2 ms. One all-inlier sample is not
-//! always enough, because its points may be close to each other.
+//! Minimum number of samples of a search, which take less than 2 ms. A single all-inlier sample is
+//! not always enough, because its points may be close to each other.
 enum { LEAST_SAMPLES = 500 };
 
-//! A model of a pair and its inliers.
+//! A model of a pair of images and its inliers.
 struct PairModel
 {
     PairModel() : inliers(0) {}
-    //! Is there a model?
+    //! True if there is a model.
     explicit operator bool() const { return inliers > 0; }
 
     Matx33d matrix;
-    Mat mask;     //!< inliers among all matches
-    int inliers;  //!< their number; 0: there is no model
+    Mat mask;     //!< marks the inliers among all matches
+    int inliers;  //!< number of inliers; 0: there is no model
     Report report;
 };
 
@@ -35,7 +35,7 @@ struct PairModel
 class PairModels
 {
 public:
-    //! Reads the arguments; raises cv::Exception for wrong ones.
+    //! Reads the arguments. Raises cv::Exception if one of them is wrong.
     PairModels(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules);
 
     //! Searches for E, F and H as described at #estimateTwoViewGeometry. The pair must have
@@ -45,39 +45,41 @@ public:
     const PairModel* base() const;
     bool calibrated() const { return isCalibrated; }
     int size() const { return (int)points1.size(); }
-    //! Pairs with fewer matches are rejected at once: some F fits any seven matches.
+    //! Pairs with fewer matches are rejected without a search, because some F fits any seven
+    //! matches.
     int leastMatches() const { return std::max(rules.minInliers, 8); }
-    //! The fundamental matrix, of norm 1, of an essential matrix.
+    //! The fundamental matrix that belongs to an essential matrix, scaled to norm 1.
     Matx33d fundamental(const Matx33d& essential) const;
-    //! Viewing directions, with z = 1, of the matches of a mask.
+    //! Computes the viewing directions, with z = 1, of the matches that are marked in a mask.
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
-    //! Why there is no model.
+    //! Describes why there is no model.
     String reason() const;
     //! Finds the rotation of a camera that has not translated, from the inliers of H. @return false
-    //! if it does not explain nearly all inliers of `explained`
+    //! if this rotation explains too few of the inliers of `explained`
     bool turn(const PairModel& explained, Matx33d& R) const;
-    //! Does H explain so many of these inliers that the pair is planar or panoramic?
+    //! True if H explains so many of these inliers that the pair is planar or panoramic.
     bool mostlyOnPlane(const PairModel& inliers) const
     {
         return H.inliers > rules.planarRatio * inliers.inliers;
     }
 
-    //! Thresholds of H as multiples of the pair's: planarReach() for its error in one image,
-    //! planarDistance() for its Sampson distance in both. The latter squared is the ratio of the
-    //! 0.95 quantiles of chi-square with two degrees of freedom and with one
-    //! @cite hartley2003multiple (table 4.2); the former squared is twice that.
+    //! Thresholds of H as multiples of the threshold of the pair: planarReach() for the error in
+    //! one image, planarDistance() for the Sampson distance in both images. The square of
+    //! planarDistance() is the ratio of the 0.95 quantiles of chi-square with two degrees of
+    //! freedom and with one @cite hartley2003multiple (table 4.2). The square of planarReach() is
+    //! twice this ratio.
     static double planarReach() { return std::sqrt(2 * 5.991 / 3.841); }
     static double planarDistance() { return std::sqrt(5.991 / 3.841); }
 
     PairModel E, F, H;
     Points points1, points2;  //!< pixels without distortion
     Matx33d camera1, camera2;
-    //! Those of the caller. With #THRESHOLD_ESTIMATED, the first model that is accepted sets the
-    //! threshold of the pair, and the other searches have it as a given one.
+    //! The options of the caller. With #THRESHOLD_ESTIMATED, the first model that is accepted sets
+    //! the threshold of the pair, and all later searches use this threshold.
     Params params;
     const TwoViewRules& rules;
-    int iterations;  //!< samples of all searches except for H among inliers of E or F
-    Report refused;  //!< report of the best model that was rejected
+    int iterations;  //!< number of samples of all searches, except those of homographyOfInliers()
+    Report refused;  //!< report of the rejected model with the lowest Report::chance
     bool cancelled;
 
 private:
@@ -93,12 +95,12 @@ private:
     Ptr<Usac> essential(const Params& options) const;
     Params options(int iterations) const;
     int samples(int sampleSize) const;
-    //! Takes over the result of a search among all matches.
+    //! Stores the result of a search among all matches in `model`, or rejects it.
     void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report,
               PairModel& model);
     void account(const Report& report);
-    //! Sets the threshold of the pair to that of an accepted model, unless it is known. @param
-    //! reach ratio of the threshold of the model to that of the pair
+    //! Sets the threshold of the pair from the threshold of an accepted model, unless it is known.
+    //! @param reach ratio of the threshold of the model to that of the pair
     void settle(const Report& report, double reach);
     void refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report);
     int withinDistances(const std::vector<double>& errors, double limit) const;
@@ -106,8 +108,9 @@ private:
     bool isCalibrated;
     double sigma;  //!< Report::sigma of the model that set the threshold
     std::vector<float> scores;
-    String why;      //!< why the best model was rejected
-    String limited;  //!< confidences of the searches that Params::maxIterations ended too early
+    String why;      //!< why the model of `refused` was rejected
+    String limited;  //!< text with the confidences of searches that Params::maxIterations ended
+                     //!< before they reached the requested confidence
 };
 
 }  // namespace usacv20

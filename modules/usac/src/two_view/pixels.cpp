@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of points used to compute an area.
+//! Maximum number of points from which an area is computed.
 constexpr int TELL_AREA = 200;
 
 Eigen::Matrix3d toEigen(const Matx33d& A)
@@ -28,8 +28,9 @@ Matx33d toMatx(const Eigen::Matrix3d& A)
     return result;
 }
 
-//! Squared Sampson distance of a match: to first order, by the Jacobian of the map at the point,
-//! the squared distance to the nearest match that is mapped exactly.
+//! Squared Sampson distance of a match: the squared distance to the nearest match that H maps
+//! exactly, to first order, from the Jacobian of the map at the point. `w` is the third component
+//! of H times the homogeneous point `from`.
 double squaredDistance(const Matx33d& H, const Point2d& from, double w, const Point2d& to)
 {
     const double u = (H(0, 0) * from.x + H(0, 1) * from.y + H(0, 2)) / w;
@@ -37,7 +38,7 @@ double squaredDistance(const Matx33d& H, const Point2d& from, double w, const Po
     const double ux = (H(0, 0) - u * H(2, 0)) / w, uy = (H(0, 1) - u * H(2, 1)) / w;
     const double vx = (H(1, 0) - v * H(2, 0)) / w, vy = (H(1, 1) - v * H(2, 1)) / w;
     const double a = 1 + ux * ux + uy * uy, b = ux * vx + uy * vy,
-                 c = 1 + vx * vx + vy * vy;  // covariance of the error
+                 c = 1 + vx * vx + vy * vy;  // (a, b; b, c): covariance of the error
     const double eu = to.x - u, ev = to.y - v;
     return (c * eu * eu - 2 * b * eu * ev + a * ev * ev) / (a * c - b * b);
 }

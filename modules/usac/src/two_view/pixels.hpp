@@ -13,17 +13,18 @@ namespace usacv20 {
 
 typedef std::vector<Point2d> Points;
 
-//! Sampson distance in pixels: the error of each match under x2^T F x1 = 0 to first order
-//! @cite hartley2003multiple (11.4.3).
+//! Sampson distance of each match in pixels: the distance to the nearest match that fulfills
+//! x2^T F x1 = 0, to first order @cite hartley2003multiple (11.4.3).
 std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1,
                                      const Points& points2);
 
-/** Sampson distance in pixels: to first order, the distance of each match, in both images, to the
-nearest match that H maps exactly. Infinite for points that H does not map to the same side of the
+/** Sampson distance of each match in pixels: the distance, in both images, to the nearest match
+that H maps exactly, to first order. Infinite if H does not map the point to the same side of the
 camera as most points. */
 std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const Points& points2);
 
-//! The square of the area that the points cover, up to a factor, computed from some of them.
+//! The square of the area that the points cover, up to a constant factor: the determinant of their
+//! covariance matrix. It is computed from some of the points.
 double squaredArea(const Points& points);
 
 //! The essential matrix, with singular values 1, 1, 0, that is nearest to camera2^T F camera1.

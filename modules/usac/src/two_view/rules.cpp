@@ -10,19 +10,19 @@ namespace usacv20 {
 
 namespace {
 
-/* Local optimization also corrects models of samples with an outlier, the more often the more
-inliers there are. In the computed number of samples, a sample of E therefore counts as
-(inliers / EASY)^2 samples, at least 1 and at most EASIEST. Measured for USACV20 on 200 scenes each,
-by the models found with at most a quarter of the samples: 1.2 (18 inliers), 1.5 (20), 2.1 (24),
-more than 12 (40 and 50). For F, H and other presets this was not measured; their samples count as
-1. */
+/* Local optimization also corrects models of samples that contain an outlier, the more often the
+more inliers there are. When the number of samples is computed, a sample for E therefore counts as
+(inliers / EASY)^2 samples, at least 1 and at most EASIEST. For USACV20, 200 scenes each gave the
+following values, from the models found with at most a quarter of the samples: 1.2 (18 inliers), 1.5
+(20 inliers), 2.1 (24 inliers), more than 12 (40 and 50 inliers). This was not measured for F, H and
+other presets; each of their samples counts as one. */
 constexpr double EASY = 15, EASIEST = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
-//! lowest one of TwoViewRules::ratios. See doc/constants.md.
+//! lowest element of TwoViewRules::ratios. See doc/constants.md.
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5;
 
-//! Is the search that of USACV20, for which EASY was measured?
+//! True if the search is that of USACV20, for which EASY was measured.
 bool isMeasured(const Params& params)
 {
     const Params usual;
@@ -31,12 +31,12 @@ bool isMeasured(const Params& params)
            params.localSamples == usual.localSamples && params.polishing == usual.polishing;
 }
 
-//! The share of all-inlier samples; their points are drawn without replacement. The number of
-//! inliers is at least TwoViewRules::minInliers and the sample size.
+//! The fraction of all-inlier samples, whose points are drawn without replacement. The number of
+//! inliers is assumed to be at least TwoViewRules::minInliers and at least the sample size.
 double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, double ratio)
 {
     double count = std::ceil(ratio * matches);
-    if (matches > 0 && (count - 1) / matches >= ratio)  // rounding: 0.07 * 100 > 7
+    if (matches > 0 && (count - 1) / matches >= ratio)  // rounding error, as in 0.07 * 100 > 7
         --count;
     count = std::max(count, (double)std::max(rules.minInliers, sampleSize));
     double part = 1;
@@ -45,7 +45,8 @@ double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, doub
     return part;
 }
 
-//! Logarithm of the probability that a sample does not find the model of a pair.
+//! Logarithm of the probability that one sample does not lead to the model of a pair; -infinity if
+//! every sample does.
 double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
                       double ratio)
 {
@@ -57,7 +58,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
            std::log1p(-right);
 }
 
-//! The pairs of a collection: with what probability samples miss their models.
+//! The probabilities with which samples miss the models of the pairs of a collection.
 class Collection
 {
 public:
@@ -80,7 +81,7 @@ public:
             weights[i] /= rules.ratios.size() + 1;
     }
 
-    //! The expected share of the pairs whose model is not found by `samples` samples.
+    //! The expected fraction of the pairs whose model is not found by `samples` samples.
     double missed(double samples) const
     {
         double sum = 0;
@@ -90,7 +91,7 @@ public:
         return sum;
     }
 
-    double slowest;  //!< maximum of `logarithms`
+    double slowest;  //!< maximum of `logarithms`: for the pairs whose models are hardest to find
 
 private:
     void add(double logarithm, double weight)
@@ -106,7 +107,7 @@ private:
     }
 
     std::vector<double> logarithms,
-        weights;  //!< logarithm of the probability that a sample misses a model; share of pairs
+        weights;  //!< of each class of pairs: result of missedBySample(), and fraction of all pairs
 };
 
 void checkRatio(double value, const char* name)
@@ -146,7 +147,7 @@ double TwoViewRules::samples(const Params& params, int sampleSize, int matches) 
     while (high - low > 1)
     {
         const double middle = std::floor((low + high) / 2);
-        if (middle <= low || middle >= high)  // beyond 2^53
+        if (middle <= low || middle >= high)  // above 2^53, doubles do not represent all integers
             break;
         (pairs.missed(middle) <= lost ? high : low) = middle;
     }

@@ -15,10 +15,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of matches tested for being in front of both cameras, to choose a motion.
+//! Maximum number of matches for which inFront() is evaluated to choose a motion.
 constexpr int MOST_FOR_SIDES = 500;
 
-//! The one of four motions of an essential matrix with the most matches in front of both cameras.
+//! Selects, of the four motions of an essential matrix, the motion with the largest number of
+//! matches in front of both cameras.
 Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;
@@ -60,7 +61,7 @@ void addRotationsOfPlane(const PairModels& models, Mat& rotations)
         addRotation(nearestRotation(determinant(H) > 0 ? H : H * -1.), rotations);
 }
 
-//! All possible rotations of the camera; one of them is right if the matches of the pair are.
+//! All possible rotations of the camera. One of them is right if the matches of the pair are right.
 Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const PairModel& base)
 {
     Mat result;
@@ -77,8 +78,8 @@ Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const Pa
     return result;
 }
 
-//! Sets the configuration of a pair if H explains most inliers. @param known the cameras are
-//! calibrated, and E or H determines the inliers
+//! Sets the configuration of a pair for which H explains most inliers.
+//! @param known true if the cameras are calibrated and E or H determines the inliers
 void readPlane(const PairModels& models, const PairModel& base, bool known, TwoViewGeometry& found)
 {
     found.configuration = TWO_VIEW_PLANAR_OR_PANORAMIC;

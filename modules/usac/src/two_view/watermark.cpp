@@ -12,8 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-//! As in COLMAP: width of the image border as a part of the diagonal, and share of the inliers that
-//! must lie in the border and move alike.
+//! BORDER: width of the image border as a fraction of the diagonal. WATERMARK: fraction of the
+//! inliers that must lie in the border and have nearly the same motion. The values are those of
+//! COLMAP.
 constexpr double BORDER = 0.1, WATERMARK = 0.7;
 
 bool inBorder(const double* point, const Size& size)
@@ -50,7 +51,7 @@ bool isWatermark(const TwoViewPair& pair, const Mat& mask, double reach)
     const Mat taken2 = readPoints(pair.taken2.empty() ? pair.points2 : pair.taken2, 2, "taken2",
                                   scope);
     int inliers = 0;
-    std::vector<Vec2d> motions;  // of the inliers in the borders of both images
+    std::vector<Vec2d> motions;  // displacements of the inliers in the borders of both images
     for (int i = 0; i < mask.rows; ++i)
     {
         const double *p = taken1.ptr<double>(i), *q = taken2.ptr<double>(i);

@@ -10,11 +10,12 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Do the inliers of a pair come from a watermark: a frame, mark or date that stays at its
-place in the image for any view?
-@param pair the pair; false without the sizes of both images
+/** @brief True if the inliers of a pair come from a watermark: a frame, mark or date that has the
+same position in the images of all views.
+@param pair the pair; if the size of an image is missing, the result is false
 @param mask inliers of the pair
-@param reach motions within this many pixels of the median motion count as equal */
+@param reach motions (displacements of matches) within this distance of the median motion, in
+pixels, count as equal */
 bool isWatermark(const TwoViewPair& pair, const Mat& mask, double reach);
 
 }  // namespace usacv20

@@ -10,36 +10,39 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, SECOND_BLOCK until
-//! SECOND_BLOCKS_END, then BLOCK.
+//! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, then SECOND_BLOCK
+//! until SECOND_BLOCKS_END points have been tested, then BLOCK.
 constexpr int FIRST_BLOCK = 32, FIRST_BLOCKS_END = 64, SECOND_BLOCK = 64, SECOND_BLOCKS_END = 256,
               BLOCK = 256;
-//! Prior value of delta, and its weight as a number of points.
+//! Prior value of delta, and its weight, expressed as a number of tested points.
 constexpr double PRIOR_DELTA = 0.01, PRIOR_POINTS = 100;
-//! Upper bounds of epsilon, and of delta as a part of epsilon: they keep the logarithms of the
+//! Upper bounds of epsilon and of the ratio delta / epsilon. They keep the logarithms of the
 //! likelihood ratios finite and away from 0.
 constexpr double MOST_EPSILON = 0.99, MOST_DELTA = 0.8;
 //! A new test is designed when epsilon has increased, or when delta has changed by more than this
-//! part of its value @cite matas2005randomized.
+//! fraction of its value @cite matas2005randomized.
 constexpr double CHANGED = 0.05;
-//! Steps of the fixed-point iteration for A; each divides the error of A by A, which is 10 or more.
+//! Steps of the fixed-point iteration for A. Each step divides the error of A by A, which is at
+//! least 10.
 constexpr int DESIGN_STEPS = 10;
 
 /** @brief Wald's sequential probability ratio test on blocks of points @cite matas2005randomized
 @cite chum2008optimal.
 
-A point is an inlier of a good model with probability epsilon, of a bad one with delta. The
-likelihood ratio of bad to good after t points, k of them inliers, is (delta / epsilon)^k ((1 -
-delta) / (1 - epsilon))^(t - k); a model is rejected when the ratio exceeds A. The A that minimizes
-the expected time solves A = K + log A, K = 1 + C t_M / m_S, where C is the expected log-ratio of a
-point under a bad model, t_M the time to compute the models of a sample, in units of the time to
-test a point, and m_S the number of models per sample. Epsilon and delta are learned: epsilon is the
-inlier ratio of the best model of a sample so far, before optimization; delta is the mean inlier
-ratio in the first block of each model, which is tested in any case. Before there is a best model,
-no model is rejected. The test changes only between batches of samples, so that it does not depend
-on the number of threads. */
+A point is an inlier of a good model with probability epsilon, and of a bad model with probability
+delta. After t points, of which k are inliers, the likelihood ratio of a bad and a good model is
+(delta / epsilon)^k ((1 - delta) / (1 - epsilon))^(t - k). A model is rejected when this ratio
+exceeds A. The A that minimizes the expected time solves A = K + log A with K = 1 + C t_M / m_S.
+Here C is the expected logarithm of the likelihood ratio of one point under a bad model, t_M is the
+time to compute the models of a sample, in units of the time to test a point, and m_S is the number
+of models per sample.
+
+Epsilon and delta are estimated during the run. Epsilon is the inlier ratio of the best model of a
+sample so far, before local optimization. Delta is the mean inlier ratio in the first block of each
+model, which is tested in any case. Before there is a best model, no model is rejected. The test
+changes only between batches of samples, so that it does not depend on the number of threads. */
 class SprtVerifier : public Verifier
 {
 public:
@@ -70,7 +73,7 @@ public:
     void adapt(const Context& context, State& state) CV_OVERRIDE
     {
         if (state.sampleQuality.inliers == 0)
-            return;  // nothing is known yet: no model is rejected
+            return;  // epsilon is not known yet, so that no model is rejected
         const double epsilon = std::min((double)state.sampleQuality.inliers / context.points.size,
                                         MOST_EPSILON);
         const double delta = std::min((PRIOR_POINTS * PRIOR_DELTA + inliersSeen) /

@@ -17,12 +17,12 @@ constexpr int MAX_POINTS = 100;
 /** @brief T(d,d) test: a model is rejected unless d random points are all inliers
 @cite matas2004randomized.
 
-The d points are drawn anew for each model, before the model is tested on blocks of points. d
-consecutive points of the fixed order of the blocks would not do: in a small scene there may be no d
-consecutive inliers, and then no model at all would pass. With epsilon and delta the inlier ratios
-of a good and of a wrong model, these pass with probability epsilon^d and delta^d; the test of a
-wrong model takes (1 - delta^d) / (1 - delta) points on average. More samples compensate for the
-good models that are lost, see goodModelProbability. O(d). */
+The d points are drawn anew for each model, before the model is tested on blocks of points.
+Consecutive points of the fixed order of the blocks are not suitable: if there are few points, there
+may be no d consecutive inliers, and no model at all would pass. Let epsilon and delta be the inlier
+ratios of a good and of a wrong model. A good model passes with probability epsilon^d, a wrong one
+with probability delta^d, and the test of a wrong model takes (1 - delta^d) / (1 - delta) points on
+average. More samples compensate for rejected good models, see goodModelProbability. */
 class TddVerifier : public Verifier
 {
 public:
@@ -43,7 +43,7 @@ public:
             float error;
             context.components.residual->squaredErrors(context.points, model, point, point + 1,
                                                        &error);
-            if (!(error <= limit))  // also for NaN
+            if (!(error <= limit))  // NaN is rejected, too
                 return false;
         }
         return true;

@@ -10,9 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-//! Wald's sequential probability ratio test, see SprtVerifier.
+//! Creates Wald's sequential probability ratio test, see SprtVerifier.
 Ptr<Verifier> createSprtVerifier(const SampleCost& cost);
-//! T(d,d) test with d = `points`, see TddVerifier.
+//! Creates the T(d,d) test with d = `points`, see TddVerifier.
 Ptr<Verifier> createTddVerifier(int points);
 
 }  // namespace usacv20

@@ -36,7 +36,8 @@ public:
         return array == 0 ? "objectPoints" : "imagePoints";
     }
     bool commonUnit() const CV_OVERRIDE { return false; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(800, 1.7); }  // measured times
+    //! Measured values.
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(800, 1.7); }
 
     double toModelCoordinates(double* const* columns, int count) const CV_OVERRIDE
     {

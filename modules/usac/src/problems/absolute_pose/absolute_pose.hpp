@@ -10,12 +10,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! See AbsolutePoseProblem. Arguments as for cv::solvePnP.
+//! Creates an AbsolutePoseProblem. The arguments are those of cv::solvePnP.
 Ptr<Problem> createAbsolutePoseProblem(InputArray cameraMatrix, InputArray distCoeffs);
-/** @brief From 3 points, see P3PSolver.
-@param camera upper triangular, last row 0 0 1: models are `camera` [R t] */
+/** @brief Creates the solver of poses from 3 points, see P3PSolver.
+@param camera camera matrix with the last row and column 0 0 1: models are `camera` [R t] */
 Ptr<MinimalSolver> createP3PSolver(const Matx33d& camera = Matx33d::eye());
-//! Least squares of a residual over poses; models are `camera` [R t].
+//! Creates the least-squares fit of a pose; models are `camera` [R t].
 Ptr<NonMinimalSolver> createPoseFit(const Ptr<Residual>& residual, const Matx33d& camera);
 
 }  // namespace usacv20

@@ -21,7 +21,7 @@ class PoseCamera
     const Distortion distortion;
 
 public:
-    //! Arguments as for cv::solvePnP. Raises cv::Exception if they are no camera.
+    //! Arguments as for cv::solvePnP. Raises cv::Exception if they do not describe a camera.
     PoseCamera(InputArray cameraMatrix, InputArray distCoeffs);
 
     //! Converts pixels to the coordinates of the search, in place; NaN for pixels at which the lens
@@ -29,8 +29,8 @@ public:
     void toSearch(double* u, double* v, int count) const;
     //! The same, but does not remove the distortion.
     void toSearchUnits(double* u, double* v, int count) const;
-    //! Where the lens images a point of the normalized image plane, in the units of
-    //! toSearchUnits(). False if it does not image it.
+    //! Computes where the lens images a point of the normalized image plane, in the units of
+    //! toSearchUnits(). False if the lens does not image the point.
     bool see(const Vec2d& point, Vec2d& seen, Matx22d* derivative = 0) const;
 
     const Matx33d matrix, inverse;  //!< `matrix` has the last row and column 0 0 1

@@ -10,15 +10,16 @@ namespace usacv20 {
 
 namespace {
 
-//! Size of a datum.
+//! Numbers in a datum: three of the object point and two of the image point.
 enum { COLUMNS = 5 };
-//! Both components of the error of a point that is not seen. The square exceeds any sum of squared
-//! errors of points that are seen.
+//! Value of both components of the error of a point that the camera does not see. Its square
+//! exceeds any sum of squared errors of visible points.
 constexpr double UNSEEN = 1e100;
 
 }  // namespace
 
-//! `derivative`: with respect to K (R X + t), the point before the division by its depth.
+//! Projects a datum's object point; false if the camera does not see the point. `derivative` is
+//! with respect to K (R X + t), the point before the division by its depth.
 bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
                            Matx<double, 2, 3>* derivative) const
 {

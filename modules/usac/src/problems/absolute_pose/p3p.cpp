@@ -16,7 +16,7 @@ namespace {
 corner 1 at (along, height), height >= 0. */
 struct TriangleFrame
 {
-    //! From the sides 23 and 21.
+    //! @param side3, side1 vectors from corner 2 to the corners 3 and 1
     TriangleFrame(const Vec3d& side3, const Vec3d& side1)
     {
         length = std::sqrt(side3.dot(side3));
@@ -33,15 +33,15 @@ struct TriangleFrame
     Vec3d x, y, z;  //!< the axes
 };
 
-//! A triangle is flat if its height is at most LEAST_HEIGHT times the longest side or LEAST_EXTENT
-//! times the largest coordinate.
+//! A triangle has no pose if its height is at most LEAST_HEIGHT times the longest side or at most
+//! LEAST_EXTENT times the largest coordinate: its corners are nearly collinear.
 constexpr double LEAST_HEIGHT = 1e-9, LEAST_EXTENT = 1e-13;
-//! Unit rays at a smaller distance are equal up to rounding.
+//! Unit vectors of rays at a smaller distance are equal up to rounding.
 constexpr double LEAST_DISTANCE = 4e-15;
-//! Largest reprojection error of a point of the sample, on the image plane.
+//! Largest reprojection error that a point of the sample may have, on the image plane z = 1.
 constexpr double MISFIT = 1e-6;
 
-//! Three points, the first one opposite the longest side.
+//! Three points, reordered so that the first one lies opposite the longest side.
 struct PoseSample
 {
     PoseSample(const Correspondences& p, const int* sample, const Matx33d& inverse)
@@ -78,12 +78,13 @@ struct PoseSample
     }
 
     Vec3d X[3], ray[3];
-    double length[3];  //!< lengths of the rays up to the image plane
+    double length[3];  //!< lengths of the rays from the camera center to the plane z = 1
     double largest;    //!< largest absolute coordinate of the object points
 };
 
-//! [R t] that maps the object's triangle to the triangle in camera coordinates. False if these are
-//! not congruent, or if a point is so close to the camera center that its image is undetermined.
+//! Computes [R t] that maps the object's triangle to the triangle in camera coordinates. False if
+//! the two triangles are not congruent, or if a point is so close to the camera center that its
+//! image is undetermined.
 bool poseOf(const PoseSample& sample, const TriangleFrame& object, const TriangleDepths& depths,
             double sigma, Model& model)
 {
@@ -95,12 +96,12 @@ bool poseOf(const PoseSample& sample, const TriangleFrame& object, const Triangl
     const double d[3] = {depths.w / sigma, w2, depths.w / sigma + depths.q};
     double misfit = 4 * DBL_EPSILON *
                     (sample.largest +
-                     unit * std::max(std::max(d[0], d[1]), d[2]));  // rounding of t
+                     unit * std::max(std::max(d[0], d[1]), d[2]));  // rounding error of t
     misfit += std::abs(camera.length - object.length) + std::abs(camera.along - object.along) +
               std::abs(camera.height - object.height);
     for (int i = 0; i < 3; ++i)
         if (!(misfit * sample.length[i] * sample.length[i] <=
-              MISFIT * unit * d[i]))  // also for NaN
+              MISFIT * unit * d[i]))  // NaN is rejected, too
             return false;
     const Vec3d center = X[1] + ((X[0] - X[1]) + (X[2] - X[1])) * (1. / 3);
     const Vec3d moved = (unit * w2) * ray[1] + (side3 + side1) * (1. / 3);
@@ -136,7 +137,7 @@ int P3PSolver::solve(const Correspondences& points, const int* sample, Model* mo
     const PoseSample s(points, sample, inverse);
     const TriangleFrame object(s.X[2] - s.X[1], s.X[0] - s.X[1]);
     if (!(object.height > LEAST_HEIGHT * object.length &&
-          object.height > LEAST_EXTENT * s.largest))  // also for NaN
+          object.height > LEAST_EXTENT * s.largest))  // NaN is rejected, too
         return 0;
     const Vec3d r12 = s.ray[0] - s.ray[1], r13 = s.ray[0] - s.ray[2], r23 = s.ray[1] - s.ray[2];
     const double s12 = r12.dot(r12), s13 = r13.dot(r13), s23 = r23.dot(r23);

@@ -10,9 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The pose of a camera and a minimal parameterization around it: the rotation vector of a
-rotation that is applied after the present one, and an increment of the translation. Zero parameters
-give the pose itself. */
+/** @brief The pose of a camera and a minimal parameterization around it. The parameters are the
+rotation vector of a rotation that is applied after the present rotation, in radians, and an
+increment of the translation. Zero parameters give the pose itself. */
 class PoseParameterization
 {
 public:

@@ -23,7 +23,8 @@ struct ReprojectionError
 {
     enum { COLUMNS = 5, NUMBERS = 12, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 1 };
 
-    //! 1 / depth. For fits, in double, 0 behind the camera, so that the point adds nothing.
+    //! 1 / depth. In double precision, as used by fits, it is 0 for a point behind the camera, so
+    //! that such a point has no derivative.
     static inline float inverse(float depth) { return 1.f / depth; }
     static inline double inverse(double depth) { return depth > 0 ? 1 / depth : 0; }
 
@@ -39,7 +40,7 @@ struct ReprojectionError
         T squared() const
         {
             const T square = du * du + dv * dv;
-            return depth > T(0) ? square : T(INFINITY);  // false for NaN
+            return depth > T(0) ? square : T(INFINITY);  // also INFINITY if the depth is NaN
         }
         T cost() const { return depth > T(0) ? du * du + dv * dv : T(BEHIND); }
         //! Homogeneous coordinates of the point of space.

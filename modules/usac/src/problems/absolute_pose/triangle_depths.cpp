@@ -10,13 +10,13 @@ namespace usacv20 {
 
 namespace {
 
-/** A conic as the upper triangle of its symmetric matrix: 00 01 02 11 12 22. */
+/** A conic, stored as the upper triangle of its symmetric matrix: entries 00 01 02 11 12 22. */
 struct Conic
 {
     double m[6];
 };
 
-//! Index into Conic::m.
+//! AT[i][j] is the index of the entry (i, j) of the symmetric matrix in Conic::m.
 constexpr int AT[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 Conic sum(const Conic& a, double factor, const Conic& b)
@@ -41,8 +41,8 @@ double trace(const Conic& a, const Conic& b)
            2 * (a.m[1] * b.m[1] + a.m[2] * b.m[2] + a.m[4] * b.m[4]);
 }
 
-/** The pencil E + x F of two conics, det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3. F is chosen from
-the pencil so that c3 is not small and no root is near infinity. */
+/** The pencil E + x F of two conics, with det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3. F is chosen
+from the pencil so that c3 is not small and no root is near infinity. */
 struct Pencil
 {
     Pencil(const Conic& first, const Conic& second) : E(first), F(second)
@@ -86,7 +86,7 @@ double loneRoot(const double* c)
     const double p = a / 3 - shift * shift, q = shift * shift * shift + 0.5 * (b - a * shift);
     const double excess = q * q + p * p * p;
     double y;
-    if (excess > 0)  // Cardano
+    if (excess > 0)  // there is one real root: Cardano's formula
     {
         const double A = std::cbrt(std::abs(q) + std::sqrt(excess));
         y = A - p / A;
@@ -98,10 +98,10 @@ double loneRoot(const double* c)
     {
         const double slope = 3 * (x + 2 * shift) * x + a, value = ((x + 3 * shift) * x + a) * x + b;
         const double step = value / slope;
-        if (!(std::abs(step) <= 1e300))  // a triple root
+        if (!(std::abs(step) <= 1e300))  // the slope is 0: a triple root
             break;
         x -= step;
-        if (std::abs(step) <= 1e-9 * std::abs(x))  // the relative error is about its square
+        if (std::abs(step) <= 1e-9 * std::abs(x))  // the error left is about 1e-18, relatively
             break;
     }
     return x;
@@ -127,7 +127,7 @@ bool split(const Conic& D, LinePair& lines)
     if (!(least < 0))
         return false;
     const int j = i == 0 ? 1 : 0, k = i == 2 ? 1 : 2;
-    // a x^2 + 2 b x y + c y^2 = 0
+    // the quadratic equation of the points on the line x_i = 0: a x^2 + 2 b x y + c y^2 = 0
     const double a = D.m[AT[j][j]], b = D.m[AT[j][k]], c = D.m[AT[k][k]], root = std::sqrt(-least);
     const double t = b > 0 ? -b - root : root - b, inverse = 1 / least;
     const double first = 1 / std::max(std::abs(t), std::abs(a)),
@@ -142,9 +142,9 @@ bool split(const Conic& D, LinePair& lines)
     return true;
 }
 
-/** A negative radicand counts as 0 if its magnitude is at most this part of the largest squared
-coefficient: rounding may have made two equal solutions complex. If there really is no solution, the
-one returned violates the equations by no more than this part. */
+/** A negative radicand counts as 0 if its magnitude is at most this fraction of the largest squared
+coefficient, because rounding may have made two equal solutions complex. If there really is no
+solution, the solution returned violates the equations by no more than this fraction. */
 constexpr double TORN = 1e-12;
 
 //! Intersections of the lines with a conic, homogeneous. @return their number
@@ -158,7 +158,7 @@ int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
     int count = 0;
     for (const double(&q)[3] : lines.other)
     {
-        // x q + y p, a x^2 + 2 b x y + c y^2 = 0
+        // the point x q + y p lies on the conic if a x^2 + 2 b x y + c y^2 = 0
         const double a = q[0] * (m[0] * q[0] + 2 * (m[1] * q[1] + m[2] * q[2])) +
                          q[1] * (m[3] * q[1] + 2 * m[4] * q[2]) + q[2] * q[2] * m[5];
         const double b = q[0] * polar[0] + q[1] * polar[1] + q[2] * polar[2];
@@ -193,8 +193,8 @@ bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
     return d.w > 0 && w2 * factor > 0 && w3 * factor > 0;
 }
 
-//! Solutions with a smaller relative difference count as one: rounding splits a double solution by
-//! about the square root of the machine precision.
+//! Two solutions with a smaller relative difference count as one solution: rounding splits a double
+//! solution by about the square root of the machine precision.
 constexpr double SAME = 1e-7;
 
 bool same(const TriangleDepths& a, const TriangleDepths& b)
@@ -207,7 +207,8 @@ bool same(const TriangleDepths& a, const TriangleDepths& b)
 
 int solveTriangle(const Triangle& T, TriangleDepths* depths)
 {
-    // subtract a12 and a13 times the third equation from the first and the second
+    // Of the equations of TriangleDepths, a12 and a13 times the third one are subtracted from the
+    // first and the second, which leaves two homogeneous quadratic equations in p, q and w.
     const double pq = 1 - 0.5 * T.sigma * T.sigma * T.s23, half = 0.5 * T.sigma;
     const double w12 = T.s12 - T.a12 * T.s23, w13 = T.s13 - T.a13 * T.s23;
     const Conic first = {{1 - T.a12, T.a12 * pq, half * w12, -T.a12, -half * T.a12 * T.s23, w12}};

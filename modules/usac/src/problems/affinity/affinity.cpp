@@ -11,12 +11,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Points are collinear if twice the area of their triangle is at most this part of the square of
-//! the longer side at the first point; the same value as for a homography.
+//! Three points count as collinear if twice the area of their triangle is at most this fraction of
+//! the square of the longer side at the first point; the same value as for a homography.
 constexpr double COLLINEAR = 1e-6;
 
-//! The sides of the triangle at its first point, as columns. @return false if the points are
-//! (nearly) collinear
+//! Computes the two sides of a triangle that start at its first point, as columns of a 2x2 matrix.
+//! @return false if the points are (nearly) collinear
 bool sidesOf(const double* x, const double* y, const int* s, double* side)
 {
     for (int k = 0; k < 2; ++k)
@@ -26,10 +26,11 @@ bool sidesOf(const double* x, const double* y, const int* s, double* side)
     }
     const double longest = std::max(side[0] * side[0] + side[2] * side[2],
                                     side[1] * side[1] + side[3] * side[3]);
-    return std::abs(side[0] * side[3] - side[1] * side[2]) > COLLINEAR * longest;  // false for NaN
+    // a NaN makes the comparison false
+    return std::abs(side[0] * side[3] - side[1] * side[2]) > COLLINEAR * longest;
 }
 
-//! Affine map from three points, exact: the sides of one triangle are mapped to those of the other.
+//! The affine map that maps the sides of the triangle in image 1 exactly to those in image 2.
 class Affinity3Solver : public MinimalSolver
 {
 public:
@@ -53,12 +54,13 @@ public:
                           b * p.exact[Y1][sample[0]];
         }
         models[0] = map;
-        return norm(map) <= DBL_MAX;  // false for NaN
+        return norm(map) <= DBL_MAX;  // no model if an entry is infinite or NaN
     }
 };
 
-//! Points are collinear if the determinant of their second moments in image 1 is at most this part
-//! of the squared trace, which rounding alone can cause, with a margin for points close together.
+//! Points count as collinear if the determinant of the matrix of their second moments in image 1 is
+//! at most this fraction of the squared trace. Rounding alone can cause a smaller determinant; the
+//! value includes a margin for points that are close together.
 constexpr double ON_A_LINE = 1e-13;
 
 //! Least squares of the transfer error, in closed form: A is the cross-covariance of the images
@@ -73,7 +75,7 @@ public:
             return false;
         const Moments m(points, indices, count, weights);
         const double determinant = m.xx * m.yy - m.xy * m.xy, trace = m.xx + m.yy;
-        if (!(determinant > ON_A_LINE * trace * trace))  // false for NaN
+        if (!(determinant > ON_A_LINE * trace * trace))  // a NaN is rejected, too
             return false;
         const double f = 1 / determinant;
         const Model fitted = m.map((m.xu * m.yy - m.yu * m.xy) * f, (m.yu * m.xx - m.xu * m.xy) * f,
@@ -94,7 +96,7 @@ Ptr<NonMinimalSolver> createAffinityLeastSquares() { return makePtr<AffinityLeas
 
 Ptr<Problem> createAffinity2DProblem()
 {
-    // the time was measured together with the cost of H
+    // 150 is the time in point tests, measured together with the cost of a homography
     const PlaneMapParts parts = {"affinity", 150, false, createAffinity3Solver,
                                  createAffinityLeastSquares};
     return makePtr<PlaneMap<AffinityParameterization>>(parts);

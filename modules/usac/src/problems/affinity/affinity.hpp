@@ -19,7 +19,7 @@ struct AffinityMap
     static void write(const double* p, double* m) { std::copy(p, p + 6, m); }
     static bool isRegular(const double* p)
     {
-        // A determinant of at most this part of the sum of the squared entries can be due to
+        // A determinant of at most this fraction of the sum of the squared entries can be due to
         // rounding alone.
         const double LEAST_DETERMINANT = 1e-9;
         const double a = p[0], b = p[1], c = p[3], d = p[4];
@@ -31,9 +31,9 @@ typedef PlaneParameterization<AffinityMap> AffinityParameterization;
 
 //! Affine map from image 1 to image 2, as for a plane that is small or far from the camera.
 Ptr<Problem> createAffinity2DProblem();
-//! From 3 points, see Affinity3Solver.
+//! Creates the solver from 3 points, see Affinity3Solver.
 Ptr<MinimalSolver> createAffinity3Solver();
-//! Least squares of the transfer error, in closed form.
+//! Creates the fit that minimizes the sum of squared transfer errors in closed form.
 Ptr<NonMinimalSolver> createAffinityLeastSquares();
 
 }  // namespace usacv20

@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! From pixels to the normalized image plane, in place.
+//! Converts pixels to undistorted points of the normalized image plane, in place.
 void normalize(const Matx33d& K, const Distortion& distortion, double* x, double* y, int count)
 {
     const Matx33d inverse = K.inv();

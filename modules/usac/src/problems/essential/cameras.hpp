@@ -14,15 +14,17 @@ namespace usacv20 {
 class Cameras
 {
 public:
-    /** Raises cv::Exception if the arguments are no cameras.
-    @param cameraMatrix1, cameraMatrix2 3x3, any depth; the second one empty: as the first
+    /** Raises cv::Exception if the arguments do not describe cameras.
+    @param cameraMatrix1, cameraMatrix2 3x3, any depth; if the second matrix is empty, both cameras
+    have the first matrix
     @param distCoeffs1, distCoeffs2 4, 5, 8, 12 or 14 coefficients as for cv::undistortPoints;
-    empty: none */
+    empty: no distortion */
     Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
             InputArray distCoeffs2);
 
-    //! From pixels to the normalized image plane, in place; NaN where the lens images nothing.
-    //! @return mean focal length in pixels
+    //! Converts pixels of both images to undistorted points of the normalized image planes, in
+    //! place. A pixel at which the lens images no point becomes NaN. @return mean focal length in
+    //! pixels
     double toImagePlane(double* const* columns, int count) const;
 
 private:

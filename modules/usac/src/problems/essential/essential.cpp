@@ -31,8 +31,8 @@ protected:
     }
 };
 
-//! The epipolar geometry of two calibrated views: x2^T E x1 = 0 on the normalized image planes,
-//! singular values (s, s, 0).
+//! The epipolar geometry of two calibrated views: x2^T E x1 = 0 for points on the normalized image
+//! planes; E has the singular values (s, s, 0).
 class EssentialProblem : public Problem
 {
 public:
@@ -41,9 +41,10 @@ public:
     String name() const CV_OVERRIDE { return "essential"; }
     int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }  // measured times
+    //! Measured values.
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }
     //! Two camera motions explain all points of a plane @cite ma2004invitation; only points off the
-    //! plane tell which one is right.
+    //! plane show which motion is right.
     bool ambiguous() const CV_OVERRIDE { return true; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
     {
@@ -55,7 +56,7 @@ public:
         return cameras.toImagePlane(columns, count);
     }
 
-    //! Singular values (1, 1, 0) / sqrt(2).
+    //! The result has unit norm: its singular values are (1, 1, 0) / sqrt(2).
     bool toInput(const Model& model, const Correspondences&, Model& result) const CV_OVERRIDE
     {
         Matx33d E = model;

@@ -10,14 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-//! See EssentialProblem; the cameras as for #estimateEssential.
+//! Creates an EssentialProblem. The arguments are those of #estimateEssential.
 Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2,
                                     InputArray distCoeffs1, InputArray distCoeffs2);
-//! From 5 points, see Essential5Solver.
+//! Creates the solver from 5 points, see Essential5Solver.
 Ptr<MinimalSolver> createEssential5Solver();
-//! Least squares of a residual.
+//! Creates the least-squares fit of an essential matrix.
 Ptr<NonMinimalSolver> createEssentialFit(const Ptr<Residual>& residual);
-//! Scenes dominated by a plane, see PlanarMotion.
+//! Creates the check for scenes dominated by a plane, see PlanarMotion.
 Ptr<Degeneracy> createPlanarMotion();
 
 }  // namespace usacv20

@@ -11,10 +11,11 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief An essential matrix and a minimal parameterization around it; zero parameters give the
-model itself.
+matrix itself.
 
-E = U diag(1, 1, 0) V^T / sqrt(2) has 5 parameters: 3 rotations of U and 2 of V. (The third rotation
-of V would change E like one of U.) @cite helmke2007essential */
+E = U diag(1, 1, 0) V^T / sqrt(2) has 5 parameters, angles in radians: 3 rotations of U and 2 of V.
+The third rotation of V would change E in the same way as a rotation of U does.
+@cite helmke2007essential */
 class EssentialParameterization
 {
 public:
@@ -23,7 +24,7 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around the closest essential matrix.
+    //! The parameterization around the essential matrix closest to `model`.
     explicit EssentialParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }

@@ -15,7 +15,8 @@ namespace usacv20 {
 namespace {
 
 //! The camera has translated if the singular values of the homography of a plane, divided by the
-//! middle one, differ by more than this. Rounding causes 1e-15, a hundredth of a pixel 1e-5.
+//! middle one, differ by more than this value. Otherwise it has only rotated. Rounding causes
+//! differences of 1e-15, an error of a hundredth of a pixel differences of 1e-5.
 constexpr double TURNED = 1e-9;
 
 Matx33d toMatx(const Eigen::Matrix3d& A)
@@ -63,9 +64,9 @@ void motionsOf(const Matx33d& E, Motion motions[4])
     }
 }
 
-/* With H = R + t n^T of singular values s1 >= 1 >= s3, the plane spanned by the second right
-singular vector v2 and u = (sqrt(1 - s3^2) v1 +- sqrt(s1^2 - 1) v3) / sqrt(s1^2 - s3^2) is mapped
-without changing lengths: on it H equals R, and n is its normal. */
+/* Let H = R + t n^T have the singular values s1 >= 1 >= s3. H maps the plane spanned by the second
+right singular vector v2 and by u = (sqrt(1 - s3^2) v1 +- sqrt(s1^2 - 1) v3) / sqrt(s1^2 - s3^2)
+without changing lengths. On this plane H equals R, and n is the normal of the plane. */
 bool motionsOfPlane(const Matx33d& given, const Vec3d& x, Motion motions[2])
 {
     Eigen::Matrix3d H = toEigen(given);

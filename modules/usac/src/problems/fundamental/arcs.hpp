@@ -10,22 +10,22 @@
 namespace cv {
 namespace usacv20 {
 
-//! ARCS_BLOCK divides the number of points; a point has ARCS_ROWS numbers, a line has ARCS_WEIGHTS
-//! coefficients and is divided into ARCS_BINS bins.
+//! The number of points is a multiple of ARCS_BLOCK. A point has ARCS_ROWS numbers. A line has
+//! ARCS_WEIGHTS coefficients and is divided into ARCS_BINS bins.
 constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;
-/** For each of `stride` points, the arc of a line on which an epipole keeps the point within the
-threshold, see PlaneParallax and arcs.inl.hpp.
+/** Computes for each of `stride` points the arc of a line such that the point is within the
+threshold if the epipole lies on this arc, see PlaneParallax and arcs.inl.hpp.
 @param rows #ARCS_ROWS rows of `stride` numbers: n (3 of them) and the upper triangle of G (6)
 @param stride number of points, a multiple of #ARCS_BLOCK
 @param weights #ARCS_WEIGHTS coefficients of the line
 @param from, to output: first and last bin of each arc; 0 and -1 if the arc is the whole line */
 typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
-namespace {  // compiled for different instruction sets
+namespace {  // unnamed, because it is compiled several times, for different instruction sets
 
-/* Position of the point u + t v on a line, t = s / c, as a number that increases with t and needs
-no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. -1 and 3 are the same point: the projective
-line is closed. */
+/* Position of the point u + t v, t = s / c, on a line, as a number that replaces the angle of the
+point and needs no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. The positions -1 and 3 are the
+same point, because the projective line is closed. */
 inline float placeOf(float s, float c)
 {
     const bool small = fabsf(s) <= fabsf(c);
@@ -33,7 +33,7 @@ inline float placeOf(float s, float c)
     return small ? ratio : 2.f - ratio;
 }
 
-//! Bin of a result of placeOf(); the first bin for NaN.
+//! Bin of a position that placeOf() has returned. NaN gives the first bin.
 inline int binOf(float place)
 {
     const float bin = (place + 1) * (0.25f * ARCS_BINS);

@@ -16,40 +16,43 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Fits of a plane: maximum number of points in a fit, of fits, and of steps of a fit; minimum
-//! number of points on the plane.
+//! Least-squares fits of the homography of a plane: maximum numbers of points in a fit (MAX_FIT),
+//! of fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points
+//! is not fitted.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
-//! The known plane, the last one handled, is handled again if the number of its points has grown by
-//! more than this factor.
+//! The last plane that was handled, called the known plane, is handled again if the number of its
+//! points has grown by more than this factor.
 constexpr double CLEARLY = 1.05;
-//! A plane counts as the known one if more than this share of its points are on the known one, too.
+//! A plane counts as the known plane if more than this fraction of its points are on the known
+//! plane, too.
 constexpr double SAME_PLANE = 0.9;
-//! DOMINANT: minimum share of the model's inliers on a dominant plane. ROUGHLY: share of that
-//! minimum that is required before the plane is fitted.
+//! DOMINANT: minimum fraction of the model's inliers that lie on a dominant plane. ROUGHLY:
+//! fraction of this minimum that is required before the plane is fitted.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
-//! Also, a dominant plane has at least this share w of all points: one sample in 5000 has five of
-//! its seven points on it, 21 w^5; smaller planes arise by chance.
+//! A dominant plane also has at least this fraction w of all points. With w = 0.1, one sample in
+//! 5000 (21 w^5) has five of its seven points on the plane; smaller planes arise by chance.
 constexpr double SEEN = 0.1;
-//! Models are of interest if they have at least this share of the inliers of the best model; local
-//! optimization may add the rest.
+//! Models that have less than this fraction of the number of inliers of the best model are not
+//! searched for. The fraction is below 1 because local optimization may add inliers.
 constexpr double OF_INTEREST = 0.9;
 //! A match is off the plane and votes for the epipole if its squared transfer error exceeds this
-//! many squared thresholds; a match closer to the plane agrees with any epipole.
+//! many squared thresholds; a match closer to the plane is an inlier for any epipole.
 constexpr double OFF_PLANE = 4;
 
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
 
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else.
-At least one of five triples of the sample then lies on the plane. F and a triple determine a
-homography; the sample is degenerate if one of these maps at least five of its points. A locally
-optimized model has no sample; for it, a plane with more than half of its inliers is searched for.
+At least one of five fixed triples of the sample then lies on the plane. F and a triple determine a
+homography; the sample is degenerate if one of the five homographies maps at least five of the seven
+points. A locally optimized model has no sample; for such a model, a plane with more than half of
+its inliers is searched for.
 The remedy is plane and parallax: the homography H of the plane, refined on the points of the plane,
 and two correspondences off the plane determine F = [e]x H. The paper samples such pairs;
-PlaneParallax describes the method used here. The best F is kept if it beats the original, so that
-other scenes lose nothing. A plane with less than half of the model's inliers is ignored, because
-there ordinary samples find F. */
+PlaneParallax describes the method used here. The best F = [e]x H replaces the original model only
+if its score is better, so that other scenes are not affected. A plane with less than half of the
+model's inliers is ignored, because ordinary samples then find F. */
 class Degensac : public Degeneracy
 {
 public:
@@ -98,7 +101,7 @@ public:
     }
 
 private:
-    //! True if the plane is the one that was handled last, so that the result would be the same.
+    //! True if H belongs to the plane that was handled last, so that the result would be the same.
     bool isKnown(const Context& context, const Matx33d& H, const int* sample) const
     {
         if (sample)
@@ -123,7 +126,8 @@ private:
         return result;
     }
 
-    //! True if five or more of the seven points are mapped by the homography of one of the triples.
+    //! True if the homography of one of the five triples maps five or more of the seven points; `H`
+    //! is then this homography.
     static bool planeOfSample(const Context& context, const int* sample, const Model& F, Matx33d& H)
     {
         static const int triples[5][3] = {{0, 1, 2}, {3, 4, 5}, {0, 1, 6}, {3, 4, 6}, {2, 5, 6}};
@@ -158,7 +162,7 @@ private:
         return sum.inliers;
     }
 
-    //! Splits the points: those with a squared error of at most `most` are on the plane.
+    //! Splits all points: points with a squared error of at most `most` are on the plane.
     void split(const Correspondences& p, const Matx33d& H, double most)
     {
         float m[9];
@@ -171,8 +175,8 @@ private:
 
     /** Repeats least squares over the points on the plane until their number stops growing: the
     homography of three noisy points often explains only some of the points on the plane.
-    @return false if fewer than `least` points are on it; else sets onPlane, offPlane for the
-    parallax */
+    @return false if fewer than `least` points are on the plane; otherwise onPlane and offPlane are
+    set for planeAndParallax() */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;
@@ -216,14 +220,15 @@ private:
     }
 
     Ptr<NonMinimalSolver> fitter;
-    Matx33d known;          //!< homography of the last plane
-    double knownThreshold;  //!< threshold when that plane was handled
-    int knownPoints;        //!< number of points on that plane
-    Model knownModel;       //!< the F found with that plane
-    Quality knownQuality;   //!< infinite cost: knownModel did not beat the model before
+    Matx33d known;          //!< homography of the known plane
+    double knownThreshold;  //!< threshold when the known plane was handled; 0: there is none
+    int knownPoints;        //!< number of points on the known plane
+    Model knownModel;       //!< the F found with the known plane
+    Quality knownQuality;   //!< score of knownModel; infinite cost: it did not improve the model
     DominantPlane plane;
     int *onPlane, *offPlane;
-    float* errors;            //!< of all points under the homography; null before the first plane
+    float* errors;  //!< squared errors of all points under the homography; null before the first
+                    //!< plane
     int onCount, offCount;    //!< numbers of points on and off the plane
     PlaneParallax* parallax;  //!< null before the first plane
 };

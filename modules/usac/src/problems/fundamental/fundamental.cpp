@@ -31,8 +31,8 @@ protected:
 };
 
 /** The closest matrix of rank 2, scaled to unit norm. The product T2^T F T1 has rank 2 up to the
-rounding of its largest terms. If these cancel, as when both epipoles are at the origin and
-coordinates are large, the rounding is not small relative to the product. */
+rounding errors of its largest terms. If these terms cancel, for example because both epipoles are
+at the origin and coordinates are large, rounding errors are not small relative to the product. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;
@@ -43,21 +43,22 @@ Matx33d toRankTwo(const Matx33d& F)
     return ofUnitNorm(F - w[2] * U.col(2) * Vt.row(2));
 }
 
-//! The epipolar geometry of two views: x2^T F x1 = 0, of rank 2.
+//! The epipolar geometry of two views: x2^T F x1 = 0, where F has rank 2.
 class FundamentalProblem : public Problem
 {
 public:
     String name() const CV_OVERRIDE { return "fundamental"; }
     int dimension() const CV_OVERRIDE { return FundamentalParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(300, 1.2); }  // measured times
+    //! Measured values.
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(300, 1.2); }
     int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
     {
         return epipoleIsFree(context, model);
     }
 
-    //! Rank 2, unit norm.
+    //! The result has rank 2 and unit norm.
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
     {
         Matx33d F = points.frame[1].matrix().t() * Matx33d(model) * points.frame[0].matrix();

@@ -10,13 +10,13 @@
 namespace cv {
 namespace usacv20 {
 
-//! See FundamentalProblem.
+//! Creates a FundamentalProblem.
 Ptr<Problem> createFundamentalProblem();
-//! From 7 points, see Fundamental7Solver.
+//! Creates the solver from 7 points, see Fundamental7Solver.
 Ptr<MinimalSolver> createFundamental7Solver();
-//! Least squares of a residual.
+//! Creates the least-squares fit of a fundamental matrix.
 Ptr<NonMinimalSolver> createFundamentalFit(const Ptr<Residual>& residual);
-//! Samples dominated by a plane, see Degensac.
+//! Creates the check for samples dominated by a plane, see Degensac.
 Ptr<Degeneracy> createDegensac();
 
 }  // namespace usacv20

@@ -21,17 +21,17 @@ Eigen::Matrix3d completion(const Eigen::Vector3d& n)
     return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
 }
 
-/** Orthogonal U and V whose last columns are the left and right null vectors of a matrix M of rank
-2, in a fraction of the time of a singular value decomposition: all columns of the cofactor matrix
-are multiples of the left null vector, all rows multiples of the right one. False if the rank of M,
-up to rounding, is not 2. */
+/** Computes orthogonal U and V whose last columns are the left and right null vectors of a matrix M
+of rank 2. This takes a fraction of the time of a singular value decomposition: all columns of the
+cofactor matrix are multiples of the left null vector, all rows are multiples of the right null
+vector. False if the rank of M, up to rounding, is not 2. */
 bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
 {
     Eigen::Matrix3d cofactors;
     for (int i = 0; i < 3; ++i)
         cofactors.row(i) = M.row((i + 1) % 3).cross(M.row((i + 2) % 3));
     const double size = M.norm(), det = M.row(0).dot(cofactors.row(0));
-    // product of the first two singular values; det / rows is the third one
+    // about the product of the first two singular values, so that det / rows is the third one
     const double rows = cofactors.norm();
     if (!(rows > 1e-3 * size * size) || !(std::abs(det) < 1e-12 * rows * size))
         return false;
@@ -68,8 +68,8 @@ bool FundamentalParameterization::hasFullRank() const
     return std::abs(corner.determinant()) > LEAST_RATIO;
 }
 
-/** Multiplies the corner (a, b; c, d), as a quaternion, by the three imaginary units. This gives
-three matrices of unit norm that are orthogonal to the corner and to each other. */
+/** Multiplies the corner (a, b; c, d), taken as a quaternion, by the three imaginary units. This
+gives three matrices of unit norm that are orthogonal to the corner and to each other. */
 void FundamentalParameterization::cornerDirections(Eigen::Matrix2d (&directions)[3]) const
 {
     const double a = corner(0, 0), b = corner(0, 1), c = corner(1, 0), d = corner(1, 1);
@@ -97,8 +97,9 @@ FundamentalParameterization::Basis FundamentalParameterization::tangent() const
 }
 
 /** In the bases U and V, the model plus the step is [I; y^T] C [I, x]: C is the changed corner, C x
-the last column, y^T C the last row; the last entry y^T C x keeps rank 2. One reflection makes the
-null vector (-x, 1) the last column of V, another one (-y, 1) that of U. */
+the last column and y^T C the last row. With the last entry y^T C x, the rank is 2. One reflection
+makes the null vector (-x, 1) the last column of V, another one makes (-y, 1) the last column of U.
+*/
 FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
 {
     FundamentalParameterization result(*this);

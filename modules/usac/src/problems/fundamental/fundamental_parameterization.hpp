@@ -12,14 +12,15 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief A fundamental matrix and a minimal parameterization around it; zero parameters give the
-model itself.
+matrix itself.
 
 F = U S V^T with orthogonal U and V and a 2x2 matrix, of unit norm, in the upper left corner of S. A
-tangent vector of the manifold of rank 2 is U D V^T, where the last entry of D is 0 and the others
-are arbitrary @cite vandereycken2013low; for unit norm D is also orthogonal to S. This leaves 3
-directions of the corner, 2 of the last column and 2 of the last row: 7 orthogonal directions,
-whatever the singular values are. (Angles of U and V would not do: if both singular values are
-equal, as under a pure translation, rotating both about the third axis does not change F.) */
+tangent vector of the manifold of matrices of rank 2 is U D V^T, where the last entry of D is 0 and
+the other entries are arbitrary @cite vandereycken2013low; for unit norm D is also orthogonal to S.
+This leaves 3 directions of the corner, 2 of the last column and 2 of the last row: 7 orthogonal
+directions for any singular values. (Rotation angles of U and V are no suitable parameters: if both
+singular values are equal, as for a pure translation, rotating U and V together about the third axis
+does not change F.) */
 class FundamentalParameterization
 {
 public:
@@ -28,7 +29,7 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around the closest model of rank 2 and unit norm.
+    //! The parameterization around the matrix of rank 2 and unit norm that is closest to `model`.
     explicit FundamentalParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
@@ -50,8 +51,8 @@ private:
     //! The three directions of the corner: an orthonormal basis of its orthogonal complement.
     void cornerDirections(Eigen::Matrix2d (&directions)[3]) const;
 
-    Eigen::Matrix3d U, V;    //!< orthogonal, of either sign
-    Eigen::Matrix2d corner;  //!< upper left block of S
+    Eigen::Matrix3d U, V;    //!< orthogonal, with a determinant of 1 or -1
+    Eigen::Matrix2d corner;  //!< upper left 2x2 block of S
 };
 
 }  // namespace usacv20

@@ -13,29 +13,32 @@ namespace usacv20 {
 
 namespace {
 
-//! Bins (places of the epipole) on the line of a match do not count within this distance, in bins,
-//! of its points x2 and H x1: an epipole there fits the match anyway, which is no evidence.
+//! The line of a match is divided into bins, the possible positions of the epipole. Bins within
+//! this distance, in bins, of the match's points x2 and H x1 do not count: an epipole there fits
+//! the match in any case, which is no evidence.
 constexpr int NEAR = 2;
 
-/* Effects of halving or doubling the following: doc/constants.md. */
+/* doc/constants.md lists the effects of halving or doubling the following constants. */
 
-//! Share of the correct matches whose line leads to the epipole despite their noise.
+//! Assumed fraction of the correct matches whose line leads to the epipole despite their noise.
 constexpr double GOOD_LINES = 0.5;
-//! An epipole is worth a fit if it has at least this share of votes, relative to the inliers that
-//! the best model has off the plane: even with no more inliers, its cost can be lower.
+//! An epipole is fitted only if its votes are at least this fraction of the inliers that the best
+//! model has off the plane. The fraction is below 1 because the cost can be lower even if there are
+//! no more inliers.
 constexpr double WORTH_A_FIT = 0.8;
-//! Maximum excess over the lowest cost of the voters, in outliers (each costs 1), at which a fit
-//! continues (GOES_ON) and at which a fitted epipole is scored over all points (WORTH_RATING): the
-//! points on the plane decide between similar epipoles.
+//! A fit continues if its cost over the voters exceeds the lowest such cost by at most GOES_ON; a
+//! fitted epipole is scored over all points if the excess is at most WORTH_RATING. An outlier costs
+//! 1. The points on the plane decide between similar epipoles.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
-//! Each step of a fit uses the voters within this many thresholds: the first steps use more,
-//! because a fit starts at the middle of a bin.
+//! Each step of a fit uses the voters within this many thresholds. The first steps use more voters,
+//! because a fit starts at the middle of a bin, which may be inaccurate.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
-//! Epipoles (as unit vectors) are the same if the squared sine of the angle between them is
-//! smaller: about two bins.
+//! Two epipoles (as unit vectors) count as the same if the squared sine of the angle between them
+//! is below this value: a distance of about two bins.
 constexpr double SAME_EPIPOLE = 1e-3;
 
-//! The middle of the bins first .. last on the line through the orthonormal u and v.
+//! The unit vector in the middle of the bins first .. last on the line through the orthonormal
+//! vectors u and v; the inverse of placeOf().
 Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
 {
     const double place = 2. * (first + last + 1) / ARCS_BINS - 1;
@@ -73,11 +76,12 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
             *weights++ = (T)(k == j ? a[k] * b[k] : a[k] * b[j] + a[j] * b[k]);
 }
 
-/** The bins covered by the largest number of arcs.
-@param change number of arcs that begin in each bin minus those that ended in the previous one
-@param own bins that do not count, together with those near them
-@param first, last output: the bins
-@return the number of arcs */
+/** Finds the bins that are covered by the largest number of arcs.
+@param change number of arcs that begin in each bin minus number of arcs that end in the previous
+bin
+@param own two bins that do not count, together with the bins near them, see NEAR
+@param first, last output: the first and the last of the bins found
+@return the number of arcs that cover these bins */
 int densest(const int* change, const int* own, int& first, int& last)
 {
     int votes[ARCS_BINS];
@@ -95,8 +99,8 @@ int densest(const int* change, const int* own, int& first, int& last)
     return most;
 }
 
-//! The eigenvector e of the smallest eigenvalue of a positive semidefinite matrix, by inverse
-//! iteration from a guess; false if it is not unique.
+//! Computes the eigenvector `e` of the smallest eigenvalue of a positive semidefinite matrix by
+//! inverse iteration, which starts from the given `e`. False if the eigenvector is not unique.
 bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 {
     enum { STEPS = 4 };
@@ -121,10 +125,10 @@ PlaneParallax::PlaneParallax()
 {}
 
 /* With y = H x1 and h1, h2 the first two columns of H, the squared Sampson error of F = [e]x H has
-the numerator (e n)^2 with n = y x x2. Its denominator |F x1|^2 + |F^T x2|^2 (first two entries) is
-the sum of the squared scalar products of e with (0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G
-is the matrix of this quadratic form times the squared threshold: the error is within the threshold
-if (e n)^2 <= e^T G e. */
+the numerator (e n)^2 with n = y x x2. Its denominator, the sum of the squares of the first two
+entries of F x1 and of F^T x2, is the sum of the squared scalar products of e with (0, y3, -y2),
+(-y3, 0, y1), h1 x x2 and h2 x x2. G is the matrix of this quadratic form times the squared
+threshold: the error is within the threshold if (e n)^2 <= e^T G e. */
 void PlaneParallax::setPlane(const Context& context, const int* offPlane, int count,
                              const Matx33d& homography)
 {
@@ -177,7 +181,7 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
     for (int needed = linesNeeded(failure, wanted); next < needed; ++next)
     {
         Vec3d e;
-        const int votes = vote(next, e) + 1;  // with the vote of the match itself
+        const int votes = vote(next, e) + 1;  // includes the vote of the match itself
         if (votes < 2 || votes < WORTH_A_FIT * std::max<double>(best.inliers, wanted))
             continue;
         if (sameEpipole(e, lastFit))
@@ -188,7 +192,8 @@ bool PlaneParallax::search(const Context& context, double failure, double wanted
     return quality.betterThan(before);
 }
 
-//! The epipole, on the line of one voter, that most other voters agree with. @return their number
+//! Finds the epipole on the line of one voter that the largest number of other voters agrees with.
+//! @return the number of these other voters
 int PlaneParallax::vote(int line, Vec3d& epipole) const
 {
     const Correspondences& p = voters.view();
@@ -225,8 +230,8 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     return votes;
 }
 
-//! Fits an epipole to the voters within decreasing multiples of the threshold; the best of the fits
-//! is scored over all points.
+//! Fits an epipole to the voters within decreasing multiples of the threshold. The fit with the
+//! lowest cost over the voters is scored over all points and may replace the model.
 void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
 {
     Matx33d F = crossMatrix(e) * H, candidate = F;
@@ -261,8 +266,9 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     quality = whole;
 }
 
-//! Least squares over at most `most` voters within `width` thresholds of F = [e]x H; the
-//! denominators of their Sampson errors are computed from the input e and kept fixed.
+//! Least squares over at most `most` voters within `width` thresholds of F = [e]x H. The
+//! denominators of their Sampson errors are computed from the input `e` and are then constant.
+//! False if these voters do not determine `e`.
 bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();
@@ -271,7 +277,7 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
     kernelsOf<SampsonError>().errors(p, m, 0, p.size, errors);
     const float widest = (float)(width * width * limit);
     int near[MAX_POINTS + 1], count = 0;
-    for (int i = 0; i < p.size && count < most; ++i)  // no branch that would be mispredicted
+    for (int i = 0; i < p.size && count < most; ++i)  // without a hardly predictable branch
     {
         near[count] = i;
         count += errors[i] <= widest;

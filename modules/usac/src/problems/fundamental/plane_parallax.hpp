@@ -15,36 +15,38 @@ namespace usacv20 {
 epipole e of image 2 that agrees with most points off the plane.
 
 For a correct match off the plane, the line through x2 and H x1 contains e, so two matches determine
-it. DEGENSAC @cite chum2005two draws pairs and counts the support of each; if a share w of the
-points is right, that takes w^-2 pairs. Here a single match is drawn. Only the position of e on its
-line is then unknown, and all other matches vote for it at once: the positions that keep a match
-within the threshold form an arc of the projective (thus closed) line, in closed form. The position
-where most arcs overlap is the best e over all pairs with this match, whatever the noise of the
-second one. So w^-1 lines suffice.
+e. DEGENSAC @cite chum2005two draws pairs of matches and counts the inliers of each; if a fraction w
+of the matches is right, that takes w^-2 pairs. Here a single match is drawn. Only the position of e
+on its line is then unknown, and all other matches vote for this position at once: the positions for
+which another match is within the threshold form an arc of the projective (thus closed) line, which
+is computed in closed form. The position where most arcs overlap is the best e over all pairs with
+the drawn match, whatever the noise of the second match. Therefore w^-1 lines suffice.
 
 The lines are drawn as in RANSAC, but without replacement: in the order of the points, until with
-the given confidence one of them leads to a better e. Their number follows from the support that a
-model of interest has, see search(). It is at most the number of points, which bounds the time if
-nothing is off the plane. */
+the given confidence one of them leads to a better e. Their number follows from the number of
+inliers that a model of interest has, see search(). It is at most the number of points, which bounds
+the time if no correct match is off the plane. */
 class PlaneParallax
 {
 public:
-    //! Maximum number of points off the plane that vote and whose lines are tried; of more points,
-    //! the first ones are taken.
+    //! Maximum number of points off the plane that vote and whose lines are tried. If there are
+    //! more points, only the first MAX_POINTS are used.
     enum { MAX_POINTS = 1024 };
 
     PlaneParallax();
 
-    //! Sets another plane. @param context points and memory @param offPlane, count indices of the
-    //! points off the plane, in random order
+    //! Sets another plane.
+    //! @param context points and memory
+    //! @param offPlane, count indices of the points off the plane, in random order
+    //! @param homography H of the plane
     void setPlane(const Context& context, const int* offPlane, int count,
                   const Matx33d& homography);
 
     /** @brief Replaces a model by a better [e]x H.
     @param context scores models over all points
-    @param failure probability of missing a better one if there is one, in (0, 1)
-    @param wanted models with fewer inliers off the plane are of no interest; if only some of the
-    points vote, the number of inliers among these
+    @param failure accepted probability, in (0, 1), of missing a better model if there is one
+    @param wanted models with fewer inliers off the plane are of no interest; only inliers among
+    the voters are counted
     @param model, quality input: the known model; output: unit Frobenius norm
     @return true if the model was replaced */
     bool search(const Context& context, double failure, double wanted, Model& model,
@@ -54,7 +56,7 @@ public:
     int size() const { return voters.size(); }
     //! Number of lines tried since setPlane().
     int lines() const { return next; }
-    //! Number of epipoles that were worth a fit since setPlane().
+    //! Number of epipoles whose fit was continued after its first steps since setPlane().
     int fits() const { return fitted; }
 
 private:
@@ -70,12 +72,12 @@ private:
     void refine(const Context& context, Vec3d epipole, Model& model, Quality& quality);
     bool fit(const Model& F, double width, int most, Vec3d& epipole) const;
 
-    Matx33d H;     //!< unit Frobenius norm
+    Matx33d H;     //!< homography of the plane, of unit Frobenius norm
     double limit;  //!< squared threshold
     GatheredPoints<MAX_POINTS> voters;
-    float* numbers;  //!< ARCS_ROWS rows of `stride`; room for MAX_POINTS from the first plane on
-    int stride;      //!< size(), rounded up to whole blocks
-    Quality best;    //!< lowest cost over the voters
+    float* numbers;  //!< ARCS_ROWS rows of `stride` numbers; memory for MAX_POINTS columns
+    int stride;      //!< size(), rounded up to a multiple of ARCS_BLOCK
+    Quality best;    //!< lowest cost over the voters so far
     Vec3d lastFit;   //!< the last epipole that was fitted
     int next, fitted;
 };

@@ -22,7 +22,8 @@ public:
     String name() const CV_OVERRIDE { return "homography"; }
     int dimension() const CV_OVERRIDE { return HomographyParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 2; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(250, 1); }  // measured times
+    //! Measured values.
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(250, 1); }
 
     //! The transfer error is measured in image 2, so that the scale of image 1 does not matter;
     //! errors in both images need a common scale.
@@ -31,13 +32,14 @@ public:
         return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH;
     }
 
-    //! Scaled to h33 = 1, unless h33 is nearly 0 relative to the other terms of the denominator.
+    //! The result is scaled to h33 = 1, unless h33 is nearly 0 relative to the other terms of the
+    //! denominator h31 x + h32 y + h33; then it has unit norm.
     bool toInput(const Model& model, const Correspondences& points,
                  Model& inInput) const CV_OVERRIDE
     {
         const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();
         const double s = 1 / T2(0, 0);
-        // T2 is a similarity
+        // T2 scales and translates, so that its inverse is simple
         const Matx33d inverse(s, 0, -s * T2(0, 2), 0, s, -s * T2(1, 2), 0, 0, 1);
         Matx33d result = inverse * Matx33d(model) * T1;
         if (!toUnitNorm(result))
@@ -47,7 +49,7 @@ public:
         if (std::abs(result(2, 2)) > 1e-12 * weights)
         {
             result *= 1 / result(2, 2);
-            result(2, 2) = 1;  // the product may differ by rounding
+            result(2, 2) = 1;  // exactly, without the rounding error of the product
         }
         inInput = result;
         return true;

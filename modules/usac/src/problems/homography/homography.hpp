@@ -10,13 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-//! See HomographyProblem.
+//! Creates a HomographyProblem.
 Ptr<Problem> createHomographyProblem();
-//! From 4 points, see Homography4Solver.
+//! Creates the solver from 4 points, see Homography4Solver.
 Ptr<MinimalSolver> createHomography4Solver();
-//! Least squares of a residual.
+//! Creates the least-squares fit of a homography.
 Ptr<NonMinimalSolver> createHomographyFit(const Ptr<Residual>& residual);
-//! Orientation of the sample, near-singular models; see HomographyOrientation.
+//! Creates the check of the orientation of samples and for near-singular models, see
+//! HomographyOrientation.
 Ptr<Degeneracy> createHomographyOrientation();
 
 }  // namespace usacv20

@@ -10,13 +10,13 @@ namespace usacv20 {
 
 namespace {
 
-//! Three points are collinear if twice the area of their triangle is at most this part of the
-//! largest squared distance to the last point of the sample.
+//! Three points count as collinear if twice the area of their triangle is at most this fraction of
+//! the largest squared distance to the last point of the sample.
 constexpr double COLLINEAR = 1e-6;
 
-/** The matrix B that maps the standard projective basis to four given points: its columns are the
-first three points in homogeneous coordinates, scaled so that they sum up to the fourth. False if
-three of the four are collinear. */
+/** Computes the matrix B that maps the standard projective basis to four given points. Its columns
+are the first three points in homogeneous coordinates, scaled so that they sum up to the fourth
+point. False if three of the four points are collinear. */
 bool fromBasis(const double* x, const double* y, const int* s, double* B)
 {
     // the weights are determinants of point triples, that is, twice the areas of the triangles
@@ -30,13 +30,13 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
     const double w0 = dx[1] * dy[2] - dx[2] * dy[1];
     const double w1 = dx[2] * dy[0] - dx[0] * dy[2];
     const double w2 = dx[0] * dy[1] - dx[1] * dy[0];
-    const double all = w0 + w1 + w2;  // of the triangle 0, 1, 2
+    const double all = w0 + w1 + w2;  // twice the area of the triangle 0, 1, 2
     double extent = 0;
     for (int k = 0; k < 3; ++k)
         extent = std::max(extent, dx[k] * dx[k] + dy[k] * dy[k]);
     const double smallest = std::min(std::min(std::abs(w0), std::abs(w1)),
                                      std::min(std::abs(w2), std::abs(all)));
-    if (!(smallest > COLLINEAR * extent))  // also for NaN
+    if (!(smallest > COLLINEAR * extent))  // a NaN is rejected, too
         return false;
     const double w[3] = {w0, w1, w2};
     for (int k = 0; k < 3; ++k)
@@ -48,7 +48,7 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
     return true;
 }
 
-/** @brief Homography from four points, exact, in closed form.
+/** @brief The homography that maps four points exactly, in closed form.
 
 Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale
 @cite hartley2003multiple. A sample with three (nearly) collinear points or two equal points in

@@ -11,13 +11,13 @@ namespace usacv20 {
 
 namespace {
 
-//! H of unit norm is near-singular if its determinant is not above this value.
+//! H of unit norm is near-singular if the magnitude of its determinant is not above this value.
 constexpr double SINGULAR = 1e-7;
 
 //! Twice the signed areas of the four triangles of four points.
 void areas(const double* x, const double* y, const int* s, double* area)
 {
-    double dx[3], dy[3];  // from the last point
+    double dx[3], dy[3];  // vectors from the last point to the others
     for (int k = 0; k < 3; ++k)
     {
         dx[k] = x[s[k]] - x[s[3]];
@@ -29,10 +29,10 @@ void areas(const double* x, const double* y, const int* s, double* area)
     area[3] = (dx[1] - dx[0]) * (dy[2] - dy[0]) - (dx[2] - dx[0]) * (dy[1] - dy[0]);
 }
 
-/** Between two images of a plane, either all triangles of points keep their orientation, or all
-reverse it if one image is mirrored. A sample in which only some triangles reverse theirs has no
-homography that two cameras could produce @cite chum2004epipolar. A near-singular matrix maps the
-image to a line and is no model either. */
+/** Between two images of a plane, either all triangles of points keep their orientation, or, if one
+image is mirrored, all triangles reverse it. If only some triangles of a sample reverse their
+orientation, two cameras cannot produce the homography of this sample @cite chum2004epipolar. A
+near-singular matrix, which nearly maps the image to a line, is rejected as well. */
 class HomographyOrientation : public Degeneracy
 {
 public:

@@ -9,7 +9,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Smallest determinant of H of unit norm that counts as rank 3.
+//! H of unit norm has rank 3 if the magnitude of its determinant is above this value.
 constexpr double LEAST_DETERMINANT = 1e-9;
 
 HomographyParameterization::HomographyParameterization(const Model& model)

@@ -10,8 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A homography, as a unit 9-vector, and a minimal parameterization around it: components
-along 8 directions orthogonal to this vector. Zero parameters give the model itself. */
+/** @brief A homography, as a unit 9-vector, and a minimal parameterization around it. The
+parameters are the components of a step along 8 directions orthogonal to this vector. Zero
+parameters give the homography itself. */
 class HomographyParameterization
 {
 public:
@@ -20,7 +21,7 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around the model, scaled to unit norm.
+    //! The parameterization around `model`, which is scaled to unit norm.
     explicit HomographyParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
@@ -36,8 +37,8 @@ public:
     Model model() const;
 
 private:
-    /** Householder reflection I - factor v v^T that maps the axis of h33 to h or -h, and thus the
-    other axes to the orthogonal complement of h. */
+    /** Computes the Householder reflection I - factor v v^T that maps the axis of h33 to h or -h,
+    and thus the other axes to the orthogonal complement of h. @return factor */
     double reflection(Eigen::Matrix<double, 9, 1>& v) const
     {
         v = h;

@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Points are collinear if the second singular value of their cross-covariance is at most this part
-//! of the first one, which rounding alone can cause, see RigidLeastSquares.
+//! Points count as collinear if the second singular value of their cross-covariance matrix is at
+//! most this fraction of the first one, because rounding alone can cause such a value.
 constexpr double THINNEST = 1e-14;
 
 Eigen::Vector3d pointOf(const double* const* columns, int i)
@@ -21,13 +21,13 @@ Eigen::Vector3d pointOf(const double* const* columns, int i)
     return Eigen::Vector3d(columns[0][i], columns[1][i], columns[2][i]);
 }
 
-/** Weighted least squares of the distance in space 2, in closed form @cite umeyama1991least: the
-rotation is the one closest to the cross-covariance of both spaces, the scale is the sum of the
-singular values of that matrix (the last one negated if the determinant is negative) divided by the
-variance of space 1, and the means are mapped to each other. Collinear points leave the rotation
+/** Weighted least squares of the distance in space 2, in closed form @cite umeyama1991least. The
+rotation is the one closest to the cross-covariance matrix of both spaces. The scale is the sum of
+the singular values of this matrix (the last one negated if the determinant is negative) divided by
+the variance of space 1. The means are mapped to each other. Collinear points leave the rotation
 undetermined: the second singular value is then at most #THINNEST times the first. Coordinates are
-taken relative to the first point, to lose little precision if all points are close together far
-from the origin. */
+relative to the first point, so that little precision is lost if all points are close together and
+far from the origin. */
 class RigidLeastSquares : public NonMinimalSolver
 {
 public:
@@ -59,7 +59,7 @@ public:
         const ClosestRotation closest(products - sum2 * mean1.transpose());
         const double scale = scaled ? 3 * closest.scale / variance : 1;
         const bool line = !(closest.singularValues[1] >
-                            THINNEST * closest.singularValues[0]);  // or NaN
+                            THINNEST * closest.singularValues[0]);  // NaN counts as a line
         if (line || !(scale > 0 && scale <= DBL_MAX))
             return false;
         const Eigen::Matrix3d A = scale * closest.rotation;

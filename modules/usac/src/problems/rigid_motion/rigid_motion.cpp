@@ -16,8 +16,8 @@ namespace {
 
 typedef Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> MapOfSpace;
 
-//! [A t] between points of space 1 normalized by `from` and points of space 2 normalized by `to`;
-//! the ratio of their scales is exactly 1 if they are equal.
+//! Converts [A t] to the map between points of space 1 normalized by `from` and points of space 2
+//! normalized by `to`. If both frames have the same scale, A is unchanged, without rounding.
 Model moved(const MapOfSpace& map, const Frame& from, const Frame& to)
 {
     const Eigen::Map<const Eigen::Vector3d> center1(from.center), center2(to.center);
@@ -35,9 +35,9 @@ Model movedBack(const MapOfSpace& map, const Frame& from, const Frame& to)
     return motionOf(A, t);
 }
 
-/** @brief Rotation and translation from points of space 1 to their counterparts in space 2,
-X2 = s R X1 + t, with the scale s or with s = 1. The caller gets the models, 3x4 matrices [s R t].
-*/
+/** @brief Rotation and translation from points of space 1 to their counterparts in space 2:
+X2 = s R X1 + t. If `SCALED` is false, s = 1. Models, also those that the caller gets, are 3x4
+matrices [s R t]. */
 template <bool SCALED>
 class RigidMotionProblem : public Problem
 {
@@ -58,7 +58,7 @@ public:
     {
         result = movedBack(MapOfSpace(model.val), points.frame[0], points.frame[1]);
         const bool regular = MapOfSpace(result.val).leftCols<3>().squaredNorm() >
-                             0;  // else underflow
+                             0;  // 0 is an underflow
         return regular && checkRange(Mat(3, 4, CV_64F, result.val));
     }
 

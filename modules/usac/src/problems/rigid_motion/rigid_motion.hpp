@@ -14,11 +14,11 @@ namespace usacv20 {
 Ptr<Problem> createRigid3DProblem();
 //! Rotation, translation and uniform scale of space, see RigidMotionProblem.
 Ptr<Problem> createSimilarity3DProblem();
-//! From 3 points, see TriangleSolver. `scaled`: with a scale, else it is 1.
+//! Creates the solver from 3 points, see TriangleSolver. If `scaled` is false, the scale is 1.
 Ptr<MinimalSolver> createTriangleSolver(bool scaled);
-//! Least squares of a residual: closed form for the distance in space 2, else LeastSquaresSolver.
+//! Creates a least-squares fit: in closed form for SpaceTransferError, otherwise iterative.
 Ptr<NonMinimalSolver> createRigidFit(const Ptr<Residual>& residual, bool scaled);
-//! Least squares of the distance in space 2, see RigidLeastSquares.
+//! Creates the closed-form least-squares fit of the distance in space 2, see RigidLeastSquares.
 Ptr<NonMinimalSolver> createRigidLeastSquares(bool scaled);
 
 }  // namespace usacv20

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! [A t].
+//! The 3x4 matrix [A t].
 inline Model motionOf(const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
 {
     Model result(3, 4);
@@ -20,9 +20,10 @@ inline Model motionOf(const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
     return result;
 }
 
-/** @brief A rigid motion of space [s R t] and a minimal parameterization around it: the rotation
-vector of a rotation that is applied after the present one, an increment of the translation and, if
-`SCALED`, the relative increase of the scale. Zero parameters give the motion itself. */
+/** @brief A rigid motion of space [s R t] and a minimal parameterization around it. The parameters
+are the rotation vector, in radians, of a rotation that is applied after the present rotation, an
+increment of the translation and, if `SCALED`, the relative increase of the scale. Zero parameters
+give the motion itself. */
 template <bool SCALED>
 class RigidParameterization
 {
@@ -32,11 +33,11 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around the motion whose linear part is the closest to that of the model.
+    //! The parameterization around the motion whose linear part is closest to that of `model`.
     explicit RigidParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
-    //! False if all points are mapped to one.
+    //! False if the scale is 0, so that all points are mapped to a single point.
     bool hasFullRank() const { return scale > 0; }
     //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

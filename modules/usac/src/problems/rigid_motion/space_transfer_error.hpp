@@ -34,7 +34,7 @@ struct SpaceTransferError
             out.error(0) = dx;
             out.error(1) = dy;
             out.error(2) = dz;
-            for (int k = 0; k < 12; ++k)  // row k / 4 of [A t] moves component k / 4 only
+            for (int k = 0; k < 12; ++k)  // row k / 4 of [A t] affects only component k / 4
             {
                 const T p = k % 4 == 0 ? X : k % 4 == 1 ? Y : k % 4 == 2 ? Z : T(1);
                 out.derivative(0, k) = k / 4 == 0 ? p : T(0);

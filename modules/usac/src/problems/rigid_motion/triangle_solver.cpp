@@ -30,26 +30,26 @@ struct Triangle
         regular = area > DBL_EPSILON * longest * longest && area <= DBL_MAX;
         axes.col(0) = side.normalized();
         axes.col(1) = normal.normalized().cross(axes.col(0)).normalized();
-        // not `normal`, which for a thin triangle is not exactly perpendicular
+        // The vector `normal` is not exactly perpendicular to the sides of a thin triangle.
         axes.col(2) = axes.col(0).cross(axes.col(1));
     }
 
-    //! Corners in the plane, relative to the center.
+    //! Coordinates of the corners in the plane of the triangle, relative to the center.
     Eigen::Matrix<double, 2, 3> flat() const { return axes.leftCols<2>().transpose() * corners; }
 
     Eigen::Matrix3d corners;  //!< relative to the center, as columns
     Eigen::Matrix3d axes;     //!< orthonormal, as columns
     Eigen::Vector3d center;
-    //! True if height over longest side is above the square root of the machine precision, so that
-    //! the normal is determined.
+    //! True if the ratio of height and longest side is above the square root of the machine
+    //! precision, so that the normal is determined.
     bool regular;
 };
 
-/** Rigid motion from three points by least squares @cite horn1987closed: the best rotation maps the
+/** Rigid motion from three points by least squares @cite horn1987closed. The best rotation maps the
 plane of the first triangle to that of the second one, with the corners in the same orientation, and
-then rotates within this plane by the least-squares angle; the centroids are mapped to each other.
-The scale, if any, is the least-squares one for this rotation @cite umeyama1991least. Three
-collinear points are degenerate. */
+then rotates within this plane by the least-squares angle. The centroids are mapped to each other.
+If `scaled` is true, the scale is the least-squares scale for this rotation
+@cite umeyama1991least. Three collinear points are degenerate. */
 class TriangleSolver : public MinimalSolver
 {
 public:

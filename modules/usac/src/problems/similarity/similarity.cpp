@@ -11,8 +11,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Similarity from two points, exact: as complex numbers, the difference of the points in image 2
-is their difference in image 1 times a + bi. Two equal points in either image are degenerate. */
+/** The similarity that maps two points exactly. With points as complex numbers, the difference of
+the points in image 2 is their difference in image 1 times a + bi. Two equal points in either image
+are degenerate. */
 class Similarity2Solver : public MinimalSolver
 {
 public:
@@ -65,7 +66,7 @@ Ptr<NonMinimalSolver> createSimilarityLeastSquares() { return makePtr<Similarity
 
 Ptr<Problem> createSimilarity2DProblem()
 {
-    // the time was measured together with the cost of H
+    // 120 is the time in point tests, measured together with the cost of a homography
     const PlaneMapParts parts = {"similarity", 120, false, createSimilarity2Solver,
                                  createSimilarityLeastSquares};
     return makePtr<PlaneMap<SimilarityParameterization>>(parts);

@@ -38,9 +38,9 @@ typedef PlaneParameterization<SimilarityMap> SimilarityParameterization;
 
 //! Rotation, uniform scale and translation from image 1 to image 2.
 Ptr<Problem> createSimilarity2DProblem();
-//! From 2 points, see Similarity2Solver.
+//! Creates the solver from 2 points, see Similarity2Solver.
 Ptr<MinimalSolver> createSimilarity2Solver();
-//! Least squares of the transfer error, in closed form.
+//! Creates the fit that minimizes the sum of squared transfer errors in closed form.
 Ptr<NonMinimalSolver> createSimilarityLeastSquares();
 
 }  // namespace usacv20

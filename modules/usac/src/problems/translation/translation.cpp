@@ -13,7 +13,7 @@ namespace {
 
 Model translationBy(double x, double y) { return Matx33d(1, 0, x, 0, 1, y, 0, 0, 1); }
 
-//! Translation from one point, exact. No point is degenerate.
+//! The translation that maps one point exactly. No point is degenerate.
 class Translation1Solver : public MinimalSolver
 {
 public:
@@ -27,8 +27,9 @@ public:
     }
 };
 
-//! Least squares of the transfer error, in closed form: the mean of the displacements. They are
-//! added relative to the first one, to lose little precision if all are long and nearly equal.
+//! Least squares of the transfer error, in closed form: the mean of the displacements. The sums are
+//! of differences from the first displacement, so that little precision is lost if all
+//! displacements are long and nearly equal.
 class TranslationLeastSquares : public NonMinimalSolver
 {
 public:
@@ -52,7 +53,7 @@ public:
         }
         const Model fitted = translationBy(x + sumX / sum, y + sumY / sum);
         if (!(sum > 0 && std::abs(fitted.val[2]) <= DBL_MAX &&
-              std::abs(fitted.val[5]) <= DBL_MAX))  // false for NaN
+              std::abs(fitted.val[5]) <= DBL_MAX))  // NaN is rejected, too
             return false;
         model = fitted;
         return true;
@@ -63,7 +64,7 @@ public:
 
 Ptr<Problem> createTranslation2DProblem()
 {
-    // the time was measured beside that of a similarity, from which it does not differ
+    // 120 is the time in point tests; measurements found no difference from a similarity
     const PlaneMapParts parts = {"translation", 120, true, createTranslation1Solver,
                                  createTranslationLeastSquares};
     return makePtr<PlaneMap<TranslationParameterization>>(parts);

@@ -15,8 +15,8 @@ struct TranslationMap
 {
     enum { DIMENSION = 2 };
 
-    //! The translation that does to the origin, which is the center of the points, what the map
-    //! does.
+    //! Reads the translation that maps the origin to the same point as the map `m` does. The origin
+    //! is the center of the points.
     static void read(const double* m, double* p)
     {
         p[0] = m[2];
@@ -36,9 +36,9 @@ typedef PlaneParameterization<TranslationMap> TranslationParameterization;
 
 //! Translation from image 1 to image 2.
 Ptr<Problem> createTranslation2DProblem();
-//! From 1 point, see Translation1Solver.
+//! Creates the solver from 1 point, see Translation1Solver.
 Ptr<MinimalSolver> createTranslation1Solver();
-//! Least squares of the transfer error, in closed form.
+//! Creates the fit that minimizes the sum of squared transfer errors in closed form.
 Ptr<NonMinimalSolver> createTranslationLeastSquares();
 
 }  // namespace usacv20

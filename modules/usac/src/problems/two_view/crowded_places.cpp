@@ -13,20 +13,24 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving and doubling these constants: doc/constants.md.
+// A place, in this file, is a small region of array 2, at most a few thresholds wide, to which many
+// different points of array 1 are matched. doc/constants.md lists the effects of halving and
+// doubling these constants.
 
-//! The first LOOKED_AT points are compared with each other. If there is a place, at least SEEN of
-//! the others are near one of them.
+//! The first LOOKED_AT points, a random subset, are compared with each other. A point may belong to
+//! a place if at least SEEN others of them are near it.
 constexpr int LOOKED_AT = 64, SEEN = 3;
-//! The extent of the first points is computed without 1 / TRIMMED of them at each end.
+//! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED of
+//! their coordinates.
 constexpr int TRIMMED = 32;
-//! A place has at least 1 / TENTH of all points. Even an object of only 16 pixels has fewer points
-//! within the size of a place.
+//! A place has at least 1 / TENTH of all points. Even if all points lie on an object whose image is
+//! only 16 pixels wide, a region of the size of a place contains a smaller fraction of them.
 constexpr int TENTH = 10;
-//! No more places than this can have that many points.
+//! Maximum number of places, because each has at least 1 / TENTH of all points.
 constexpr int MOST_PLACES = TENTH;
-//! An apparent place is a distant object if an affine map of array 1 explains at least this share
-//! of its scatter in array 2. Of the scatter of n points due to noise, it explains about 2 / n.
+//! An apparent place is a distant object if an affine map from array 1 explains at least this
+//! fraction of the scatter of its points in array 2. If the scatter of n points is only noise, the
+//! map explains a fraction of about 2 / n.
 constexpr double EXPLAINED = 0.9;
 
 //! Squared distance of two points of an array.
@@ -39,8 +43,8 @@ inline float squaredDistance(const Correspondences& p, int array, int i, int k)
     return sum;
 }
 
-/** True if an apparent place is a distant object: an affine map of array 1 predicts its points in
-array 2, judged by the squared multiple correlation. */
+/** True if an apparent place is a distant object, so that an affine map from array 1 predicts its
+points in array 2. The criterion is the squared multiple correlation. */
 bool isObject(const Correspondences& p, const int* members, int count)
 {
     if (count < 2 * (p.coordinates[0] + 1))
@@ -67,25 +71,25 @@ bool isObject(const Correspondences& p, const int* members, int count)
         across += first * second.transpose();
         scatter += second.squaredNorm();
     }
-    within.diagonal().array() += 1e-12 * within.trace();  // points of a plane
+    within.diagonal().array() += 1e-12 * within.trace();  // coplanar points make it singular
     const double explained = (across.transpose() * within.ldlt().solve(across)).trace();
     return explained >= EXPLAINED * scatter;
 }
 
-/** @brief Maps and poses: matches of many points to one place (a watermark, a blinking light, a
-dead pixel), however noisy, are no independent evidence.
+/** @brief Check for maps and poses: matches of many points to one place (a watermark, a blinking
+light, a dead pixel) are no independent evidence, even if they are noisy.
 
-A map that shrinks everything to that place, or a camera far away, fits them all, wherever their
-points in array 1 are. Therefore
+A map that shrinks everything to this place, or a camera far away, fits all these matches for any
+points in array 1. Therefore
 - samples are rejected in which two matches to a place are far apart in array 1, see TargetLimits;
-- in the quality of a new so-far-the-best model, the inliers of each place count as one. The model
-is kept, but no longer beats models with real support. The map of a small object keeps most of its
-quality, because it does not shrink the object to one place.
+- in the quality of a new so-far-the-best model, the inliers of each place count as a single inlier.
+The model is kept, but its score is no longer better than that of correct models. The map of a small
+object keeps most of its quality, because it does not shrink the object to one place.
 
 Matches from one place of array 1 to many points of array 2 need no check, because no map fits them.
-Places are searched for once, with the inlier threshold: with the wider reach of some scores
-(Params::reach), a small object would look like one place. The quality is not changed for scores
-that are no sum over the points. */
+Places are searched for once, with the inlier threshold. With the larger distances that some scores
+use (Params::reach), a small object would look like one place. The quality is not changed for scores
+that are not a sum over the points. */
 class CrowdedPlaces : public Degeneracy
 {
 public:
@@ -147,8 +151,8 @@ public:
     }
 
 private:
-    //! Extent of the first points without the outermost ones. (If nearly all points are at one
-    //! place, the box Correspondences::lower, upper covers no more than that place.)
+    //! Extent of the first points in one column, without the outermost points. It is needed because
+    //! the box Correspondences::lower, upper covers only the place if nearly all points are there.
     static float extent(const float* column, int count)
     {
         float values[LOOKED_AT];
@@ -157,8 +161,9 @@ private:
         return values[count - 1 - count / TRIMMED] - values[count / TRIMMED];
     }
 
-    //! Counts for each of the first points how many others are near it in array 2 but far from it
-    //! in array 1; `near` and `far` are squared distances.
+    //! Counts for each of the first `count` points how many others of them are within `near` in
+    //! array 2 but farther than `far` in array 1. Both limits are squared distances; a negative
+    //! `far` ignores array 1.
     static void look(const Correspondences& p, float near, float far, int count, int* seen)
     {
         std::fill(seen, seen + count, 0);
@@ -181,8 +186,8 @@ private:
         }
     }
 
-    //! Adds the points near `center` as a place if there are enough of them. No point is in two
-    //! places.
+    //! Adds the points near `center` as a place if there are enough of them and they are not a
+    //! distant object. No point is in two places.
     void addPlace(const Context& context, int center, float near)
     {
         const Correspondences& p = context.points;
@@ -205,9 +210,9 @@ private:
     }
 
     int places;
-    float farApart;             //!< squared distance in array 1
-    uchar* placeOf;             //!< place of each point, from 1 on; 0: none
-    int* members;               //!< points of the places, one place after the other
+    float farApart;             //!< points of array 1 at a larger squared distance are far apart
+    uchar* placeOf;             //!< number of the place of each point, from 1 on; 0: no place
+    int* members;               //!< indices of the points of all places, one place after the other
     int ends[MOST_PLACES + 1];  //!< place k + 1 is ends[k] .. ends[k + 1] - 1 of `members`
 };
 

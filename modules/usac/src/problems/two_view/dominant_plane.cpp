@@ -15,7 +15,7 @@ namespace usacv20 {
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
                   Matx33d& H)
 {
-    for (int k = 0; k < 3; ++k)  // else H maps everything to the shared point
+    for (int k = 0; k < 3; ++k)  // with a shared point, H would map everything to this point
         if (shareAPoint(p, triple[k], triple[(k + 1) % 3]))
             return false;
     Matx33d M;
@@ -91,7 +91,7 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
 
 bool epipoleIsFree(const Context& context, const Model& F)
 {
-    constexpr double PLANAR = 0.85;  // share of inliers on the plane, see doc/constants.md
+    constexpr double PLANAR = 0.85;  // least fraction of inliers on the plane, doc/constants.md
     DominantPlane plane;
     Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE));
     Matx33d H;

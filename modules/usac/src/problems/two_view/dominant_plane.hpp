@@ -10,36 +10,39 @@
 namespace cv {
 namespace usacv20 {
 
-//! The homography of the plane of three correspondences under F: A - e2 (M^-1 b)^T with A = [e2]x
-//! F. False if they determine none.
+//! Computes the homography of the plane through three correspondences that fulfill F:
+//! H = A - e (M^-1 b)^T, where e is the epipole of image 2 and A = [e]x F; the rows of M are the
+//! points x1. False if the correspondences do not determine a homography.
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
                   Matx33d& H);
 
-//! A = [e]x F with the unit epipole e of image 2; false if F has none.
+//! Computes the unit epipole `e` of image 2 and A = [e]x F. False if F determines no epipole.
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
-//! The square of 3: points are on a plane that was found from three points if their error is at
-//! most three thresholds. See doc/constants.md.
+//! Points count as points on a plane that was found from three points if their transfer error is at
+//! most three thresholds; PLANE_LIMIT is the square of 3. See doc/constants.md.
 constexpr int PLANE_LIMIT = 9;
 inline double planeLimit(const Context& context)
 {
     return PLANE_LIMIT * context.inlierThreshold() * context.inlierThreshold();
 }
 
-//! Finds a plane that contains many inliers of F, or of E, which is the F of normalized points.
+//! Finds a plane that contains many inliers of F or E. E is treated as the F of points on the
+//! normalized image planes.
 class DominantPlane
 {
 public:
     DominantPlane() : count(0) {}
 
-    /** @brief Finds the homography of three random inliers that maps the most inliers, among the
-    first MAX_INLIERS.
+    /** @brief Computes homographies from random triples of inliers and finds the one that maps the
+    largest number of inliers. Only the first MAX_INLIERS inliers are used.
     @param context the points
     @param rng draws the triples
     @param F model whose inliers are tested
-    @param least share of the tested inliers that must be on the plane, below 1
-    @param H output
-    @return false if there is no such plane */
+    @param least a fraction below 1: more than this fraction of the tested inliers must be on the
+    plane
+    @param H output, the homography of the plane
+    @return false if no such plane is found */
     bool find(const Context& context, Rng& rng, const Model& F, double least, Matx33d& H);
 
     //! The inliers that the last find() tested.
@@ -47,8 +50,9 @@ public:
     int inlierCount() const { return count; }
 
 private:
-    //! Number of triples drawn (a plane of half of the inliers is missed once in 14 times); maximum
-    //! number of tested inliers; minimum number of inliers for a search. See doc/constants.md.
+    //! Number of triples drawn (with 20, a plane of half of the inliers is missed in one of 14
+    //! cases), maximum number of tested inliers, and minimum number of inliers for a search. See
+    //! doc/constants.md.
     enum { MAX_TRIPLES = 20, MAX_INLIERS = 128, LEAST_INLIERS = 8 };
 
     int members[MAX_INLIERS];
@@ -56,8 +60,8 @@ private:
     GatheredPoints<MAX_INLIERS> someInliers;
 };
 
-//! True if nearly all inliers of F or E are on a plane, or the camera has only rotated, so that the
-//! inliers hardly determine the epipole.
+//! True if the inliers of F or E hardly determine the epipole, because nearly all of them are on a
+//! plane or because the camera has only rotated.
 bool epipoleIsFree(const Context& context, const Model& F);
 
 }  // namespace usacv20

@@ -13,11 +13,12 @@ namespace usacv20 {
 // The contract of a formula is in residual/formula_residual.hpp.
 namespace {
 
-//! If both points are epipoles, numerator and denominator of an epipolar distance are 0; for fits
-//! the distance is then 0. Far below any other denominator.
+//! If both points are epipoles, numerator and denominator of an epipolar distance are 0. Fits add
+//! this constant to the denominator, so that the distance is then 0. It is far below any other
+//! denominator.
 constexpr double BOTH_EPIPOLES = 1e-200;
 
-//! First two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.
+//! Computes the first two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.
 template <class T>
 struct EpipolarLines
 {
@@ -27,8 +28,8 @@ struct EpipolarLines
           e(m[1] * x2 + m[4] * y2 + m[7]), r(x2 * a + y2 * b + (m[6] * x1 + m[7] * y1 + m[8]))
     {}
 
-    /** Error and derivative of a component r / sqrt(D), where D is the sum of the squares of (a, b)
-    if `first` and of (d, e) if `second`: the derivative is
+    /** Computes the error component r / sqrt(D) and its derivative. D is the sum of the squares of
+    a and b (if `first` is true) and of d and e (if `second` is true). The derivative is
     (x2 x1^T - r / D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). */
     template <class Out>
     void linearize(int component, bool first, bool second, Out& out) const

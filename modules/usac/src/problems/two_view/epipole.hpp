@@ -16,7 +16,8 @@ inline Matx33d crossMatrix(const Vec3d& v)
     return Matx33d(0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0);
 }
 
-//! The epipole of image 2, F^T e = 0, not normalized: the largest cross product of columns of F.
+//! The epipole e of image 2, F^T e = 0, not normalized: the longest cross product of two columns of
+//! F.
 inline Vec3d epipole2(const Matx33d& F)
 {
     Vec3d best;

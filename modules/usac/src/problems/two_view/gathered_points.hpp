@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! A contiguous copy of selected correspondences, at most MOST, for the vectorized kernels.
+//! A contiguous copy of at most MOST selected correspondences, for the vectorized kernels.
 template <int MOST>
 class GatheredPoints
 {
@@ -44,7 +44,8 @@ public:
         return sum(kernelsOf<Error>().inliers, model, limit).inliers;
     }
 
-    //! The same number, and the MSAC cost: the sum of squared errors over `limit`, each at most 1.
+    //! The same number, and the MSAC cost: the sum of min(1, squared error / `limit`) over the
+    //! points.
     template <class Error>
     Quality msac(const Model& model, double limit) const
     {

@@ -12,8 +12,9 @@ namespace usacv20 {
 namespace {
 
 /** Oriented epipolar constraint @cite chum2004epipolar: points in front of both cameras fulfill
-e2 x x2 = s F x1, with s > 0 for all or s < 0 for all, because F and e2 are known up to sign only. A
-model whose own sample violates it is rejected before any other point is tested. */
+e2 x x2 = s F x1. The sign of s is the same for all points; it may be either, because F and e2 are
+known up to sign only. A model whose own sample violates this constraint is rejected before any
+other point is tested. */
 class OrientedEpipolar : public Degeneracy
 {
 public:

@@ -62,7 +62,7 @@ int PlaneMapProblem::normalization(int residual) const
     return residual == RESIDUAL_SYMMETRIC ? SCALE_COMMON : SCALE_EACH;
 }
 
-//! Entry by entry, so that the last row stays exactly 0 0 1.
+//! Converts entry by entry, so that the last row stays exactly 0 0 1.
 bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points,
                               Model& result) const
 {
@@ -78,7 +78,7 @@ bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points,
     }
     result = map;
     const bool linear = map(0, 0) != 0 || map(0, 1) != 0 || map(1, 0) != 0 ||
-                        map(1, 1) != 0;  // else underflow
+                        map(1, 1) != 0;  // all 0 is an underflow
     return linear && checkRange(Mat(map, false));
 }
 
@@ -119,10 +119,10 @@ Ptr<Residual> PlaneMapProblem::createResidual(int type) const
                                       : createResidualOf<TransferError>();
 }
 
-/** Any orientation is valid here, and there are no dominant planes: only repeated points and
-crowded places are checked. The set of all flags stands for all checks that a problem has. Any other
-set with #DEGENERACY_DEGENSAC is an error, because the caller expects a check that does not exist.
-*/
+/** Any orientation of a sample is valid for an affine map, and dominant planes are no degeneracy:
+only repeated points and crowded places are checked. The set of all flags stands for all checks that
+a problem has. Any other set with #DEGENERACY_DEGENSAC is an error, because the caller expects a
+check that does not exist. */
 void PlaneMapProblem::createDegeneracies(int flags,
                                          std::vector<Ptr<Degeneracy>>& degeneracies) const
 {

@@ -11,22 +11,22 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Weighted means and second moments of matches, from which the least-squares map x2 = A x1
-+ t of an affinity or a similarity is computed: the problem is linear, and the rows of A separate
-once the means are at the origin @cite umeyama1991least. One pass over the matches, about 30
-operations each. */
+/** @brief Weighted means and second moments of matches, from which the least-squares map
+x2 = A x1 + t of an affinity or a similarity is computed. The problem is linear, and relative to the
+means it has no t @cite umeyama1991least. Takes one pass, with about 30 operations per match. */
 struct Moments
 {
-    /** Moments of `count` matches. Coordinates are relative to the first match, to lose little
-    precision if all are close together far from the origin. If `weights` is null, all are 1. */
+    /** Moments of `count` matches. The sums use coordinates relative to the first match, so that
+    little precision is lost if all points are close together and far from the origin. If `weights`
+    is null, all weights are 1. */
     Moments(const Correspondences& points, const int* indices, int count, const double* weights);
 
     //! The map with the linear part (a b; c d) that maps the means of the images to each other.
     Matx33d map(double a, double b, double c, double d) const;
 
-    double mean[4];         //!< x1, y1, x2, y2
-    double xx, xy, yy;      //!< of image 1, about the means
-    double xu, xv, yu, yv;  //!< x1 x2, x1 y2, y1 x2, y1 y2 about the means
+    double mean[4];         //!< means of x1, y1, x2, y2
+    double xx, xy, yy;      //!< moments of image 1 about the means, not divided by the weights
+    double xu, xv, yu, yv;  //!< the same for the products x1 x2, x1 y2, y1 x2 and y1 y2
 };
 
 /** @brief Common base of the problems whose model is an affine map of the plane, x2 = A x1 + t. A
@@ -36,7 +36,7 @@ class PlaneMapProblem : public Problem
 {
 public:
     int errorDimension() const CV_OVERRIDE { return 2; }
-    //! As for a homography: the transfer error is measured in image 2.
+    //! The same as for a homography, because the transfer error is measured in image 2.
     int normalization(int residual) const CV_OVERRIDE;
     bool toInput(const Model& model, const Correspondences& points,
                  Model& result) const CV_OVERRIDE;
@@ -54,13 +54,14 @@ struct PlaneMapParts
 {
     const char* name;   //!< see Problem::name
     double sampleTime;  //!< see SampleCost::time
-    bool keepsScale;    //!< the map has no scale, so that both images must be scaled by the same
+    bool keepsScale;    //!< the map cannot change the scale, so that the normalization must scale
+                        //!< both images by the same factor
     Ptr<MinimalSolver> (*minimalSolver)();    //!< creates the solver of minimal samples
-    Ptr<NonMinimalSolver> (*leastSquares)();  //!< creates that of many points: least squares of the
-                                              //!< transfer error, in closed form
+    Ptr<NonMinimalSolver> (*leastSquares)();  //!< creates the closed-form least-squares fit of the
+                                              //!< transfer error
 };
 
-//! @brief The problem of a kind of affine maps of the plane, with their PlaneParameterization.
+//! @brief The problem of one kind of affine maps; `Parameterization_` is its PlaneParameterization.
 template <class Parameterization_>
 class PlaneMap : public PlaneMapProblem
 {

@@ -11,13 +11,14 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief A map of the plane whose entries are linear functions of its parameters, and a
-parameterization around it: increments of the parameters. Zero increments give the model itself.
+parameterization around this map: increments of the parameters. Zero increments give the map itself.
 
-The class `Map` says what the parameters p are:
-- DIMENSION, their number;
-- read(m, p): those of the nearest such map, from the 9 entries of a map, row by row;
-- write(p, m): the first two rows of the map;
-- isRegular(p): false for a map of the plane to a line or a point. */
+The class `Map` defines the parameters p:
+- DIMENSION is their number;
+- read(m, p) writes to p the parameters of the map of this kind that is nearest to any map m, which
+has 9 entries, row by row;
+- write(p, m) writes the first two rows of the map with the parameters p to m;
+- isRegular(p) is false if the map takes the plane to a line or a point. */
 template <class Map>
 class PlaneParameterization
 {
@@ -27,7 +28,8 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Around the map that is nearest to the model, scaled so that its last row is 0 0 1.
+    //! The parameterization around the map of this kind that is nearest to `model`, after scaling
+    //! its last entry to 1.
     explicit PlaneParameterization(const Model& model)
     {
         Map::read(model.val, parameters.data());

@@ -12,17 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-//! All occurrences of a match count as one inlier if there are at least OFTEN among the
-//! FIRST_POINTS first points and they make up more than 1 / TENTH of all points. See
-//! doc/constants.md.
+//! All occurrences of a match count as a single inlier if at least OFTEN of them are among the
+//! first FIRST_POINTS points, a random subset, and if they make up more than 1 / TENTH of all
+//! points. See doc/constants.md.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, TENTH = 10;
 
 /** @brief Rejects samples in which two matches share a point of array 1 or of array 2.
 
-A point has at most one counterpart: of two such matches one is wrong, or they are the same match
-twice. Repetitions of a match that make up more than a tenth of all matches count as one in the
-quality of a new so-far-the-best model: any model fitted to this match would have them all as
-inliers. */
+A point has at most one counterpart: if two matches share a point, one of them is wrong, or they are
+the same match twice. Repetitions of a match that make up more than a tenth of all matches count as
+a single inlier in the quality of a new so-far-the-best model, because any model fitted to this
+match would have all of them as inliers. */
 class RepeatedPoints : public Degeneracy
 {
 public:
@@ -73,7 +73,8 @@ private:
         }
     }
 
-    //! No point repeats two different matches, so that the array has room for all repetitions.
+    //! Adds the repetitions of match `of` if they are more than 1 / TENTH of all points. No point
+    //! repeats two different matches, so that an array of the size of the points is large enough.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;
@@ -89,7 +90,7 @@ private:
 
     bool searched;
     int* repetitions;
-    int count;  //!< number of repetitions
+    int count;  //!< number of elements of `repetitions`
 };
 
 }  // namespace

@@ -13,24 +13,27 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving and doubling these constants: doc/constants.md.
+// The two ends of a match, in this file, are its point in image 1 and its point in image 2.
+// doc/constants.md lists the effects of halving and doubling these constants.
 
-//! The quality is lowered only if at least FEW of the LOOKED_AT first points are inliers wherever
-//! one of their ends is.
+//! The quality is lowered only if at least FEW of the first LOOKED_AT points are matches that would
+//! be inliers for any position of one of their ends.
 constexpr int LOOKED_AT = 64, FEW = 8;
-//! Many matches share points if at least SHARED_PAIRS pairs, 3 %, of the FIRST_PAIRS first matches
-//! do. (If each of two targets has a third of the matches, a fifth of the pairs share a point.)
+//! Many matches share points if at least SHARED_PAIRS pairs (3 % of all pairs) of the first
+//! FIRST_PAIRS matches share a point. For comparison: if each of two points has a third of all
+//! matches, a fifth of the pairs share a point.
 constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
-//! The size of an image is estimated without 1 / TRIMMED of the first points at each end.
+//! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED of
+//! their coordinates.
 constexpr int TRIMMED = 10;
 
-//! For a match that constrains nothing, a shift of one end by this many thresholds moves the
-//! epipolar line across the whole other image. In images of 640 pixels, the condition with
-//! #FAR_APART is the stricter one if the threshold exceeds 1.1 px.
+//! A match does not constrain F if a shift of one end by this many thresholds moves the epipolar
+//! line across the whole other image. In images of 640 pixels, the second condition, with
+//! #FAR_APART, is stricter than this one if the threshold exceeds 1.1 pixels.
 constexpr double ANYWHERE = 60;
 
-/** Tests whether a match is an inlier of F wherever one of its two ends (points) is, see
-SharedPoints. `sizes`: sizes of the images. */
+/** Tests whether a match would be an inlier of F for any position of one of its two ends, see
+SharedPoints. `sizes` are the extents of the points in the two images. */
 class InsensitivityTest
 {
 public:
@@ -57,40 +60,42 @@ private:
     const float most1, most2;
 };
 
-/** @brief F, E: matches of many points to one point, however noisy, are no independent evidence.
+/** @brief Check for F and E: matches of many points to one point are no independent evidence, even
+if they are noisy.
 
-Matches to one target (repeated patterns, matching without cross-check) are inliers of every
-epipolar geometry whose epipole is the target, wherever their other ends are. Matches to two
-targets, or to points on a line, are inliers of an F of nearly rank 1 whose epipolar lines all
-coincide with the line. Therefore
+Matches to one point, called a target here (repeated patterns, matching without cross-check), are
+inliers of every epipolar geometry whose epipole is the target, for any position of their other
+ends. Matches to two targets, or to points on a line, are inliers of an F of nearly rank 1 whose
+epipolar lines all coincide with this line. Therefore
 - samples are rejected in which two matches share a point. If many matches share points, points that
-are the same up to noise count as shared, too, see shareATarget(); if few do, such points may belong
-to correct matches that one camera sees close together;
-- in the quality of a new so-far-the-best model, the inliers that would be inliers wherever one of
-their ends were count as one. The model is kept, because there may be no better one, but it no
-longer beats models with real support.
+are the same up to noise count as shared, too, see shareATarget(). If few matches share points, such
+near points may belong to correct matches that one camera sees close together;
+- in the quality of a new so-far-the-best model, all inliers that would be inliers for any position
+of one of their ends count as a single inlier. The model is kept, because there may be no better
+model, but its score is no longer better than that of correct models.
 
 These inliers are recognized as follows. If the normal of the epipolar line F^T x2 (its first two
 entries) is nearly 0, a shift of x2 within the noise turns the line to any direction, and x1 is not
 constrained. The ratio of the lengths of the normals of F x1 and F^T x2 is the ratio of the
-distances between neighboring epipolar lines in the two images, which for correct geometries is the
-ratio of the local scales. It is too large if it exceeds #FAR_APART times the ratio of the image
-sizes and a shift of one end by #ANYWHERE thresholds moves the epipolar line across the whole other
-image. (The first condition alone is not enough: if a camera is among the points, the scale within
-its image varies by factors of hundreds.) Points near the epipole of a camera that moves forward are
-near both epipoles, so that their ratio is not too large.
+distances between neighboring epipolar lines in the two images. For correct geometries this is the
+ratio of the local scales. The ratio is too large if it exceeds #FAR_APART times the ratio of the
+image sizes and if a shift of one end by #ANYWHERE thresholds moves the epipolar line across the
+whole other image. (The first condition alone is not enough: if a camera is among the points, the
+scale within its image varies by factors of hundreds.) If a camera moves forward, points near one
+epipole are near the other epipole, too, so that their ratio is not too large.
 
-The first #LOOKED_AT points decide whether the others are tested at all. The quality is not changed
-for scores that are no sum over the points. */
+The first #LOOKED_AT points decide whether the other points are tested at all. The quality is not
+changed for scores that are not a sum over the points. */
 class SharedPoints : public Degeneracy
 {
 public:
     SharedPoints() : targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
 
-    /** Estimates the sizes of the images, as far as they contain points: by the box
-    Correspondences::lower, upper, which is robust against points far out, and by the first points
-    without the extremes, which are robust against many matches to one target. Of the two estimates,
-    the one with more equal sizes is used, because most images of a pair have the same size. */
+    /** Estimates the extents of the points in both images in two ways: by the box
+    Correspondences::lower, upper, which is robust against a few points far from the others, and by
+    the first points without the outermost ones, which is robust against many matches to one target.
+    The estimate with more equal extents is used, because most images of a pair have the same size.
+    */
     void start(const Context& context) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
@@ -154,8 +159,8 @@ public:
     }
 
 private:
-    float sizes[2];  //!< sizes of the images
-    bool targets;    //!< many matches share points
+    float sizes[2];  //!< extents of the points in the two images
+    bool targets;    //!< true if many matches share points
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace usacv20 {
 // The contract of a formula is in residual/formula_residual.hpp.
 namespace {
 
-/** Transfer error in image 2: p(H x1) - x2 with p the perspective division
+/** Transfer error in image 2: p(H x1) - x2, where p is the perspective division
 @cite hartley2003multiple. */
 struct TransferError
 {
@@ -56,9 +56,9 @@ struct TransferError
     };
 };
 
-/** Symmetric transfer error: that of H in image 2 and that of its inverse in image 1
-@cite hartley2003multiple. The adjugate A serves as the inverse, because a factor cancels; it does
-not depend on the point. */
+/** Symmetric transfer error: the error of H in image 2 and that of its inverse in image 1
+@cite hartley2003multiple. The adjugate A of H serves as the inverse, because a factor cancels; A is
+the same for all points. */
 struct SymmetricTransferError
 {
     enum { COLUMNS = 4, NUMBERS = 9, COMPONENTS = 4, HOMOGENEOUS = 1, PROJECTION = 0 };
@@ -77,8 +77,9 @@ struct SymmetricTransferError
         T squared() const { return forward.squared() + back.squared(); }
         T cost() const { return squared(); }
 
-        /** For the inverse G = A / det H, dG = -G dH G: the derivative c p^T of a component with
-        respect to G becomes -(G^T c) (G p)^T, where c = w (1, 0, -u) or w (0, 1, -v). */
+        /** The inverse G = A / det H has the differential dG = -G dH G. The derivative c p^T of an
+        error component with respect to G, with c = w (1, 0, -u) or w (0, 1, -v) and a point p of
+        image 2, thus becomes the derivative -(G^T c) (G p)^T with respect to H. */
         template <class Out>
         void linearize(Out& out) const
         {

@@ -11,17 +11,19 @@
 namespace cv {
 namespace usacv20 {
 
-//! F, E: see OrientedEpipolar.
+//! Creates the check of the oriented epipolar constraint for F and E, see OrientedEpipolar.
 Ptr<Degeneracy> createOrientedEpipolar();
-//! Maps of points: repeated matches, see RepeatedPoints.
+//! Creates the check for repeated matches, for maps of points, see RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
-//! Maps of points: matches of many points to one place, see CrowdedPlaces.
+//! Creates the check for matches of many points to one small region, for maps of points, see
+//! CrowdedPlaces.
 Ptr<Degeneracy> createCrowdedPlaces();
-//! Adds the checks that maps of points have, which are the two above, if `flags` ask for them.
-//! Raises cv::Exception if #DEGENERACY_DEGENSAC is set, unless all flags are.
+//! Adds the two checks above, which are all that maps of points have, if `flags` contains
+//! #DEGENERACY_REPEATED. Raises cv::Exception if #DEGENERACY_DEGENSAC is set, unless all flags are
+//! set.
 void createChecksOfMaps(int flags, const String& problem,
                         std::vector<Ptr<Degeneracy>>& degeneracies);
-//! F, E: see SharedPoints.
+//! Creates the check for matches that share a point, for F and E, see SharedPoints.
 Ptr<Degeneracy> createSharedPoints();
 
 }  // namespace usacv20
