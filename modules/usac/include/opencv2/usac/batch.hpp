@@ -17,7 +17,7 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief One estimation of a batch: the arguments of #estimateHomography and its kin. */
+/** @brief One estimation of a batch: the arguments of #estimateHomography and similar functions. */
 struct CV_EXPORTS Task
 {
     Task() : problem(HOMOGRAPHY) {}
@@ -40,8 +40,9 @@ struct CV_EXPORTS Task
 //! @brief The result of a Task.
 struct CV_EXPORTS Estimate
 {
-    Mat model;  //!< in the form that #estimateHomography and its kin return; empty if there is none
-    Mat mask;   //!< N x 1, CV_8U
+    Mat model;      //!< in the form that #estimateHomography and similar functions return; empty if
+                    //!< there is none
+    Mat mask;       //!< N x 1, CV_8U
     Report report;  //!< statistics of the run
     String error;   //!< message of the cv::Exception that the estimation raised, else empty
 };
@@ -81,7 +82,7 @@ private:
 Each calls #estimateBatch with tasks of one problem.
 @param points1, points2 lists of the same length, one entry per task:
 `std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry like the points of
-#estimateHomography and its kin
+#estimateHomography and similar functions
 @param params one Params for all tasks, or a `std::vector<Params>` with one for each, for example
 because match scores differ from pair to pair
 @param threads as in #estimateBatch

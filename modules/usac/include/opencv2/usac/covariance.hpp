@@ -25,7 +25,7 @@ the covariance becomes NaN.
 /** @brief Derivatives of the entries of a model by the parameters of Report::covariance.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @return n x d, CV_64F: n entries of the model row by row, d parameters, of which Report::covariance
 is the covariance. H, F and E are first brought to the scale and sign in which they are returned.
 
@@ -37,7 +37,7 @@ CV_EXPORTS_W Mat tangentOfModel(ProblemType problem, InputArray model);
 /** @brief Covariance of the entries of a model, T C T^T with T of #tangentOfModel.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param covariance Report::covariance, d x d, any depth
 @return n x n, CV_64F, of rank d or less */
 CV_EXPORTS_W Mat covarianceOfModel(ProblemType problem, InputArray model, InputArray covariance);
@@ -57,7 +57,7 @@ CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, I
 /** @brief How sure a model is at given points.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param covariance Report::covariance, d x d, any depth
 @param points1 N points of image 1; absolute pose and rigid motions: points of space. Layouts as in
 #estimateHomography

@@ -211,8 +211,8 @@ CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2,
 
 #endif  // OPENCV_BINDING_PARSER
 
-/** @brief Estimates a model of any kind: what #estimateHomography and its kin do, for a program
-that knows the problem at run time only.
+/** @brief Estimates a model of any kind: what #estimateHomography and similar functions do, for a
+program that knows the problem at run time only.
 
 @param problem what to estimate
 @param points1 N points, in the layouts that the function of the problem takes; #ABSOLUTE_POSE: 3-D

@@ -71,8 +71,8 @@ public:
     for kd-trees, graph cuts and distortion).
     @param mask output, N x 1, CV_8U
     @param report output, may be null
-    @return the model in the form of #estimateHomography and its kin; for other problems the matrix
-    of Problem::toOutput, CV_64F; empty if there is none. */
+    @return the model in the form of #estimateHomography and similar functions; for other problems
+    the matrix of Problem::toOutput, CV_64F; empty if there is none. */
     virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
 
     /** @brief Least-squares fit to all points, or to a subset, without a search; OpenCV's method 0.

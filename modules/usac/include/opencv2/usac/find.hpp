@@ -109,9 +109,9 @@ namespace usacv20 {
 Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat that has an
 `int method`, with the same meaning, order and defaults of the arguments, except that an omitted
 `method` is UsacV20Method::USACV20. If `method` is the value of a #UsacV20Method, the result is that
-of cv::findHomography and its kin with this flag; if it is one of OpenCV's own flags, the call is
-passed on to calib3d unchanged. A number that is neither (OpenCV's flags are among 0 .. 63) raises a
-cv::Exception that names `method`.
+of cv::findHomography and similar functions with this flag; if it is one of OpenCV's own flags, the
+call is passed on to calib3d unchanged. A number that is neither (OpenCV's flags are among 0 .. 63)
+raises a cv::Exception that names `method`.
 
 After both `using namespace cv` and `using namespace cv::usacv20`, a call with an `int` must name
 the namespace, `usacv20::findHomography(...)`, because calib3d's function matches equally well.

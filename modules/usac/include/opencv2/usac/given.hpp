@@ -23,8 +23,8 @@ Usac::refine, Usac::errors.)
 /** @brief Least-squares fit to all points, or to a subset; OpenCV's method 0.
 
 @param problem what to fit
-@param points1 N points, in the layouts that #estimateHomography and its kin take; #ABSOLUTE_POSE:
-3-D points
+@param points1 N points, in the layouts that #estimateHomography and similar functions take;
+#ABSOLUTE_POSE: 3-D points
 @param points2 their N counterparts; #ABSOLUTE_POSE: image points
 @param params `threshold` is the threshold of the mask, `residual` the error that is minimized
 @param mask output, N x 1, CV_8U: 1 exactly where the error of a point under the returned model is
@@ -37,7 +37,8 @@ left out; empty: all points
 @param cameraMatrix2 3x3, for #ESSENTIAL; empty: the same as `cameraMatrix1`
 @param distCoeffs1 distortion of camera 1, for #ESSENTIAL and #ABSOLUTE_POSE; empty: none
 @param distCoeffs2 distortion of camera 2, for #ESSENTIAL; empty: none
-@return the model as #estimateHomography and its kin return it; empty if the points determine none.
+@return the model as #estimateHomography and similar functions return it; empty if the points
+determine none.
 
 The fit is not robust: outliers are not detected and affect it fully. Raises cv::Exception for lists
 of different lengths, negative weights and invalid parameters. */
@@ -51,7 +52,7 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 /** @brief Refines a known model.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
 @param params options; `threshold`, `residual`, `polishing` and `polishingSteps` are used
 @param mask, report as in #fitModel
@@ -71,7 +72,7 @@ CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray p
 /** @brief The error of each point under a model, as used for the mask of an estimation.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
 @param params options; `residual` is used
 @param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel
