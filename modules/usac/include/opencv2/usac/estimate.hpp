@@ -14,7 +14,7 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-#ifndef OPENCV_BINDING_PARSER  // other languages make theirs from #estimateModel
+#ifndef OPENCV_BINDING_PARSER  // the packages for other languages call #estimateModel instead
 
 /** @brief Estimates the homography that maps image 1 to image 2.
 
@@ -202,7 +202,7 @@ threshold, else 0.
 #estimateAffinity2D; cv::estimateTranslation2D of OpenCV 5 returns its last column. Empty if there
 is none, and `report` says why.
 
-A minimal sample is one point; many are fitted by their mean displacement. */
+A minimal sample is one correspondence; a fit to many correspondences is their mean displacement. */
 CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2, const Params& params,
                                      OutputArray mask, Report& report);
 //! @overload
@@ -211,8 +211,8 @@ CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2,
 
 #endif  // OPENCV_BINDING_PARSER
 
-/** @brief Estimates a model of any kind: what #estimateHomography and similar functions do, for a
-program that knows the problem at run time only.
+/** @brief Estimates a model of any kind, like #estimateHomography and similar functions, for a
+program that knows the problem only at run time.
 
 @param problem what to estimate
 @param points1 N points, in the layouts that the function of the problem takes; #ABSOLUTE_POSE: 3-D
