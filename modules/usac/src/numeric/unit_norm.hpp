@@ -8,7 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Frobenius norm, summed in the order of cv::norm in OpenCV 4; the order in OpenCV 5 differs.
+//! Frobenius norm, summed in the order of cv::norm in OpenCV 4. OpenCV 5 uses another order, which
+//! would change the last bits of the result.
 inline double frobeniusNorm(const Matx33d& m)
 {
     const double* const v = m.val;
