@@ -26,14 +26,14 @@ public:
         --mask;
     }
 
-    //! Adds a cell; false if it is in the set already. Cell indices are doubles, as small cells
-    //! make them exceed int.
+    //! Adds a cell. @return false if it is already in the set. Cell indices are doubles, because
+    //! with small cells they may exceed the range of int.
     bool insert(const Cell& cell)
     {
         uint64 bits[DIMENSIONS];
         std::memcpy(bits, cell.val, sizeof(bits));
-        // a small integer as double has ones in its high bits only, and the product below moves
-        // bits only upwards: the high half is mixed into the low one first
+        // in a small integer as double, only high bits are set; the product below moves bits only
+        // upwards, so the high half is mixed into the low half first
         uint64 h = bits[0];
         for (int k = 1; k < DIMENSIONS; ++k)
             h ^= bits[k] << k | bits[k] >> (64 - k);
@@ -48,8 +48,8 @@ public:
 
 private:
     Arena::Scope scope;
-    Cell* slots;  //!< NaN if free
-    int mask;
+    Cell* slots;  //!< NaN marks a free slot
+    int mask;     //!< number of slots, a power of 2, minus 1
 };
 
 template <int DIMENSIONS>
@@ -67,7 +67,7 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
             Vec<double, DIMENSIONS> cell;
             for (int k = 0; k < DIMENSIONS; ++k)
                 cell[k] = (side > 0 ? std::floor(columns[k][point] / side) : columns[k][point]) +
-                          0.;  // no -0
+                          0.;  // turns -0 into 0, whose bits differ
             if (!cells.insert(cell))
                 repeated[i] = 1;
         }
