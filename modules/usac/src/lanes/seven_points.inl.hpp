@@ -50,9 +50,9 @@ struct CubicRoots
 
 private:
     /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: an approximation with an error of a few
-    thousandths is refined by two steps of Halley's method. If there are three real roots
-    (excess W^2 - Q^3 < 0), the largest root grows nearly linearly with W, from sqrt(3 Q) to 2
-    sqrt(Q), and is approximated by this line; else Cardano's formula gives the approximation. */
+    thousandths is refined by two steps of Halley's method. If there are three real roots (excess
+    W^2 - Q^3 < 0), the largest root grows nearly linearly with W, from sqrt(3 Q) to 2 sqrt(Q), and
+    is approximated by this line; else Cardano's formula gives the approximation. */
     static Pack outermost(const Pack& Q, const Pack& W, const Pack& excess)
     {
         const double ROOT3 = 1.7320508075688772;

@@ -11,8 +11,8 @@ namespace usacv20 {
 /** @brief P(Binomial(n, p) >= k), 0 <= k <= n, 0 < p < 1.
 
 Sums the probabilities on the side of the distribution where they decrease. The first of them is
-computed in the form of @cite loader2000fast, which avoids cancellation, the others by the ratios of
-neighboring probabilities. The result is 0 if it is below the range of double. Takes at most O(n)
+computed in the form of @cite loader2000fast, which avoids cancellation, the others by the ratios
+of neighboring probabilities. The result is 0 if it is below the range of double. Takes at most O(n)
 time, usually O(sqrt(n)). */
 double binomialTail(int k, int n, double p);
 

@@ -418,8 +418,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     the termination from the paper are described at the class ProsacTermination. */
     CV_WRAP static Params prosac();
     /** @brief LO-RANSAC: like ransac(), but each new best model is refined by ten inner samples
-    @cite chum2003locally, each followed by four fits with a shrinking threshold. As in all presets,
-    fits minimize the geometric error, not the algebraic one. */
+    @cite chum2003locally, each followed by four fits with a shrinking threshold. As in all
+    presets, fits minimize the geometric error, not the algebraic one. */
     CV_WRAP static Params loRansac();
     /** @brief FLO-RANSAC: like msac(), but each new best model is refined by inner samples and fits
     of bounded size @cite lebeda2012fixing. There are four inner samples, which is faster than the
@@ -437,12 +437,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     test for planes. */
     CV_WRAP static Params usac2013();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
-    @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`
-    divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of freedom as
-    a match has constraints, one for F and E and two for H; the paper uses four, the number of
-    coordinates of a match. The fit divides the range of the noise scale into five parts. If the
-    data show more noise, the range grows (`widestReach`); the paper uses a very large upper bound
-    instead. */
+    @cite barath2019magsac. The largest standard deviation of the noise is `reach` times
+    `threshold` divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of
+    freedom as a match has constraints, one for F and E and two for H; the paper uses four, the
+    number of coordinates of a match. The fit divides the range of the noise scale into five parts.
+    If the data show more noise, the range grows (`widestReach`); the paper uses a very large upper
+    bound instead. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits
     (sigma-consensus++) @cite barath2020magsac. What UsacV20Method::USACV20_MAGSAC uses. The range

@@ -139,9 +139,9 @@ public:
     virtual void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
     /** @brief Side of the cube in which the error vectors of outliers are assumed to be uniformly
-    distributed, in the coordinates of `points`. In d dimensions, their density is side^-d.
-    Default: the geometric mean of the sides of the box that contains nearly all points of the last
-    array (of both arrays for errors of dimension 1). */
+    distributed, in the coordinates of `points`. In d dimensions, their density is side^-d. Default:
+    the geometric mean of the sides of the box that contains nearly all points of the last array (of
+    both arrays for errors of dimension 1). */
     virtual double outlierExtent(const Correspondences& points) const;
     /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are
     uniformly distributed; at most 1. Default: consider the box that contains nearly all points of

@@ -18,8 +18,8 @@ namespace usacv20 {
 /** @brief Counter-based pseudo-random generator: the k-th number of a stream depends only on seed,
 stream and k.
 
-The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration
-has its own stream, so its sample does not depend on the number of threads or on other draws.
+The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has
+its own stream, so its sample does not depend on the number of threads or on other draws.
 */
 class Rng
 {
