@@ -18,8 +18,8 @@ nullSpace() has zeros at positions that depend on the motion; without mixing, x,
 infinite for rectified cameras and for a camera that moves forward or sideways. */
 void mix(FiveBasis& basis)
 {
-    // The four-dimensional rotation v -> p v q with the quaternions p = 3 + 5i + 7j + 11k and
-    // q = 13 - 4i + 6j + 9k, times sqrt(61608). Any other rotation without small entries would be
+    // The four-dimensional rotation v -> p v q with the quaternions p = 3 + 5i + 7j + 11k and q =
+    // 13 - 4i + 6j + 9k, times sqrt(61608). Any other rotation without small entries would be
     // suitable, too.
     static const double ROTATION[4][4] = {
         {-82, -56, -198, -112}, {50, 200, -118, 72}, {20, 114, 76, -206}, {228, -74, -52, -38}};
