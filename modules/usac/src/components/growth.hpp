@@ -12,9 +12,10 @@ namespace usacv20 {
 
 /** @brief How PROSAC's set of the best points grows @cite chum2005matching.
 
-Of T_N uniform samples of all N points, T_n = T_N prod_{i<m} (n - i)/(N - i) lie on average within
-the n best points; T_N is 200 000, or the number of different samples if that is smaller. The set
-grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
+A sample has m points. Of T_N uniform samples of all N points, T_n = T_N prod_{i<m} (n - i)/(N - i)
+lie on average within the n best points; T_N is 200 000, or the number of different samples if that
+is smaller. The set grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n +
+ceil(T_{n+1} - T_n). */
 class Growth
 {
 public:

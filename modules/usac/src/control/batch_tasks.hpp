@@ -56,7 +56,7 @@ private:
     //! current task.
     //! @return false if the batch is cancelled
     bool ask(const Report& report);
-    //! Calls ask() if PERIOD has passed since the last call.
+    //! Calls ask() if at least 5 ms have passed since its last call.
     void askNowAndThen();
     void waitForOthers();
 

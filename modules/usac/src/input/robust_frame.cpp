@@ -14,8 +14,8 @@ namespace {
 
 // Limits for extreme input; doc/constants.md has the effects of halving and doubling them.
 
-//! Number of values, the first ones, whose median deviation is compared with the mean deviation of
-//! all values.
+//! The median deviation of the first SAMPLE values is compared with the mean deviation of all
+//! values.
 constexpr int SAMPLE = 31;
 //! If a value is more than FAR_OUT mean deviations from the mean, it dominates the mean. If the
 //! mean deviation is above SPOILT times the median deviation of the first SAMPLE values, it is

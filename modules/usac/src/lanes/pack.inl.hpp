@@ -16,7 +16,7 @@ namespace usacv20 {
 namespace {
 
 //! For roughCubeRoot(): 2 / 3 of the upper half of the bits of the number 1, reduced so that the
-//! root becomes 3 % smaller and its errors are positive and negative.
+//! root becomes 3 % smaller, which makes the largest positive and negative errors about equal.
 constexpr unsigned long long THIRD_OF_ONE = 715094163;
 
 #if defined __GNUC__
@@ -75,7 +75,8 @@ public:
     Pack count() const { return (Pack)bits - FIRST; }
 
 private:
-    static constexpr double FIRST = 4503599627370496.;  // 2^52, whose last bit has the value 1
+    // 2^52: the last bit of a double of this size has the value 1, so integer additions count
+    static constexpr double FIRST = 4503599627370496.;
     Bits bits;
 };
 

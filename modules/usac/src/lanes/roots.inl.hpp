@@ -110,7 +110,7 @@ private:
     }
 
     Pack a[DEGREE], b[DEGREE], s[DEGREE];
-    Pack last[DEGREE];  //!< coefficients of the last element
+    Pack last[DEGREE];  //!< coefficients of the last element of the sequence
     bool early;         //!< true if the last element is not a constant in some lane
 };
 

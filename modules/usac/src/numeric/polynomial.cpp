@@ -75,7 +75,7 @@ int betweenExtrema(const Polynomial& p, double* roots)
         p.evaluate(bounds[k], here, slope);
         if (k <= extrema && std::abs(here) <= 1e-15)
         {
-            roots[count++] = bounds[k];  // a multiple root
+            roots[count++] = bounds[k];  // an extremum where the polynomial is 0: a multiple root
             here = 0;
         }
         else if (before != 0 && (before < 0) != (here < 0))
@@ -84,7 +84,8 @@ int betweenExtrema(const Polynomial& p, double* roots)
     return count;
 }
 
-//! One Newton step towards a root, if it reduces the absolute value of the polynomial.
+//! The result of one Newton step from x, or x itself if the step does not reduce the absolute value
+//! of the polynomial.
 double polish(const Polynomial& p, double x)
 {
     double value, slope, newValue, newSlope;

@@ -33,8 +33,8 @@ public:
     enum { LEAST = 20, MOST = 200 };
 
     //! Smallest sigma that is returned without the test of the tail, in units of the threshold.
-    //! Without this test, smaller values would increase the errors of H on photographs, 0.1 by 8 %.
-    //! With the test, halving or doubling the value increases them by 1 %.
+    //! Without this test, smaller values would increase the errors of H on photographs, for example
+    //! the value 0.1 by 8 %. With the test, halving or doubling the value increases them by 1 %.
     static double leastSigma() { return 0.27; }
 
     //! @param squaredErrors, count squared errors of the points, in random order

@@ -42,11 +42,12 @@ public:
     };
 
     /** @param squaredErrors, count squared errors of all points, in random order
-    @param wrongErrors, wrongCount squared errors of wrong matches, see wrongErrors()
+    @param wrongErrors, wrongCount squared errors of wrong matches, see wrongErrors() in
+    significance/agreement.hpp
     @param threshold unit of the radii, not squared
     @param chance probability that a point is within the threshold of a wrong model
     @param degrees degrees of freedom of the error, 1 to 3
-    @param sampleSize m points of a minimal sample
+    @param sampleSize number m of points in a minimal sample
     @param widest largest radius that is tried, in thresholds
     @param exactSample true: the model was computed from the sample, whose points therefore have
     hardly any errors and do not count for the median; with few inliers, sigma would otherwise be

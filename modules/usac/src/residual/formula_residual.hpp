@@ -25,7 +25,7 @@ struct SomeError
     {
         At(const T* m, T x, ...);  // evaluates one datum under a model given row by row
         T squared() const;         // squared error; NaN or infinite where it is not defined
-        T cost() const;            // the same for fits, which need a finite number in any case
+        T cost() const;            // squared error for fits, which is always finite
         // for T = double: writes the error vector, out.error(component), and its derivative by the
         // entries of the model, out.derivative(component, number)
         template <class Out> void linearize(Out& out) const;

@@ -46,9 +46,9 @@ public:
     //! Starts a new run: frees what was taken since keep(), or everything if keep() was not called.
     //! No Scope may be open.
     void clear();
-    //! Frees everything. If the first block is smaller than `bytes` or than all blocks together,
-    //! and smaller than 31 MB, one block of that size (at most 31 MB) replaces all; otherwise the
-    //! blocks stay.
+    //! Frees everything. If the first block is smaller than the maximum of `bytes` and capacity()
+    //! (but at most 31 MB), one block of this size replaces all blocks; otherwise the blocks are
+    //! kept.
     void reset(size_t bytes);
 
     //! Number of blocks.

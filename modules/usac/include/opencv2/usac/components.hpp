@@ -89,7 +89,7 @@ struct CV_EXPORTS State
     int unexplainedSamples;
     const int* order;                 //!< result of bestFirst(); null before its first call
     Model best;                       //!< the best model so far
-    Quality bestQuality;              //!< its score
+    Quality bestQuality;              //!< score of `best`
     Quality sampleQuality;            //!< the best score of a model of a sample before optimization
     ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last one is in use
     bool degenerate;  //!< true if a sample or model was degenerate, for example dominated by a
@@ -232,7 +232,7 @@ public:
     @param points the correspondences
     @param samples `count` samples
     @param count number of samples
-    @param models output: where the models of each sample go, at most #MAX_MODELS
+    @param models output: for each sample an array of at most #MAX_MODELS models
     @param found output: number of models of each sample
 
     The models of a sample must not depend on the other samples. Default: calls solve() for each. */
@@ -256,7 +256,7 @@ public:
     @param weights weight of the squared error of each of these points; null: all are 1
     @param model input: initial model; output: the fit
     @param iterations an iterative solver may stop after this many steps; >= 1
-    @return false if the points do not determine a model; `model` is then as before. */
+    @return false if the points do not determine a model; `model` is then unchanged. */
     virtual bool fit(const Correspondences& points, const int* indices, int count,
                      const double* weights, Model& model, int iterations = 10) const = 0;
 };
@@ -303,7 +303,7 @@ public:
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over
 Correspondences::column. `model` has the Model::size() entries as float, see Residual::homogeneous.
-A kernel only saves time if the compiler vectorizes it; this pays even for blocks of 32 points. */
+A kernel only saves time if the compiler vectorizes it, but then even for blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model,
                             float squaredThreshold, int begin, int end, Quality& sum);
 
@@ -323,7 +323,7 @@ public:
     //! True: the cost is not a sum over the points; accumulate() is called once per model, with all
     //! points. Default: false.
     virtual bool wholeModel() const;
-    //! True: the cost is the number of points that are no inliers. Default: false.
+    //! True: the cost is the number of points that are not inliers. Default: false.
     virtual bool countsInliers() const;
     //! False: the score does not use the threshold of the points but counts a fixed fraction of the
     //! points as inliers, as least median of squares does. Default: true.
@@ -381,7 +381,7 @@ public:
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model is rejected and not scored. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
-    /** @brief Examines a new so-far-the-best model and may replace it by a better one.
+    /** @brief Examines a model that is better than all before and may replace it by a better one.
     @param sample the sample that the model was computed from; null after the local optimization
     @param context, state the fixed and the changing data of the run
     @param model, quality the model and its score
@@ -399,7 +399,7 @@ public:
                                       const Model& model);
 };
 
-//! Improves each so-far-the-best model (paper, section "Local optimization").
+//! Improves each model that is better than all before (paper, section "Local optimization").
 class CV_EXPORTS LocalOptimizer : public Component
 {
 public:
@@ -453,7 +453,7 @@ public:
 //! The components of one estimator.
 struct CV_EXPORTS Components
 {
-    //! Calls Component::start of all of them.
+    //! Calls Component::start of all components.
     void start(const Context& context) const;
 
     Ptr<Residual> residual;                      //!< required

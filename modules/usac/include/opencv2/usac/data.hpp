@@ -20,7 +20,7 @@ namespace usacv20 {
 /** @name Data that components work on
 @{ */
 
-//! Sizes of arrays.
+//! Maximum sizes, for arrays of fixed length.
 enum {
     MAX_SAMPLE_SIZE = 8,  //!< maximum number of points in a minimal sample
     MAX_MODELS = 10,      //!< maximum number of models from one minimal sample
@@ -92,7 +92,7 @@ struct Frame
         return Matx33d(scale, 0, 0 - scale * center[0], 0, scale, 0 - scale * center[1], 0, 0, 1);
     }
 
-    double center[3];  //!< in the caller's unit
+    double center[3];  //!< center of the points in the caller's unit
     double scale;      //!< factor applied after the shift: normalized units per caller's unit
 };
 
@@ -113,12 +113,12 @@ struct Correspondences
     const Problem* problem;  //!< kind of model that is estimated
     int size;                //!< number of correspondences whose coordinates are all finite
     int inputSize;           //!< number of rows in the caller's arrays
-    int coordinates[2];      //!< numbers per point in either array; 0: there is no second array
+    int coordinates[2];      //!< numbers per point in each array; 0: there is no second array
     const float* column[MAX_COLUMNS];  //!< single precision for scoring, 64-byte aligned
     const double* exact[MAX_COLUMNS];  //!< double precision for solvers and fits
     const int* inputIndex;             //!< row of each point in the caller's arrays
     const float*
-        scores;   //!< Params::scores in the order of the points, lower is better; null: none given
+        scores;   //!< Params::scores in the order of the points, lower is better; null: no scores
     double unit;  //!< length of one unit of Params::threshold (mostly a pixel) in the columns of
                   //!< array 2
     double threshold;  //!< Params::threshold times Params::reach, in the same coordinates, not

@@ -21,11 +21,11 @@ namespace usacv20 {
 @param points1 N points of image 1 in any layout and depth that some function of OpenCV accepts: a
 matrix with 2 channels (Nx1, 1xN or any other shape), or with 1 channel, Nx2 or 2xN; vector<Point>,
 vector<Point2f>, vector<Point2d> etc. With 3 coordinates instead of 2 (vector<Point3f>, Nx3, 3xN)
-the points are homogeneous; one whose third coordinate is 0 is a point at infinity and never an
-inlier. Rows (x, y, size) or (x, y, confidence) cannot be distinguished from homogeneous points and
-are divided by the third number, too. With 4 or more numbers, the first two are used. With 1
-channel, the longer side is the number of points; if both sides are equal, it is the number of rows;
-a single row or column is one point.
+the points are homogeneous; a point whose third coordinate is 0 is at infinity and never an inlier.
+Rows (x, y, size) or (x, y, confidence) cannot be distinguished from homogeneous points and are
+divided by the third number, too. With 4 or more numbers, the first two are used. With 1 channel,
+the longer side is the number of points; if both sides are equal, it is the number of rows; a single
+row or column is one point.
 @param points2 their N counterparts in image 2; layout and depth may differ.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the

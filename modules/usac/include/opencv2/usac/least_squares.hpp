@@ -62,14 +62,14 @@ creates it by default if there is a Problem::createParameterization.
 @param residual its Residual::linearize gives the derivative of the error by the entries of a model
 @param errorDimension Problem::errorDimension: a fit needs at least
 Parameterization::dimension() / errorDimension points
-@param parameterization of the models */
+@param parameterization parameterization of the models */
 CV_EXPORTS Ptr<NonMinimalSolver> createLeastSquares(const Ptr<Residual>& residual,
                                                     int errorDimension,
                                                     const Ptr<Parameterization>& parameterization);
 
 /** @brief Tests whether a parameterization fulfills its laws around a model; derivatives are
 compared with central differences. For tests of a program that implements a parameterization.
-@param parameterization to be tested
+@param parameterization the parameterization to test
 @param model any valid model; test several
 @return empty if all laws hold, otherwise a description of the first violated law, with the
 deviation. A deviation of 1e-9 (law 1 and 2) or 1e-5 (derivatives), relative to the largest entry of

@@ -29,7 +29,7 @@ usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialM
 both kinds of flags as `int`:
 @code{.cpp}
     int method = (int)cv::USACV20;  // without the cast this does not compile
-    // from a cv::FileStorage, with 16385: USACV20_FAST; with 8: cv::RANSAC
+    // reads the flag from a cv::FileStorage: 16385 is USACV20_FAST, 8 is cv::RANSAC
     cv::read(fs["method"], method, method);
     cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
 @endcode
@@ -50,8 +50,8 @@ enum class UsacV20Method : int {
                                 //!< usacv20::Params::magsacPlusPlus()
     USACV20_PARALLEL = 0x4005,  //!< USACV20 with cv::getNumThreads() threads and the same result;
                                 //!< usacv20::Params::parallel()
-    USACV20_AUTO = 0x4006       //!< the threshold is estimated from the data, the given one is the
-                                //!< largest plausible; usacv20::Params::automatic()
+    USACV20_AUTO = 0x4006       //!< the threshold is estimated from the data; the given value is
+                                //!< its upper bound; usacv20::Params::automatic()
 };
 
 //! UsacV20Method::USACV20
@@ -175,7 +175,7 @@ enum VerificationType {
                             //!< @cite matas2004randomized
 };
 
-//! How each so-far-the-best model is improved (paper, section "Local optimization").
+//! How each model that is better than all before is improved (paper, section "Local optimization").
 enum LocalOptimizationType {
     LOCAL_OPTIMIZATION_NONE = 0,        //!< nothing
     LOCAL_OPTIMIZATION_GRAPH_CUT = 1,   //!< least squares with a shrinking threshold; then, if the
@@ -206,9 +206,9 @@ enum TerminationFlags {
                                //!< @cite chum2005matching
     TERMINATION_MAGSAC = 16,   //!< the standard criterion marginalized over the noise scale
                                //!< @cite barath2019magsac
-    TERMINATION_EXACT = 32,  //!< modifies the others: with I inliers among N points, a sample of m
-                             //!< points, drawn without replacement, is all-inlier with probability
-                             //!< C(I, m) / C(N, m) instead of (I / N)^m
+    TERMINATION_EXACT = 32,    //!< modifies the other criteria: with I inliers among N points, a
+                             //!< sample of m points, drawn without replacement, is all-inlier with
+                             //!< probability C(I, m) / C(N, m) instead of (I / N)^m
     //! PROSAC's criterion, if the inliers of the best model come early in a known order, and if
     //! samples of its outliers yield no better model; no effect if `runnersUp` is 0
     TERMINATION_ORDER = 64
@@ -365,9 +365,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! one; fewer if these no longer change; 1..100. Default 6.
     CV_PROP_RW int polishingSteps;
     /** Largest Report::chance with which a model is returned, a probability; 0..1, after
-    @cite moisan2004probabilistic. 1: a model is returned whatever its chance is. Default 0: as
-    0.01; but as 1 if there are so few independent points that even a model with a quarter of them
-    as inliers would have a larger chance. */
+    @cite moisan2004probabilistic. 1: a model is returned whatever its chance is. Default 0: the
+    bound is 0.01, or 1 if there are so few independent points that even a model with a quarter of
+    them as inliers would have a chance above 0.01. */
     CV_PROP_RW double significance;
     //! 1: Report::covariance and Report::sigma are computed (0.1 to 0.3 ms); 0..1. Default 0.
     CV_PROP_RW int covariance;
@@ -375,29 +375,29 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** @brief The configuration recommended in the paper, with robust polishing; same as Params().
      */
     CV_WRAP static Params usacV20();
-    /** @brief What UsacV20Method::USACV20_FAST uses: like usacV20(), but the search ends when a
+    /** @brief Preset of UsacV20Method::USACV20_FAST: like usacV20(), but the search ends when a
     model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
     found; local optimization has no graph cut, no inner samples and a single iteration; there are
     four runners-up and three polishing steps. */
     CV_WRAP static Params fast();
-    /** @brief What UsacV20Method::USACV20_ACCURATE uses: like usacV20(), but with three times the
+    /** @brief Preset of UsacV20Method::USACV20_ACCURATE: like usacV20(), but with three times the
     samples that the standard criterion asks for, up to ten alternations with ten inner samples each
     in the local optimization, 24 runners-up and 20 polishing steps. */
     CV_WRAP static Params accurate();
     /** @brief Like usacV20(), with PROSAC sampling of points that the caller has sorted, best first
     (if `scores` are given, they determine the order, as in all presets for sorted points). One
     sample in eight follows the order (`orderedEvery`), the others are uniform, so that `confidence`
-    holds even for a wrong order. What UsacV20Method::USACV20_PROSAC uses. */
+    holds even for a wrong order. Preset of UsacV20Method::USACV20_PROSAC. */
     CV_WRAP static Params sorted();
     /** @brief Like usacV20(), for an order that the caller trusts (`scores`, or
     #ORDERING_INPUT_ORDER): all samples are PROSAC's, and its criterion may end the search
     @cite chum2005matching. If the order is wrong, the search may miss the model. */
     CV_WRAP static Params trustedScores();
-    /** @brief Like usacV20(), with all threads of OpenCV and the same result. What
-    UsacV20Method::USACV20_PARALLEL uses. */
+    /** @brief Like usacV20(), with all threads of OpenCV and the same result. Preset of
+    UsacV20Method::USACV20_PARALLEL. */
     CV_WRAP static Params parallel();
     /** @brief Like usacV20(), with an estimated threshold (#THRESHOLD_ESTIMATED) of at most 5
-    pixels. What UsacV20Method::USACV20_AUTO uses. */
+    pixels. Preset of UsacV20Method::USACV20_AUTO. */
     CV_WRAP static Params automatic();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares
     @cite fischler1981random. The number of samples, which that paper derives from a known inlier
@@ -445,7 +445,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     bound instead. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits
-    (sigma-consensus++) @cite barath2020magsac. What UsacV20Method::USACV20_MAGSAC uses. The range
+    (sigma-consensus++) @cite barath2020magsac. Preset of UsacV20Method::USACV20_MAGSAC. The range
     of the noise scale is chosen as in magsac(), and so are the degrees of freedom. Termination,
     runners-up and tests for degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
