@@ -45,7 +45,7 @@ inline uint64 within(const float* errors, int count, float limit)
     uchar flags[WORD_BITS];
     if (count < WORD_BITS)
         std::memset(flags, 0, WORD_BITS);
-    if (count == WORD_BITS)  // compilers only vectorize a loop of constant length
+    if (count == WORD_BITS)  // compilers vectorize this loop, because its length is constant
     {
         USAC_SIMD
         for (int i = 0; i < WORD_BITS; ++i)

@@ -88,7 +88,7 @@ public:
     virtual int normalization(int residual) const;
     /** @brief Converts a model of the search to the coordinates of toModelCoordinates() and to the
     scale and sign in which models are returned.
-    @param model as components see it
+    @param model model in the coordinates of Correspondences
     @param points the points of the run, for their Correspondences::frame
     @param result output
     @return false if the result is not finite. */
@@ -144,10 +144,10 @@ public:
     both arrays for errors of dimension 1). */
     virtual double outlierExtent(const Correspondences& points) const;
     /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are
-    uniformly distributed; at most 1. Default: consider the box that contains nearly all points of
-    the last array, and a point, line or plane of codimension errorDimension() in it. The result is
-    an upper bound of the fraction of the box within the threshold of this point, line or plane. For
-    errors of dimension 1 and two arrays, the threshold is that of the Sampson distance. */
+    uniformly distributed; at most 1. Default: an upper bound of the fraction of a box that is
+    within the threshold of a point, line or plane of codimension errorDimension(). The box contains
+    nearly all points of the last array. For errors of dimension 1 and two arrays, the threshold is
+    that of the Sampson distance. */
     virtual double randomInlierRatio(const Correspondences& points) const;
 };
 

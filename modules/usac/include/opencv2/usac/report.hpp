@@ -73,9 +73,10 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW std::vector<int> sample;
     //! `inliers` as a fraction of all rows of the mask, 0..1.
     CV_PROP_RW double inlierRatio;
-    //! Number of inliers that are more than a threshold apart from each other in both images, so
-    //! that repeated matches count once. 0 (not computed) if the run was stopped (Params::maxTime,
-    //! ProgressScope) and has more than 50 000 inliers.
+    //! Number of inliers without repetitions: in each image, inliers in the same square of a grid
+    //! with the threshold as side count once; the smaller number of both images is returned. 0 (not
+    //! computed) if the run was stopped (Params::maxTime, ProgressScope) and has more than 50 000
+    //! inliers.
     CV_PROP_RW int independentInliers;
     /** Upper bound of the probability that the same search finds a model with as many independent
     inliers (at the threshold, or at 4 or 16 times the threshold) in random matches of the same
@@ -109,14 +110,14 @@ struct CV_EXPORTS_W_SIMPLE Report
     |---|---|---|
     | absolute pose | 6 | rotation vector w, translation: [exp(w) R, t + dt] |
     | rigid motion | 6 | the same |
-    | with scale | 7 | the same, and relative change of the scale |
+    | 3-D similarity | 7 | the same, and relative change of the scale |
     | affinity | 6 | the entries, row by row |
     | similarity | 4 | a, b and the translation of [a -b tx; b a ty] |
     | homography, F, E | 8, 7, 5 | directions of the tangent space, see #tangentOfModel |
 
     #tangentOfModel returns the derivatives of the entries of any of these models by its parameters,
-    #covarianceOfModel the covariance of the entries; #covarianceOfPose and #pointCovariance go on
-    from there.
+    #covarianceOfModel the covariance of the entries. #covarianceOfPose and #pointCovariance compute
+    the covariance of a motion and of points.
 
     All entries are NaN if the covariance is not determined: if the inliers leave some of the
     parameters free (F of a plane, F and E without a translation, points of a line), if fewer than
