@@ -17,7 +17,7 @@ Three levels of use:
    The same holds for cv::estimateAffine2D, cv::estimateAffinePartial2D, cv::findFundamentalMat,
    cv::findEssentialMat and cv::solvePnPRansac.
 2. A usacv20::Params with all options, including match scores, and a usacv20::Report:
-   usacv20::estimateHomography and its kin, a function for each usacv20::ProblemType, and
+   usacv20::estimateHomography and similar functions, one for each usacv20::ProblemType, and
    usacv20::estimateModel for any of them. Many of these estimations in one call, in parallel:
    usacv20::estimateBatch, usacv20::estimateHomographies and so on. The relation
    between two images (calibrated, planar, pure rotation and so on), determined from several of
@@ -28,9 +28,9 @@ Three levels of use:
 @{
     @defgroup usacv20_extend Extension interface, not yet stable
 
-    What a program replaces or adds: components, problems, residuals, parameterizations, and what
-    they work with. A minor version may change these classes as the algorithms need; the functions,
-    usacv20::Params and usacv20::Report stay as they are.
+    Classes that a program can replace or extend (components, problems, residuals,
+    parameterizations), and the data types that they use. A minor version may change these classes
+    if the algorithms need it; the functions, usacv20::Params and usacv20::Report stay compatible.
 @}
 */
 

@@ -27,7 +27,7 @@ void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
 
 }  // namespace
 
-//! Tests the score with points without error and with points that are as far away as possible.
+//! Calls the score for points without error and for points with the largest possible error.
 void checkScore(const Score& score)
 {
     if (!(score.inlierPart() > 0 && score.inlierPart() <= 1))

@@ -11,9 +11,9 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief Raises a cv::Exception with the name of a caller's problem if its numbers are
-inconsistent: errors must have one to three dimensions, a sample must determine a model, costs must
-be positive.
-@param residual ResidualType */
+inconsistent: errors must have one to three dimensions, a sample must determine a model, and
+Problem::sampleCost must be positive.
+@param residual @ref ResidualType of the run */
 void checkProblem(const Problem& problem, int residual);
 
 //! Raises a cv::Exception that names the component if a required component or an entry of a list of
@@ -28,7 +28,7 @@ void checkScore(const Score& score);
 //! .. size-1.
 void checkSample(const int* sample, int m, int size);
 
-//! Raises a cv::Exception if a minimal solver returned too many models, or empty ones.
+//! Raises a cv::Exception if a minimal solver has returned too many models or an empty model.
 void checkModels(const Model* models, int count);
 
 }  // namespace usacv20

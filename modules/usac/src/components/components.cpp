@@ -40,9 +40,9 @@ Usac::~Usac() {}
 
 namespace {
 
-//! Time per point to sort the points, in point tests (see Watch). With a million points, 130 ns
-//! with scores and 80 ns by density were measured. It only affects how late a run with a time limit
-//! ends during this step.
+//! Time per point to sort the points, in point tests of 2 ns (see Watch). For a million points,
+//! sorting takes 130 ns per point by scores and 80 ns by density. The value only affects when a run
+//! with a time limit skips or ends this step.
 constexpr double SORT_WORK = 65;
 
 }  // namespace
@@ -53,8 +53,9 @@ void State::sort(const Context& context)
     int* const sorted = context.arena.take<int>(size);
     for (int i = 0; i < size; ++i)
         sorted[i] = i;
-    const double work = size * SORT_WORK;  // if there is no time to sort, all samples are uniform,
-                                           // because the points are in random order
+    const double work = size *
+                        SORT_WORK;  // without time to sort, the order is 0, 1, 2, ...; samples
+                                    // are then uniform, because the points are shuffled
     const bool timely = !context.watch || (context.watch->fits(work) && !context.watch->stop(work));
     if (context.components.ordering && timely)
         context.components.ordering->sort(context, sorted);
@@ -110,8 +111,8 @@ double Context::randomInlierRatio() const
 
 bool Context::mustStop() const
 {
-    constexpr double FIT = 2000;  // in point tests (see Watch): about the time of a fit to a subset
-                                  // of the points
+    constexpr double FIT = 2000;  // about the time of a fit to a subset of the points, in point
+                                  // tests of 2 ns (see Watch)
     return watch->stop(points.size + FIT);
 }
 
@@ -139,8 +140,8 @@ bool Residual::homogeneous() const { return true; }
 
 int Residual::error(const Model& model, const double* datum, double* error) const
 {
-    const double*
-        columns[MAX_COLUMNS];  // of one datum; the residual reads only those that a datum has
+    const double* columns[MAX_COLUMNS];  // columns with a single datum; the residual reads only as
+                                         // many columns as a datum has numbers
     for (int k = 0; k < MAX_COLUMNS; ++k)
         columns[k] = datum + k;
     squaredErrors(model, columns, 1, error);

@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! T_N, the number of samples after which the set has grown to all points @cite chum2005matching.
-//! See doc/constants.md.
+//! T_N of PROSAC, the number of samples after which the set contains all points
+//! @cite chum2005matching. The larger it is, the more slowly the set grows. See doc/constants.md.
 constexpr double UNIFORM_SAMPLES = 200000;
 
 Growth::Growth(int sampleSize, int pointCount)

@@ -12,9 +12,10 @@ namespace usacv20 {
 
 /** @brief How PROSAC's set of the best points grows @cite chum2005matching.
 
-Of T_N uniform samples of all N points, T_n = T_N prod_{i<m} (n - i)/(N - i) lie on average within
-the n best points; T_N is 200 000, or the number of different samples if that is smaller. The set
-grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n + ceil(T_{n+1} - T_n). */
+A sample has m points. Of T_N uniform samples of all N points, T_n = T_N prod_{i<m} (n - i)/(N - i)
+lie on average within the n best points; T_N is 200 000, or the number of different samples if that
+is smaller. The set grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n +
+ceil(T_{n+1} - T_n). */
 class Growth
 {
 public:
@@ -22,9 +23,9 @@ public:
 
     //! Adds the next best point to the set.
     void grow();
-    //! Number n of best points.
+    //! Number n of points in the set.
     int size() const { return n; }
-    //! T'_n: this many samples, all within the n best points, are drawn before the set grows.
+    //! T'_n: number of samples that are drawn before the set grows to n + 1 points.
     double samples() const { return limit; }
     //! T_n. The T'_n samples drawn so far contain, on average, at least as many all-inlier samples
     //! as T_n uniform samples of the n best points.
@@ -36,11 +37,11 @@ private:
     double limit;     //!< T'_n
 };
 
-//! The growing set of the best points, for one sample after the other.
+//! The growing set of the best points, for a sequence of samples.
 class GrowingSet
 {
 public:
-    //! A set of no points.
+    //! An empty set.
     GrowingSet() : growth(0, 1), total(0), drawn(0) {}
     GrowingSet(int sampleSize, int pointCount)
         : growth(sampleSize, pointCount), total(pointCount), drawn(0)
@@ -48,9 +49,9 @@ public:
 
     //! Moves on to the next sample.
     void next();
-    //! Number n of best points that the sample is drawn from.
+    //! Number n of best points that the current sample is drawn from.
     int size() const { return growth.size(); }
-    //! True if the sample must contain the n-th point, the one added last.
+    //! True if the current sample must contain the n-th best point, which was added last.
     bool newest() const { return drawn <= growth.samples() && growth.size() < total; }
 
 private:
@@ -59,7 +60,8 @@ private:
     double drawn;  //!< number of samples including the current one, t in the paper
 };
 
-//! True if the order of the points is given, by scores or by the caller; false if it is guessed.
+//! True if the order of the points is known from scores or from the caller; false if it is guessed
+//! from the points, or if there is no ordering.
 inline bool orderIsKnown(const Context& context)
 {
     const Ptr<Ordering>& ordering = context.components.ordering;

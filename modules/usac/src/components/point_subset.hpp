@@ -10,11 +10,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! A subset of the points, copied to columns for a residual; the memory is that of a scope.
+//! A subset of the points, copied to columns for a residual. The memory is valid until the scope
+//! ends.
 class PointSubset
 {
 public:
-    //! Room for `capacity` points.
+    //! An empty subset that can hold `capacity` points.
     PointSubset(const Correspondences& points_, int capacity, Arena::Scope& scope)
         : points(points_), count(0), columns(), errors(scope.take<double>(capacity))
     {
@@ -44,11 +45,13 @@ private:
     double *columns[MAX_COLUMNS], *const errors;
 };
 
-/** @brief Lowers the quality (inliers and cost) of a model as if a subset had at most `kept`
-inliers. Its points are no independent evidence: repetitions of a match, or matches at one place.
+/** @brief Lowers the quality (inliers and cost) of a model as if a subset of the points had at most
+`kept` inliers, because its points are no independent evidence for the model: they are repetitions
+of a match, or matches at nearly the same position.
 
-@param kept 1: they count once; 0: not at all, because a point outside the subset represents them
-@param subset the dependent points
+@param kept 1: the inliers of the subset count as one inlier; 0: they do not count, because a point
+outside the subset represents them
+@param subset the points that depend on each other
 @param model the model that was scored
 @param quality input and output: inliers and cost of all points. The score must be a sum over the
 points, see Score::wholeModel() */

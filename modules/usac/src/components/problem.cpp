@@ -33,8 +33,8 @@ public:
         return dimensions == 2 ? std::sqrt(volume()) : std::pow(volume(), 1. / dimensions);
     }
 
-    //! Upper bound on the length of a line or the area of a plane inside the box; `codimension`:
-    //! the dimension of the box minus that of the line or plane.
+    //! Upper bound of the length of a line or the area of a plane inside the box. `codimension` is
+    //! the dimension of the box minus that of the line or plane; 1 for a single point.
     double largestSection(int codimension) const
     {
         double squares = 0;
@@ -94,8 +94,8 @@ double Problem::randomInlierRatio(const Correspondences& points) const
 {
     const Box last(points, points.coordinates[1] ? 1 : 0);
     const double t = points.threshold;
-    // the Sampson distance is the distance to the line in image 2 divided by sqrt(2) if the errors
-    // in both images are equal
+    // factor sqrt(2): if the distances to the epipolar lines are equal in both images, the Sampson
+    // distance is this distance divided by sqrt(2)
     const double around = errorDimension() == 3 ? 4 * CV_PI / 3 * t * t * t
                           : errorDimension() == 2
                               ? CV_PI * t * t

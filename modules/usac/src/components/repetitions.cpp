@@ -15,8 +15,8 @@ uint64 hashOf(const Vec<double, DIMENSIONS>& cell)
 {
     uint64 bits[DIMENSIONS];
     std::memcpy(bits, cell.val, sizeof(bits));
-    // a small integer as double has ones in its high bits only, and the product below moves bits
-    // only upwards: the high half is mixed into the low one first
+    // in a small integer as double, only high bits are set; the product below moves bits only
+    // upwards, so the high half is mixed into the low half first
     uint64 h = bits[0];
     for (int k = 1; k < DIMENSIONS; ++k)
         h ^= bits[k] << k | bits[k] >> (64 - k);
@@ -24,7 +24,7 @@ uint64 hashOf(const Vec<double, DIMENSIONS>& cell)
 }
 
 /** Marks the points whose cell contains an earlier point, by a hash table with linear probing. Cell
-indices are doubles, as small cells make them exceed int. */
+indices are doubles, because with small cells they may exceed the range of int. */
 template <int DIMENSIONS>
 void markInCells(const double* const* columns, const int* order, const uchar* mask, int count,
                  double side, uchar* repeated, Arena& arena)
@@ -41,13 +41,13 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
             for (int k = 0; k < DIMENSIONS; ++k)
                 cells[marked][k] = (side > 0 ? std::floor(columns[k][point] / side)
                                              : columns[k][point]) +
-                                   0.;  // no -0
+                                   0.;  // turns -0 into 0, whose bits differ
             rows[marked++] = i;
         }
     while (size < 2 * marked)
         size *= 2;
     int* const slots = scope.take<int>(size);
-    std::fill(slots, slots + size, -1);  // free
+    std::fill(slots, slots + size, -1);  // -1 marks a free slot
     for (int i = 0; i < marked; ++i)
     {
         int at = (int)hashOf<DIMENSIONS>(cells[i]) & (size - 1);

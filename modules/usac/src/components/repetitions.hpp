@@ -10,27 +10,33 @@
 namespace cv {
 namespace usacv20 {
 
-//! Time per point to find repetitions in both arrays, in tests of a point, the unit of Watch: 150
-//! ns with a million points. It affects only how late a run with a time limit ends.
+//! Time per point to find repetitions in both arrays, in point tests of 2 ns (see Watch); it is 150
+//! ns for a million points. The value only affects when a run with a time limit ends.
 constexpr double REPETITION_WORK = 75;
 
-/** @brief Number of independent inliers: those at the same place count once.
+/** @brief Number of independent inliers: inliers in the same cell count once.
 
-A place is a cell of side `threshold1` in array 1 and of side `threshold2` in array 2, which have
-`coordinates` numbers per point. The inliers occupy some places in each array; the smaller of these
-two numbers is returned, so that neither repeated matches nor many points matched to a single one
-support a model. `mask` marks the inliers among the `count` points. O(count). */
+Array 1 is divided into cells of side `threshold1` and array 2 into cells of side `threshold2`. The
+cells that contain inliers are counted in each array, and the smaller of the two numbers is
+returned, so that neither repeated matches nor many points matched to a single point support a
+model.
+@param columns columns of array 1, then of array 2
+@param coordinates number of coordinates per point in each array
+@param mask marks the inliers among the `count` points
+@param threshold1, threshold2 sides of the cells; 0: only equal points count as one. O(count). */
 int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
                        int count, double threshold1, double threshold2, Arena& arena);
 
 /** Marks in `repeated` the inliers of one array that lie in the same cell as an earlier inlier.
-@param side of the cells; 0: only equal points are repeated
-@param order indices of the points that `mask` and `repeated` are for; null: 0, 1, 2, ...
-@return number of marked points, including those marked before */
+@param order the entries i of `mask` and `repeated` are for the point order[i]; null: for point i
+@param mask marks the inliers
+@param side side of the cells; 0: only points equal to an earlier one are repeated
+@return number of marked points, including points that were marked before the call */
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);
-//! Does so for both arrays: marks inliers that repeat an earlier one in either array. The side is
-//! the threshold, but 0 in the first array if its unit differs, see Problem::commonUnit.
+//! The same for both arrays: marks inliers that repeat an earlier inlier in one of the arrays. The
+//! side of the cells is `threshold`, but 0 in the first array if its unit differs, see
+//! Problem::commonUnit.
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 

@@ -8,11 +8,12 @@
 namespace cv {
 namespace usacv20 {
 
-/** Probability that a sample of m out of n points contains only inliers, of which there are
-`inliers`. `exact`: without replacement, C(inliers, m) / C(n, m); else (inliers / n)^m. */
+/** Probability that a sample of m out of n points contains only inliers.
+@param inliers number of inliers among the n points
+@param exact true: sampling without replacement, C(inliers, m) / C(n, m); false: (inliers / n)^m */
 double goodSampleProbability(double inliers, int n, int m, bool exact = true);
-//! Smallest k with (1 - p)^k <= failure, for logFailure = log(failure); INT_MAX if there is none or
-//! it is larger.
+//! Number of samples needed: the smallest k with (1 - p)^k <= failure, where p is the probability
+//! that a sample is good and logFailure = log(failure). INT_MAX if k would be larger, or if p is 0.
 int samplesNeeded(double p, double logFailure);
 
 /** @brief Probability that a wrong model, computed from m of n points, has at least this many

@@ -10,19 +10,19 @@
 namespace cv {
 namespace usacv20 {
 
-//! What random numbers are drawn for, apart from the samples of the main loop, which use the
-//! streams 0 .. 2^31 of Rng. Each purpose has streams of its own.
+//! Purposes for which random numbers are drawn, except the samples of the main loop, which use the
+//! streams 0 .. 2^31 of Rng. Each purpose has its own streams.
 enum Stream {
-    STREAM_ROTATION = 1,  //!< point at which the verification of a model begins
+    STREAM_ROTATION = 1,  //!< index of the point at which the verification of a model begins
     STREAM_REFINEMENT,    //!< local optimization and degeneracy checks of an iteration
-    STREAM_UNEXPLAINED,   //!< samples of the points that the best model does not explain
+    STREAM_UNEXPLAINED,   //!< samples of the outliers of the best model
     STREAM_PLANE,         //!< triples of points, to find a plane
     STREAM_RESTARTS,      //!< restarts of the final polishing
-    STREAM_FIT,           //!< samples that a fit without a search starts from
-    STREAM_LEVERAGE       //!< check for points of high leverage: planes, samples of other points
+    STREAM_FIT,           //!< samples from which a fit without a search (Usac::fit) starts
+    STREAM_LEVERAGE  //!< check for points of high leverage: planes, and samples of other points
 };
 
-//! Number of a stream of Rng; each purpose has 2^40 streams.
+//! Stream number for Rng. Each purpose has 2^40 streams; `number` is the index among them.
 inline uint64 streamOf(Stream stream, uint64 number = 0) { return ((uint64)stream << 40) + number; }
 
 }  // namespace usacv20

@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Milliseconds between two calls of the progress functions, as in a single run (watch.cpp).
+//! Milliseconds between two calls of the progress functions, as in a single run, see watch.cpp.
 constexpr int PERIOD = 5;
 
 }  // namespace

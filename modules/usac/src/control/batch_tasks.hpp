@@ -21,8 +21,8 @@ namespace usacv20 {
 threads of the batch.
 
 Only the calling thread calls the progress functions: during its own estimations, between them, and
-while it waits for the other threads. These read the answer from a flag. Without a
-ProgressScope nothing is called, and no thread waits. */
+while it waits for the other threads. The other threads only read the flag `stopped`. Without a
+ProgressScope, no function is called, and no thread waits. */
 class BatchProgress
 {
 public:
@@ -30,13 +30,13 @@ public:
     //! True if the calling thread has a ProgressScope, so that its estimations may be cancelled.
     static bool isWatched() { return ProgressScope::current() != 0; }
 
-    //! Registers a thread while it works for the batch.
+    //! While an object exists, the current thread is registered as working for the batch.
     class Worker
     {
     public:
         explicit Worker(BatchProgress& batch);
-        //! In the calling thread: waits until all other threads that have begun are done, and
-        //! meanwhile calls the progress functions.
+        //! The calling thread waits here until all other registered threads are done, and calls the
+        //! progress functions meanwhile.
         ~Worker();
 
     private:
@@ -44,26 +44,27 @@ public:
         std::unique_ptr<ProgressScope> scope;
     };
 
-    //! True if the next estimation may begin.
+    //! True if the next estimation may begin, false if the batch is cancelled.
     bool goesOn();
-    //! Rethrows an exception from a progress function.
+    //! Rethrows the exception that a progress function has thrown, if any.
     void finish();
 
 private:
     bool isCaller() const { return std::this_thread::get_id() == caller; }
-    //! Calls the progress functions, in the calling thread only. Their exception is stored for
-    //! finish(): thrown during an estimation, it would be taken for an error of that task.
+    //! Calls the progress functions; to be called in the calling thread only. An exception that
+    //! they throw is stored for finish(), because it would otherwise be reported as an error of the
+    //! current task.
     //! @return false if the batch is cancelled
     bool ask(const Report& report);
-    //! Calls ask() if PERIOD has passed since the last call.
+    //! Calls ask() if at least 5 ms have passed since its last call.
     void askNowAndThen();
     void waitForOthers();
 
-    const ProgressScope* const scopes;  //!< innermost one of the calling thread; null: none
+    const ProgressScope* const scopes;  //!< innermost scope of the calling thread; null: none
     const std::thread::id caller;
     std::atomic<bool> stopped;
     std::exception_ptr thrown;
-    int64 asked;  //!< time of the last call, in ticks
+    int64 asked;  //!< time of the last call of the progress functions, in ticks
     std::mutex mutex;
     std::condition_variable changed;
     int working;  //!< number of other threads at work; guarded by the mutex
@@ -75,7 +76,8 @@ estimation when it has finished one.
 @param threads how many run at once, at most cv::getNumThreads(); 0: cv::getNumThreads(). Raises
 cv::Exception if negative
 @param estimate runs the estimation with a given index; must not throw
-@param leave called instead of `estimate` after a ProgressScope has cancelled the batch */
+@param leave called instead of `estimate`, with the same index, after a ProgressScope has cancelled
+the batch */
 void forEachTask(int count, int threads, const std::function<void(int)>& estimate,
                  const std::function<void(int)>& leave);
 

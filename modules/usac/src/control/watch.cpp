@@ -12,13 +12,13 @@ namespace {
 
 // Results without a time limit do not depend on these constants, see doc/constants.md.
 
-//! Milliseconds between two calls of the progress functions: a third of a display frame.
+//! Milliseconds between two calls of the progress functions, a third of a frame of a 60-Hz display.
 constexpr double PERIOD = 5;
 //! Milliseconds that a point test is assumed to take. If this is half or double the actual time, a
 //! run may end later or earlier by half the duration of a step that cannot be interrupted.
 constexpr double TEST = 2e-6;
-//! Milliseconds that polishing may take after a run was stopped; for a thousand points it takes a
-//! third of a millisecond. Runs with 10 000 points or more end later by this time.
+//! Milliseconds that polishing may take after a run was stopped; for a thousand points it needs a
+//! third of a millisecond. With 10 000 points or more, a stopped run ends this much later.
 constexpr double GRACE = 2;
 
 int64 ticks(double milliseconds)
@@ -95,7 +95,7 @@ void Watch::finish()
         return;
     deadline = getTickCount() + ticks(GRACE);
     done = WORK;
-    next = INT64_MAX;  // the progress functions are not called any more
+    next = INT64_MAX;  // so that the progress functions are not called any more
     reason = STOP_NOT_RUN;
 }
 

@@ -11,17 +11,17 @@
 namespace cv {
 namespace usacv20 {
 
-/** Number of points: if a run must stop, steps that only provide details of the report use more
-points than this only if there is time. 50 000 points take 20 ms for Report::chance, the slowest
-such step. */
+/** Maximum number of points for steps that only compute details of the report, if a run must stop
+and there is no time to use more. 50 000 points take 20 ms for Report::chance, the slowest of these
+steps. */
 constexpr int ENOUGH = 50000;
 
 /** @brief Stops a run before its termination criteria do: when Params::maxTime is exceeded, or when
 the function of a ProgressScope returns false.
 
-The loops of a run query a Watch. Without a time limit and a ProgressScope a query only tests a
-flag. Otherwise, the clock is read after every fraction of a millisecond of work, and the progress
-functions are called every few milliseconds. To be used by the thread that began the run. */
+The loops of a run call stop(). Without a time limit and a ProgressScope, this only tests a flag.
+Otherwise, the clock is read after every 0.4 ms of work, and the progress functions are called every
+few milliseconds. To be used by the thread that began the run. */
 class Watch
 {
 public:
@@ -29,32 +29,34 @@ public:
     @param spent ticks that the run has already taken */
     Watch(double maxTime, int64 spent);
 
-    //! Sets the state and number of points for the reports to progress functions; must stay valid
-    //! while the watch is in use.
+    //! Sets the state and the number of points from which the reports to progress functions are
+    //! made. The state must stay valid while the watch is in use.
     void begin(const State& state, int points);
-    /** True if the run must end; it then stays true.
-    @param work done since the last call, in point tests, see SampleCost */
+    /** True if the run must end; later calls then return true, too, until finish().
+    @param work work done since the last call, in point tests, see SampleCost */
     bool stop(double work)
     {
         return active && (reason != STOP_NOT_RUN || (enough(work) && look()));
     }
-    /** The same before a step that cannot be interrupted: true if the run must end now, or if this
-    step would exceed the time limit.
-    @param work work of the step */
+    /** To be called before a step that cannot be interrupted: true if the run must end now, or if
+    this step would exceed the time limit.
+    @param work work of the step, in point tests */
     bool stopBefore(double work)
     {
         return active && (reason != STOP_NOT_RUN || lacks(work) || stop(work));
     }
-    //! True if a step that may be skipped would end within the time limit. The run continues in
-    //! either case.
+    //! True if a step of this work would end within the time limit. For steps that may be skipped;
+    //! unlike stopBefore(), it does not end the run.
     bool fits(double work) const;
-    //! The result of the last query.
+    //! True if the run must end, without reading the clock: the result of the last call of stop()
+    //! or stopBefore().
     bool stopped() const { return reason != STOP_NOT_RUN; }
     //! False if nothing can stop the run: neither a time limit nor a ProgressScope.
     bool isActive() const { return active; }
     //! @ref StopReason, once stopped() is true.
     int stopReason() const { return reason; }
-    //! To be called when the search has ended: grants some milliseconds for finishing its model.
+    //! To be called when the search has ended. If the run was stopped, allows two more milliseconds
+    //! for polishing the model.
     void finish();
 
 private:
@@ -67,16 +69,16 @@ private:
     bool lacks(double work);
     Report present(int64 now) const;
 
-    //! Work between two readings of the clock, in point tests of 2 ns: 0.4 ms; a reading takes 25
-    //! ns.
+    //! Work between two readings of the clock, in point tests of 2 ns; this is 0.4 ms. A reading
+    //! takes 25 ns.
     static constexpr double WORK = 2e5;
 
     const bool active;
-    const ProgressScope* const scopes;  //!< null: none
+    const ProgressScope* const scopes;  //!< innermost scope of the thread; null: none
     const int64 start;
     int64 deadline, next;  //!< in ticks: end of the run, and next call of the progress functions
-    double done;
-    int reason;
+    double done;           //!< work since the last reading of the clock
+    int reason;            //!< @ref StopReason; STOP_NOT_RUN: the run continues
     const State* state;
     int points;
 };

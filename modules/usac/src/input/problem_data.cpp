@@ -14,16 +14,16 @@ namespace usacv20 {
 
 namespace {
 
-//! Points farther than this many mean absolute deviations from the center do not enlarge the box
-//! Correspondences::lower, upper. See doc/constants.md.
+//! Coordinates farther than this many mean absolute deviations from the center do not enlarge the
+//! box Correspondences::lower, upper. See doc/constants.md.
 constexpr double FRAME = 5;
-//! Bounds of the threshold of the search: its square and the inverse of that must be neither 0 nor
-//! infinite as float. The mask uses the caller's threshold unchanged.
+//! Bounds of the threshold of the search, in normalized coordinates: the squared threshold and its
+//! inverse must be neither 0 nor infinite as float. The mask uses the caller's threshold unchanged.
 constexpr double SMALLEST_THRESHOLD = 1e-18, LARGEST_THRESHOLD = 1e18;
 
 bool finite(double value)
 {
-    return std::abs(value) <= DBL_MAX;  // false for NaN
+    return std::abs(value) <= DBL_MAX;  // NaN is not finite
 }
 
 bool allFinite(const double* values, int count)
@@ -43,20 +43,22 @@ bool allFinite(const double* values, int count)
 }
 
 //! A threshold of at least this fraction of the longest side of the box of the points is wide
-//! (Report::wideThreshold): along this side, all points are within the threshold of the center.
-//! With half of it, 160 px would be wide in an image of 640 px; with double, a threshold of 1.5,
-//! meant as pixels, would not be wide for normalized points of a field of view of 90 degrees.
+//! (Report::wideThreshold): along this side, all points are within the threshold of the center. If
+//! the fraction were 0.25, a threshold of 160 pixels would be wide in an image of 640 pixels. If it
+//! were 1, a threshold of 1.5 pixels would not be wide for points that are wrongly given on the
+//! normalized image plane, with a field of view of 90 degrees.
 constexpr double WIDE = 0.5;
 
-/** Numbers of bytes. OF_POINT, for each point: 88 for the point itself and 150 for temporary data,
-mostly of polishing and significance. OF_SEARCH, for each point of the search: 62 for order and
-graph, 28 for sampler and checks, and 24 to spare. OF_RUN: batches, runners-up and tables.
-OF_PLANES: the search for planes. OF_BATCH, with several threads: the hypotheses of the largest
-batch. Too small a value only costs another block; memory that is not written to costs nothing. */
+/** Memory in bytes. OF_POINT is for each point: 88 bytes for the point itself and 150 for temporary
+data, mostly of polishing and significance. OF_SEARCH is for each point of the search: 62 bytes for
+order and graph, 28 for sampler and checks, and a reserve of 24. OF_RUN is for batches, runners-up
+and tables, OF_PLANES for the search for planes, and OF_BATCH, with several threads, for the
+hypotheses of the largest batch. If a value is too small, only another block is allocated; memory
+that is never written to costs no time. */
 constexpr size_t OF_POINT = 238, OF_SEARCH = 114, OF_RUN = 64 << 10, OF_PLANES = 64 << 10,
                  OF_BATCH = 512 << 10;
 
-//! Bytes of arena memory that a run with this many points usually needs.
+//! Number of bytes of arena memory that a run with this many points usually needs.
 size_t runMemory(int points, const Params& params)
 {
     size_t bytes = (size_t)points * OF_POINT +
@@ -196,8 +198,9 @@ bool ProblemData::finiteRow(int row) const
     return all;
 }
 
-/** Keeps the finite rows in a fixed pseudo-random order (Fisher-Yates), as doubles. Polishing and
-significance, too, take the first points for a random sample of all. */
+/** Copies the rows without NaN and infinite numbers, as doubles, in a fixed pseudo-random order
+(Fisher-Yates shuffle). The search, polishing and significance rely on this order: they use the
+first points as a random sample of all points. */
 void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
@@ -303,8 +306,9 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
     view.exact[k] = values;
 }
 
-//! The lower bound is for noise-free data, which may lead to a threshold below the rounding errors;
-//! the upper one for points so far apart that no double holds their spread, whose scale is 0.
+//! The lower bound 1e-6 is for noise-free data, from which a threshold below the rounding errors
+//! may be estimated. The bounds DBL_MAX prevent an overflow if the points are so far apart that
+//! their scale is 0.
 void ProblemData::setThreshold(double threshold)
 {
     if (threshold == view.threshold)
@@ -355,7 +359,7 @@ int ProblemData::mask(const Residual& residual, const Model& model, bool image, 
     errors(residual, model, image, distances);
     int inliers = 0;
     for (int i = 0; i < count; ++i)
-        inliers += mask[i] = distances[i] <= pixelThreshold;  // false for NaN
+        inliers += mask[i] = distances[i] <= pixelThreshold;  // NaN does not count as an inlier
     return inliers;
 }
 

@@ -10,15 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-/** Reads the caller's arrays once and stores them in two forms: all rows as given (double, for the
-final mask), and the finite rows normalized, shuffled and as structure of arrays (Correspondences).
-O(N) memory and time. */
+/** Reads the caller's arrays once and stores them in two forms: all rows in their original order
+(as double, for the final mask), and the rows without NaN and infinite numbers as Correspondences,
+that is normalized, shuffled and as a structure of arrays. O(N) memory and time. */
 class ProblemData
 {
 public:
-    /** Maximum number of points in the search, which uses a random part of this size if there are
-    more. It yields the fraction of inliers to within 0.3 percentage points, and thus distinguishes
-    models that differ by more. A multiple of 16. */
+    /** Maximum number of points in the search. If there are more points, the search uses a random
+    subset of this size. A subset of this size yields the inlier ratio with a standard deviation of
+    at most 0.3 percentage points, and thus distinguishes models whose ratios differ by more. A
+    multiple of 16. */
     enum { SEARCHED = 1 << 15 };
 
     //! Holds no points.
@@ -34,9 +35,9 @@ public:
               Arena& arena, bool image);
 
     const Correspondences& points() const { return view; }
-    /** The points of the search: the first of points(), which are in random order. A model that is
-    good for so many of the points is good for all; polishing, which uses all, gives the last
-    digits. */
+    /** The points of the search: the first #SEARCHED of points(), which are in random order. A
+    model that fits so many of the points fits all of them; polishing then uses all points to make
+    it accurate. */
     const Correspondences& searchPoints() const { return part; }
     //! points() with the original image points, for the residual of Problem::createImageResidual.
     Correspondences imagePoints() const;
@@ -46,24 +47,26 @@ public:
     //! Sets the thresholds of search and mask for the rest of the run, in the coordinates of
     //! points().
     void setThreshold(double threshold);
-    //! Sets both to multiples of those that were given.
+    //! Sets the thresholds of search and mask to `factor` times their values before the run.
     void scaleThreshold(double factor);
     //! Restores the thresholds and the reach after a run, which may have changed them.
     void restoreThreshold();
-    //! The ratio of the search threshold to the mask threshold, at first Params::reach.
+    //! The reach, that is the ratio of the search threshold to the mask threshold. It begins with
+    //! Params::reach.
     double reach() const { return currentReach; }
-    //! Sets the reach for the rest of the run.
+    //! Sets the reach for the rest of the run, by changing the search threshold.
     void setReach(double reach)
     {
         setSearchThreshold(view.threshold * (reach / currentReach));
         currentReach = reach;
     }
-    //! Mask of the rows with error <= threshold under a model in the caller's coordinates. `image`:
-    //! use the original image points.
+    //! Writes 1 to `mask` for each of the caller's rows whose error is at most the threshold, else
+    //! 0. The model is in the caller's coordinates. `image`: the original image points are used.
     //! @return number of inliers.
     int mask(const Residual& residual, const Model& model, bool image, uchar* mask,
              Arena& arena) const;
-    //! The errors of all rows, in pixels, as mask() compares them with threshold().
+    //! The errors of all of the caller's rows, in pixels, not squared; mask() compares them with
+    //! threshold().
     void errors(const Residual& residual, const Model& model, bool image, double* errors) const;
     //! The threshold of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
@@ -75,8 +78,8 @@ public:
 private:
     //! Value of Report::wideThreshold.
     bool wideThreshold() const;
-    //! Number of inliers; those that coincide in one array count once, see
-    //! usacv20::independentInliers and Problem::commonUnit.
+    //! Number of inliers, where inliers at nearly the same position in one of the arrays count
+    //! once, see usacv20::independentInliers and Problem::commonUnit.
     int independentInliers(const uchar* mask, Arena& arena) const;
     void setSearchThreshold(double threshold) { view.threshold = part.threshold = threshold; }
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
@@ -92,20 +95,20 @@ private:
     double givenReach, currentReach;
     double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
     double pixelThreshold;         //!< the same in pixels
-    double pixels;                 //!< pixels per unit of `input`
+    double pixels;                 //!< number of pixels per unit of `input`
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];               //!< original image points of array 2, all rows, or null
-    const double* seenDoubles[3];  //!< columns of the same for imagePoints()
+    double* seen[3];               //!< original image points of array 2, all rows; null: not stored
+    const double* seenDoubles[3];  //!< the same, shuffled and normalized, for imagePoints()
     const float* seenFloats[3];
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);
 };
 
-//! The model for the mask: exactly the returned one if Problem::ofOutput can convert it, else
-//! `model`.
+//! The model for the mask: the returned matrix with unchanged entries if Problem::ofOutput can
+//! convert it, else `model`.
 inline Model modelOfMask(const Problem& problem, const Mat& returned, const Model& model)
 {
     const Model exact = problem.ofOutput(returned);

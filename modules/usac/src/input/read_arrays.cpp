@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-//! The same points as CV_64F, continuous.
+//! The points as a continuous matrix of depth CV_64F; copied only if necessary.
 Mat toDouble(const Mat& points, Arena::Scope& scope)
 {
     if (points.depth() == CV_64F && points.isContinuous())
@@ -28,24 +28,24 @@ Mat transposed(const Mat& values, Arena::Scope& scope)
     return columns;
 }
 
-/** Reads any list of points that some function of OpenCV accepts; returns one point per row, one
-coordinate per column, CV_64F. In a matrix with one channel, the points are along the longer side
-(as for OpenCV's USAC flags), or in the rows if both sides are equal; a single row or column is one
-point. Converted data are in memory of the scope. */
+/** Reads any list of points that some function of OpenCV accepts. Returns a matrix with one point
+per row and one coordinate per column, CV_64F. In a matrix with one channel, the longer side is the
+number of points (as for OpenCV's USAC flags); if both sides are equal, each row is a point; a
+single row or column is one point. Converted data are in memory of the scope. */
 Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();
     const bool solid = points.dims == 3 && channels == 1 &&
                        (points.size[0] == 1 || points.size[1] == 1);
-    const bool perColumn = channels == 1 &&
-                           (cols == 1 || (1 < rows && rows < cols));  // else per row or per element
+    // false: each row or each element is a point
+    const bool perColumn = channels == 1 && (cols == 1 || (1 < rows && rows < cols));
     const int coordinates = solid          ? points.size[2]
                             : channels > 1 ? channels
                             : perColumn    ? rows
                                            : cols;
     const bool fewCoordinates = solid ||
                                 (channels == 1 &&
-                                 (rows == 1 || cols == 1));  // OpenCV accepts at most 3 here
+                                 (rows == 1 || cols == 1));  // at most 3 coordinates are accepted
     if ((points.dims > 2 && !solid) || coordinates < 2 || (fewCoordinates && coordinates > 3))
         CV_Error_(Error::StsBadArg, ("%s: N points are expected as Nx2, Nx3, 2xN or 3xN with 1 "
                                      "channel or with 2 or 3 channels, "
@@ -57,8 +57,8 @@ Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
     return values.reshape(1, (int)(points.total() * channels / coordinates));
 }
 
-/** Reads 2-D points. Three coordinates are homogeneous, as for cv::RANSAC; of more, the first two
-are used, as for OpenCV's USAC flags. */
+/** Reads 2-D points. Points with three coordinates are homogeneous, as for cv::RANSAC. Of points
+with more coordinates, the first two are used, as for OpenCV's USAC flags. */
 Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const Mat values = readCoordinates(points, name, scope);
@@ -75,7 +75,8 @@ Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
     for (int i = 0; i < plane.rows; ++i)
         if (values.at<double>(i, 2) == 0)
             points2.at<Vec2d>(i) = Vec2d(INFINITY,
-                                         INFINITY);  // which OpenCV treats as finite
+                                         INFINITY);  // a point at infinity; OpenCV's conversion
+                                                     // returns a finite point
     return plane;
 }
 

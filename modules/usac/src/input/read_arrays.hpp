@@ -15,20 +15,21 @@ functions accept.
 @param points N points
 @param coordinates coordinates per point, 1 to 3; 2-D points may also be given by three homogeneous
 coordinates
-@param name of the argument, for messages
-@param scope memory
-@return N x coordinates, CV_64F, continuous, in memory of the scope or of the caller. */
+@param name name of the argument, for messages
+@param scope memory for converted points
+@return N x coordinates, CV_64F, continuous; the data are in memory of the scope or of `points`.
+Raises cv::Exception for other layouts. */
 Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope);
 
 /** @brief Reads a camera matrix.
 @param array 3x3, any depth; multiples of a camera matrix describe the same camera
-@param name of the argument, for messages
+@param name name of the argument, for messages
 @return the matrix with the last row 0 0 1. Raises cv::Exception if it is no camera matrix. */
 Matx33d readCamera(InputArray array, const char* name);
 
 /** @brief Reads distortion coefficients as cv::undistortPoints takes them.
-@param array 4, 5, 8, 12 or 14 coefficients, or none
-@param name of the argument, for messages
+@param array 4, 5, 8, 12 or 14 coefficients, or an empty array
+@param name name of the argument, for messages
 @return the coefficients; empty if there is no distortion. Raises cv::Exception for other arrays. */
 Mat readDistortion(InputArray array, const char* name);
 

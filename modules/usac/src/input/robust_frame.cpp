@@ -12,15 +12,18 @@ namespace usacv20 {
 
 namespace {
 
-// Limits for extreme input; effects of halving and doubling: doc/constants.md.
+// Limits for extreme input; doc/constants.md has the effects of halving and doubling them.
 
-//! Medians of this many values, the first ones, are compared with the means of all values.
+//! The median deviation of the first SAMPLE values is compared with the mean deviation of all
+//! values.
 constexpr int SAMPLE = 31;
-//! A value farther out than FAR_OUT mean deviations dominates the mean. A mean deviation above
-//! SPOILT times the median deviation of the first SAMPLE values stems from values far out.
+//! If a value is more than FAR_OUT mean deviations from the mean, it dominates the mean. If the
+//! mean deviation is above SPOILT times the median deviation of the first SAMPLE values, it is
+//! caused by values far out. In both cases medians are used instead of means.
 constexpr double FAR_OUT = 20, SPOILT = 100;
 
-//! Median of the values, and median of the distances from it of all values that differ from it.
+//! Computes the median of the values (`center`) and the median of the distances from it
+//! (`deviation`), without distances of 0.
 void medianFrame(const double* values, int count, double& center, double& deviation, Arena& arena)
 {
     Arena::Scope scope(arena);
@@ -34,14 +37,14 @@ void medianFrame(const double* values, int count, double& center, double& deviat
     deviation = others > 0 ? median(copy, others) : 0;
 }
 
-//! Number of partial sums and of partial extremes that are computed side by side.
+//! Number of partial sums and of partial extremes, which compilers compute in one vector register.
 constexpr int LANES = 4;
 
 double sumOf(const double* lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
 double meanAndExtremes(const double* values, int count, double& lowest, double& highest)
 {
-    const double part = 1. / count;  // for each value, because the sum may overflow
+    const double part = 1. / count;  // factor of each value, because the plain sum may overflow
     double sums[LANES] = {0}, low[LANES], high[LANES];
     std::fill(low, low + LANES, values[0]);
     std::fill(high, high + LANES, values[0]);

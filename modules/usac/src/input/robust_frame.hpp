@@ -10,9 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** Center, deviation and range of values in random order. Center and deviation are means, or
-medians if values far out would dominate the means: single values, or so many that the spread of the
-others is negligible beside the mean deviation. */
+/** Computes center, mean absolute deviation and range (`low`, `high`) of values in random order. If
+outlying values would dominate the means, center and deviation are medians instead. This is the case
+if a single value is very far out, or if the mean deviation is far larger than the spread of most
+values. All results are 0 if `count` is 0. */
 void robustFrame(const double* values, int count, double& center, double& deviation, double& low,
                  double& high, Arena& arena);
 

@@ -18,8 +18,8 @@ double product(const double* a, const double* b)
     return sum;
 }
 
-//! Gram-Schmidt step for the k-th vector; the vectors before it are orthonormal. @return its length
-//! after their directions were removed
+//! Gram-Schmidt step: makes the k-th vector orthogonal to the vectors before it, which are
+//! orthonormal, and scales it to unit length. @return its length before this scaling
 double orthonormalize(double (*vectors)[9], int k)
 {
     double* const v = vectors[k];
@@ -35,8 +35,8 @@ double orthonormalize(double (*vectors)[9], int k)
     return length;
 }
 
-//! The rotation that takes the directions of image 1 to those of image 2, in the sense of least
-//! squares @cite umeyama1991least.
+//! The rotation that maps the viewing directions of the points in image 1 to those in image 2, in
+//! the sense of least squares @cite umeyama1991least.
 Matx33d rotationOf(const Correspondences& p, const int* sample)
 {
     Matx33d sum = Matx33d::zeros(), U, Vt;
@@ -55,14 +55,16 @@ Matx33d rotationOf(const Correspondences& p, const int* sample)
 
 void align(const Correspondences& points, const int* sample, EssentialBasis& basis)
 {
-    //! Three times a rotation of three dimensions without small entries.
+    //! Three times a 3x3 rotation matrix without small entries. It mixes the basis vectors, so that
+    //! x, y and z are finite even if t is parallel to an axis.
     static const double ROTATION[3][3] = {{2, -2, 1}, {2, 1, -2}, {1, 2, 2}};
-    const double SMALLEST = 1e-6;  // smaller scales are lost to rounding
+    const double SMALLEST = 1e-6;  // lower bound of the length of Z, because of rounding errors
     EssentialBasis q;
     for (int k = 0; k < 4; ++k)
         orthonormalize(basis, k);
     const Matx33d R = rotationOf(points, sample);
-    double inside = 1;  // squared cosine of the largest angle between the [t]x R and the space
+    double inside = 1;  // squared cosine of the largest angle between a matrix [t]x R and the space
+                        // that the basis spans
     for (int k = 0; k < 3; ++k)
     {
         const Matx33d crossed(0, -(k == 2), k == 1, k == 2, 0, -(k == 0), -(k == 1), k == 0, 0);

@@ -10,19 +10,20 @@
 namespace cv {
 namespace usacv20 {
 
-/** Four 3x3 matrices, row by row, that span the matrices E with x2^T E x1 = 0 for five points. The
-five-point solver looks for E = x X + y Y + z Z + W, and loses digits if x, y or z is large or if
-all solutions are close together. */
+/** Four 3x3 matrices X, Y, Z and W, row by row, that span the matrices E with x2^T E x1 = 0 for
+five points. The five-point solver finds E = x X + y Y + z Z + W, and loses digits if x, y or z is
+large or if all solutions are close together. */
 typedef double EssentialBasis[4][9];
 
-/** The basis for points that a rotation R alone (nearly) explains; R is estimated from the points
-first. Then E = [t]x R is near a solution for every t: X, Y and W span the part of the space that is
-closest to these matrices, and Z is the remaining direction, scaled so that z is neither large nor
-small. With mix() instead, all solutions lie close to one plane, and the constraints nearly hold
-everywhere on it.
-@param points, sample indices of the five points
-@param basis input: any basis; output: orthonormal except for the length of Z, which is between 1e-6
-and 1 */
+/** Changes the basis to one that suits points that a rotation R alone (nearly) explains; R is
+estimated from the points. Then E = [t]x R is near a solution for every t. X, Y and W span the part
+of the space that is closest to these matrices, and Z is the remaining direction, scaled so that z
+is neither large nor small. With the basis of mix() (five_points.inl.hpp), all solutions lie close
+to one plane, on which the constraints nearly hold everywhere, so that digits are lost.
+@param points the correspondences
+@param sample indices of the five points
+@param basis input: any basis; output: an orthogonal basis of unit vectors, except for the length of
+Z, which is between 1e-6 and 1 */
 void align(const Correspondences& points, const int* sample, EssentialBasis& basis);
 
 }  // namespace usacv20

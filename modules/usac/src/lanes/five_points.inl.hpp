@@ -3,22 +3,24 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* The five-point solver @cite nister2004efficient for several samples at once. The epipolar
-constraints leave E = x X + y Y + z Z + W. Ten cubic constraints are reduced to a 3x3 matrix of
-polynomials in z whose determinant, of degree 10, vanishes; its real roots give z, its null vectors
-x and y. Roots that violate the constraints even after a correction are rejected. No include guard:
-compiled once for each instruction set by lanes/lane_kernels.inl.hpp. */
+constraints are satisfied by all E = x X + y Y + z Z + W. Ten cubic constraints on E are reduced to
+a 3x3 matrix B(z) of polynomials with a determinant of degree 10. The real roots of the determinant
+are the values of z; the null vectors of B(z) give x and y. Solutions that violate the constraints
+even after a correction are rejected. No include guard: compiled once for each instruction set by
+lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-/** Scales the vectors of a basis to unit length and mixes them by a rotation. The basis from the
-elimination has zeros at positions that depend on the motion: without mixing, the motions of
-rectified cameras and of a camera that moves forward or sideways have no finite x, y, z. */
+/** Scales the vectors of a basis to unit length and mixes them by a rotation. The basis from
+nullSpace() has zeros at positions that depend on the motion; without mixing, x, y and z would be
+infinite for rectified cameras and for a camera that moves forward or sideways. */
 void mix(FiveBasis& basis)
 {
-    // The rotation v -> p v q of four dimensions with the quaternions p = 3 + 5i + 7j + 11k and q =
-    // 13 - 4i + 6j + 9k, times sqrt(61608); any rotation without small entries will do.
+    // The four-dimensional rotation v -> p v q with the quaternions p = 3 + 5i + 7j + 11k and q =
+    // 13 - 4i + 6j + 9k, times sqrt(61608). Any other rotation without small entries would be
+    // suitable, too.
     static const double ROTATION[4][4] = {
         {-82, -56, -198, -112}, {50, 200, -118, 72}, {20, 114, 76, -206}, {228, -74, -52, -38}};
     for (int k = 0; k < 4; ++k)
@@ -36,11 +38,12 @@ void mix(FiveBasis& basis)
     }
 }
 
-//! Residuals of the constraints for E of unit norm: below EXACT, no correction is needed; from
-//! VIOLATED on, E is no essential matrix.
+//! Limits of the largest residual of the ten constraints for E of unit norm. Below EXACT, E needs
+//! no correction; at VIOLATED or above, E is rejected.
 constexpr double EXACT = 1e-12, VIOLATED = 1e-9;
 
-//! A matrix with the residuals of the ten constraints, and what their derivatives need.
+//! A matrix E with the residuals of the ten constraints and the data for their derivatives. The
+//! caller sets E; compute() sets the other members.
 struct Violation
 {
     void compute()
@@ -69,7 +72,7 @@ struct Violation
     //! The derivative of the residuals in the direction of a matrix D.
     void derive(const Pack (&D)[9], Pack (&g)[10]) const
     {
-        Pack G[3][3], change[3][3];  // D E^T and the change of S
+        Pack G[3][3], change[3][3];  // D E^T, and the derivative of S in the direction of D
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
                 G[i][j] = dot3(D[3 * i], E[3 * j], D[3 * i + 1], E[3 * j + 1], D[3 * i + 2],
@@ -89,13 +92,14 @@ struct Violation
     //! True in lanes where the largest residual, for E scaled to unit norm, is at least `limit`.
     Mask exceeds(double limit) const { return largest >= limit * squares * squareRoot(squares); }
 
-    Pack E[9], S[3][3];  //!< S: E E^T - trace / 2
-    Pack c[9], r[10];    //!< cofactors of E, residuals
+    Pack E[9], S[3][3];  //!< S: E E^T - trace(E E^T) I / 2
+    Pack c[9], r[10];    //!< cofactors of E, residuals of the constraints
     Pack largest;        //!< the largest absolute residual
     Pack squares;        //!< the squared norm of E
 };
 
-//! Gauss-Newton step on the ten constraints in x, y and z; NaN where it is not determined.
+//! Computes the Gauss-Newton step in x, y and z for the ten constraints; infinite or NaN in lanes
+//! where it is not determined.
 void stepOf(const FiveBasis& basis, const Violation& at, Pack (&step)[3])
 {
     Pack g[3][10], A[9], b[3], c[9];
@@ -128,7 +132,8 @@ inline void combine(const FiveBasis& basis, const Pack& x, const Pack& y, const 
         E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
 }
 
-//! Solutions that need a correction. They are corrected together, whatever root they are from.
+//! Solutions (x, y, z) that need a correction. Several of them are corrected at once, one in each
+//! lane, and those of different roots together.
 struct Inexact
 {
     enum { MOST = MAX_MODELS * WIDTH };
@@ -147,10 +152,12 @@ struct Inexact
     double x[MOST], y[MOST], z[MOST];
 };
 
-/** Gauss-Newton method on the ten constraints in x, y and z. It restores the digits that the
-elimination loses if its pivots are small.
+/** Corrects solutions by the Gauss-Newton method for the ten constraints in x, y and z. This
+restores the digits that the elimination loses if its pivots are small.
 @param all X, Y, Z and W of each sample
-@param solutions, first the solutions from `first` on are corrected, as many as there are lanes
+@param solutions the solutions to correct
+@param first the solutions first .. first + WIDTH - 1 are corrected, each in one lane; if there are
+fewer, the other lanes repeat the first one
 @param at output: the corrected matrices */
 void correct(const FiveBasis& all, const Inexact& solutions, int first, Violation& at)
 {
@@ -183,15 +190,16 @@ void correct(const FiveBasis& all, const Inexact& solutions, int first, Violatio
         stepOf(basis, at, step);
         for (int i = 0; i < 9; ++i)
             change[i] = dot3(step[0], basis[0][i], step[1], basis[1][i], step[2], basis[2][i]);
-        active &= dot9(change, change) < 0.1 * at.squares;  // false for NaN
+        active &= dot9(change, change) < 0.1 * at.squares;  // no step that is large or NaN
         x = active ? x - step[0] : x;
         y = active ? y - step[1] : y;
         z = active ? z - step[2] : z;
     }
 }
 
-//! If a pivot of the elimination is smaller, solutions are lost, and align() makes another basis.
-//! In a scene with parallax this happens for less than one sample in a hundred.
+//! If the smallest pivot of the elimination, relative to the largest coefficient, is below this
+//! number, solutions may be lost; the elimination is then repeated with a basis from align(). In a
+//! scene with parallax this happens for less than one sample in a hundred.
 constexpr double SMALL_PIVOT = 5e-4;
 
 //! Solves up to WIDTH samples.
@@ -232,7 +240,7 @@ struct FivePoints
     }
 
 private:
-    //! Computes the basis and B. @return lanes with finitely many solutions, a bit for each
+    //! Computes the basis and B. @return the lanes with finitely many solutions, a bit for each
     int build()
     {
         Pack A[9][5];
@@ -249,7 +257,7 @@ private:
         return independent & bitsOf(pivot > 0.);
     }
 
-    //! @return see eliminate()
+    //! Computes B from the basis. @return the smallest pivot, see eliminate()
     Pack reduce()
     {
         TenCubics C;
@@ -272,8 +280,8 @@ private:
                 setLane(basis[v][i], k, own[v][i]);
     }
 
-    //! Appends the matrices of a root z in each of the lanes `wanted`; those that need a correction
-    //! go to `inexact` instead.
+    //! Appends the matrices for a root z in each of the lanes `wanted` to the models. Solutions
+    //! that need a correction are added to `inexact` instead.
     void addExact(const Pack& z, int wanted, double (*models)[MAX_MODELS][9], int* found,
                   Inexact& inexact) const
     {
@@ -293,12 +301,13 @@ private:
         add(at, lanes, exact, models, found);
     }
 
-    //! Appends the matrices of the lanes `wanted`, normalized, to the models of samples.
+    //! Scales the matrices in the lanes `wanted` to unit norm and appends them to the models. The
+    //! matrix in lane k belongs to the sample lanes[k].
     static void add(Violation& at, const int* lanes, int wanted, double (*models)[MAX_MODELS][9],
                     int* found)
     {
         const Pack inverse = 1. / squareRoot(at.squares);
-        wanted &= bitsOf(at.squares <= DBL_MAX);  // false for NaN
+        wanted &= bitsOf(at.squares <= DBL_MAX);  // drops NaN and infinity
         for (int i = 0; i < 9; ++i)
             at.E[i] *= inverse;
         for (int k = 0; k < WIDTH; ++k)

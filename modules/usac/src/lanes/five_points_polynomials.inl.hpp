@@ -68,11 +68,11 @@ typedef Pack FiveBasis[4][9];
 //! The coefficients of ten cubic polynomials.
 typedef Pack TenCubics[10][20];
 
-//! The ten cubic constraints on E = x X + y Y + z Z + W: det E = 0 and E E^T E - trace(E E^T) E / 2
-//! = 0.
+//! Computes the coefficients of the ten cubic constraints on E = x X + y Y + z Z + W: E E^T E -
+//! trace(E E^T) E / 2 = 0 and det E = 0.
 void constraints(const FiveBasis& basis, TenCubics& C)
 {
-    Pack E[9][4], S[3][3][10];  // S: E E^T - trace / 2, symmetric
+    Pack E[9][4], S[3][3][10];  // S: E E^T - trace(E E^T) I / 2, symmetric
     for (int i = 0; i < 9; ++i)
         for (int k = 0; k < 4; ++k)
             E[i][k] = basis[k][i];
@@ -110,9 +110,9 @@ void constraints(const FiveBasis& basis, TenCubics& C)
     }
 }
 
-/** Gaussian elimination of the left 10x10 block with partial pivoting; only the last six rows,
-which the solver uses, are brought to reduced form. @return the smallest pivot relative to the
-largest coefficient; 0 where the block is singular */
+/** Gaussian elimination of the left 10x10 block with partial pivoting. Only the last six rows are
+brought to reduced form, because the solver uses only these. @return the smallest pivot divided by
+the largest absolute coefficient; 0 in lanes where the block is singular */
 Pack eliminate(TenCubics& C)
 {
     Pack largest = Pack(), least = everywhere(DBL_MAX);
@@ -130,7 +130,7 @@ Pack eliminate(TenCubics& C)
             most = largerOf(most, size);
         }
         least = smallerOf(least, most);
-        regular &= most > 1e-13 * largest;  // false for NaN
+        regular &= most > 1e-13 * largest;  // a lane with NaN counts as singular
         for (int i = k + 1; i < 10; ++i)
             exchange(best == (double)i, k, C[k], C[i]);
         const Pack inverse = 1. / C[k][k];
@@ -148,11 +148,13 @@ Pack eliminate(TenCubics& C)
     return regular ? least / largest : Pack();
 }
 
-//! Polynomials in z, coefficients from the constant upwards; the columns have degree 3, 3 and 4.
+//! A 3x3 matrix of polynomials in z, each given by its coefficients, the constant first. The
+//! polynomials in the three columns have degree 3, 3 and 4.
 typedef Pack ThreeRows[3][3][5];
 
-/** A row of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0: the row of a leading monomial that
-contains z, minus z times the row of the same monomial without z. */
+/** Computes a row of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0, which is the eliminated row of
+a leading monomial with z, minus z times the eliminated row of the same monomial without z.
+@param withZ, without the two rows, for example of x^2 z and of x^2 */
 void linkRows(const Pack (&withZ)[20], const Pack (&without)[20], Pack (&B)[3][5])
 {
     for (int k = 0; k < 2; ++k)
@@ -195,8 +197,9 @@ inline Pack horner(const Pack (&c)[5], const Pack& z)
     return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
 }
 
-//! (x, y, 1) in the null space of B(z), from that cross product of two rows whose third entry is
-//! the largest. @return false where x or y is (nearly) infinite
+//! Computes (x, y, 1) in the null space of B(z), from the cross product of two rows; of the three
+//! cross products, the one with the largest third entry is used. @return the lanes in which x and y
+//! are finite and not extremely large
 Mask backSubstitute(const ThreeRows& B, const Pack& z, Pack& x, Pack& y)
 {
     Pack v[3][3], best = Pack(), p = Pack(), q = Pack(), w = everywhere(1);

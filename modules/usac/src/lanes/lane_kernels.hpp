@@ -10,20 +10,21 @@
 namespace cv {
 namespace usacv20 {
 
-//! Smallest ratio of the two singular values of a fundamental matrix that counts as rank 2.
+//! Smallest ratio of the second to the first singular value of a fundamental matrix that counts as
+//! rank 2.
 constexpr double LEAST_RATIO = 1e-6;
 
-/** Solves several samples in the lanes of vector registers. The models of a sample do not depend on
-the other samples.
+/** Solves several samples at once, each in one lane of the vector registers. The models of a sample
+do not depend on the other samples.
 @param samples `count` samples, see MinimalSolver::solve
-@param count 1 to MinimalSolver::MAX_TOGETHER, as many as the widest registers hold
+@param count 1 to MinimalSolver::MAX_TOGETHER, the number of lanes of the widest registers
 @param models output: 3x3 matrices of unit norm, row by row
 @param found output: number of models of each sample */
 typedef void (*SolverKernel)(const Correspondences& points, const int* const* samples, int count,
                              double (*models)[MAX_MODELS][9], int* found);
 
-//! The solvers that work in lanes, compiled once for each instruction set; all versions return the
-//! same bits.
+//! Minimal solvers for several samples at once, compiled once for each instruction set; all
+//! versions return the same bits.
 namespace lanes {
 
 struct Kernels

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* No include guard: each source file that sets an instruction set includes this once. Nothing with
-external linkage may be instantiated here, because the linker would merge inline functions of other
-headers with those compiled for other instruction sets. */
+/* No include guard: each source file that is compiled for an instruction set includes this file
+once. Nothing with external linkage may be instantiated here, because the linker would merge inline
+functions of other headers with those compiled for other instruction sets. */
 
 #include <cfloat>
 #include <climits>

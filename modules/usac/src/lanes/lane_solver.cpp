@@ -14,7 +14,7 @@ namespace lanes {
 
 Kernels baselineKernels() { return allKernels(); }
 
-//! @param widest allows the widest registers, too, which are slower for few samples
+//! @param widest true: AVX-512 may be used, too, whose registers are slower for few samples
 static Kernels bestKernels(bool widest)
 {
     const InstructionSet instructions = fastestInstructions();
@@ -34,7 +34,7 @@ static Kernels bestKernels(bool widest)
 const Kernels& kernelsFor(int samples)
 {
     static const Kernels few = bestKernels(false), many = bestKernels(true);
-    return samples <= 4 ? few : many;  // as many as the lanes of AVX2
+    return samples <= 4 ? few : many;  // a register of AVX2 has 4 lanes
 }
 
 }  // namespace lanes

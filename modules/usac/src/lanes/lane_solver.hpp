@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! A solver whose samples are solved in the lanes of vector registers; its models are 3x3 matrices.
+//! A minimal solver for 3x3 matrices that solves several samples at once, each in one lane of the
+//! vector registers.
 class LaneSolver : public MinimalSolver
 {
 public:

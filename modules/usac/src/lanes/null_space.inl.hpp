@@ -2,15 +2,16 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* The matrices that satisfy the epipolar constraints of samples. No include guard: compiled once
-for each instruction set by lanes/lane_kernels.inl.hpp. */
+/* Computes the matrices that satisfy the epipolar constraints of the points of a sample, for
+several samples at once. No include guard: compiled once for each instruction set by
+lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-//! The constraints x2^T M x1 = 0 of ROWS points, one sample in each lane; lanes beyond `count`
-//! repeat the last sample. The matrix is stored by columns.
+//! Computes the matrix A of the constraints x2^T M x1 = 0 of ROWS points, one sample in each lane.
+//! Lanes beyond `count` repeat the last sample. A is stored by columns.
 template <int ROWS>
 void epipolarRows(const Correspondences& points, const int* const* samples, int count,
                   Pack (&A)[9][ROWS])
@@ -36,9 +37,9 @@ void epipolarRows(const Correspondences& points, const int* const* samples, int 
 pivot of a row is its largest element @cite golub2013matrix.
 
 @param A columns of the matrix; overwritten
-@param basis output, 9 - ROWS vectors; each has a 1 where the others have a 0
-@return in which lanes the rank is ROWS: all pivots are more than 1e-9 times the largest element.
-*/
+@param basis output, 9 - ROWS vectors; each has a 1 at a position where the other vectors have a 0
+@return the lanes in which the rank is ROWS: all pivots are more than 1e-9 times the largest element
+of A. */
 template <int ROWS>
 Mask nullSpace(Pack (&A)[9][ROWS], Pack (&basis)[9 - ROWS][9])
 {
@@ -57,7 +58,7 @@ Mask nullSpace(Pack (&A)[9][ROWS], Pack (&basis)[9 - ROWS][9])
             best = size > most ? everywhere(j) : best;
             most = largerOf(most, size);
         }
-        full &= most > least;  // false for NaN
+        full &= most > least;  // a lane with NaN does not have full rank
         chosen[k] = best;
         for (int j = k + 1; j < 9; ++j)
             exchange(best == (double)j, 0, A[k], A[j]);
@@ -74,7 +75,7 @@ Mask nullSpace(Pack (&A)[9][ROWS], Pack (&basis)[9 - ROWS][9])
     for (int k = 0; k < 9; ++k)
         for (int v = 0; v < 9 - ROWS; ++v)
             rows[k][v] = k < ROWS ? -A[ROWS + v][k] : everywhere(k == ROWS + v);
-    for (int k = ROWS - 1; k >= 0; --k)  // back to the order of the columns
+    for (int k = ROWS - 1; k >= 0; --k)  // restores the original order of the columns
         for (int j = k + 1; j < 9; ++j)
             exchange(chosen[k] == (double)j, 0, rows[k], rows[j]);
     for (int k = 0; k < 9; ++k)

@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* A register of numbers, one for each of several samples that are solved together (its lanes). No
-include guard: compiled once for each instruction set by lanes/lane_kernels.inl.hpp. No operation
-mixes lanes, so that the result of a sample has the same bits with any number of lanes. */
+/* Pack, a vector register of numbers: each of its lanes holds the number of one of several samples
+that are solved together. No include guard: compiled once for each instruction set by
+lanes/lane_kernels.inl.hpp. No operation mixes lanes, so that the result of a sample has the same
+bits with any number of lanes. */
 
 #if defined __SSE2__
 #include <immintrin.h>
@@ -14,13 +15,13 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-//! For roughCubeRoot(): 2 / 3 of the upper half of the bits of 1, reduced so that the root becomes
-//! 3 % smaller and its error has either sign.
+//! For roughCubeRoot(): 2 / 3 of the upper half of the bits of the number 1, reduced so that the
+//! root becomes 3 % smaller, which makes the largest positive and negative errors about equal.
 constexpr unsigned long long THIRD_OF_ONE = 715094163;
 
 #if defined __GNUC__
 
-//! Lanes of a Pack.
+//! Number of lanes of a Pack.
 #if defined __AVX512F__
 constexpr int WIDTH = 8;
 #elif defined __AVX__
@@ -39,15 +40,16 @@ typedef unsigned long long Bits __attribute__((vector_size(WIDTH * sizeof(double
 
 inline Pack absolute(const Pack& p) { return (Pack)((Bits)p & LLONG_MAX); }
 
-//! Cube root of positive numbers with an error of a few percent. The upper half of the bits is
-//! nearly a logarithm: a third of it, plus two thirds of that of 1, is the upper half of the root.
+//! Cube root of positive numbers with an error of a few percent. The upper 32 bits of a double grow
+//! nearly linearly with its logarithm: a third of them, plus two thirds of the upper bits of the
+//! number 1, are about the upper bits of the cube root.
 inline Pack roughCubeRoot(const Pack& p)
 {
     const Bits third = ((Bits)p >> 32) * 0x55555556 >> 32;
     return (Pack)((third + THIRD_OF_ONE) << 32);
 }
 
-//! Bit k is set if lane k is.
+//! Converts a mask to an integer whose bit k is set if lane k of the mask is set.
 inline int bitsOf(const Mask& mask)
 {
 #if defined __AVX512F__
@@ -73,11 +75,12 @@ public:
     Pack count() const { return (Pack)bits - FIRST; }
 
 private:
-    static constexpr double FIRST = 4503599627370496.;  // 2^52, whose last bit has the value 1
+    // 2^52: the last bit of a double of this size has the value 1, so integer additions count
+    static constexpr double FIRST = 4503599627370496.;
     Bits bits;
 };
 
-#else  // compilers without vectors as a type
+#else  // compilers without vector types: a Pack is a single number
 
 constexpr int WIDTH = 1;
 typedef double Pack;
@@ -112,7 +115,7 @@ private:
 
 #endif
 
-//! One number for each lane.
+//! A Pack with the given number in each lane.
 inline Pack load(const double (&values)[WIDTH])
 {
     Pack result = Pack();
@@ -123,7 +126,7 @@ inline Pack load(const double (&values)[WIDTH])
 
 inline Pack everywhere(double value) { return Pack() + value; }
 
-//! Lane by lane; a NaN in `b` is ignored.
+//! Maximum and minimum in each lane; where `b` is NaN, the result is `a`.
 inline Pack largerOf(const Pack& a, const Pack& b) { return b > a ? b : a; }
 inline Pack smallerOf(const Pack& a, const Pack& b) { return b < a ? b : a; }
 
@@ -152,7 +155,7 @@ inline Pack dot9(const Pack (&a)[9], const Pack (&b)[9])
     return sum;
 }
 
-//! Exchanges the registers first .. COUNT-1 of two rows in the lanes of a mask.
+//! Exchanges the elements first .. COUNT-1 of two arrays in the lanes of a mask.
 template <int COUNT>
 inline void exchange(const Mask& mask, int first, Pack (&a)[COUNT], Pack (&b)[COUNT])
 {

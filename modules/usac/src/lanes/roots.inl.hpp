@@ -2,10 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* Real roots of polynomials of degree 10, one polynomial in each lane. Sturm's theorem isolates the
-roots in about [-1, 1]; the others are inverses of roots of the reversed polynomial. Halley's method
-inside a bracket refines them to double precision @cite press2007numerical. No include guard:
-compiled once for each instruction set by lanes/lane_kernels.inl.hpp. */
+/* Real roots of polynomials of degree 10, one polynomial in each lane of the vector registers.
+Sturm's theorem isolates the roots in about [-1, 1]. The other roots are inverses of roots of the
+reversed polynomial, which has the same coefficients in reverse order. Halley's method inside a
+bracket refines all roots to double precision @cite press2007numerical. No include guard: compiled
+once for each instruction set by lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {
@@ -15,7 +16,7 @@ constexpr int DEGREE = 10;
 
 struct Polynomials
 {
-    //! Horner's scheme.
+    //! The values at x, by Horner's scheme.
     Pack value(const Pack& x) const
     {
         Pack result = c[DEGREE];
@@ -27,13 +28,15 @@ struct Polynomials
     Pack c[DEGREE + 1];  //!< coefficients, the constant term first
 };
 
-/** Sturm's sequence p, p', -(p mod p'), ... Neighbors are linked by f[k-1] = (a x + b) f[k] - s
-f[k+1] with s > 0, so that evaluating the whole sequence at x, from the last element upwards, takes
-three operations per element. */
+/** Sturm's sequence f[0] = p, f[1] = p', f[2] = -(p mod p'), ... Consecutive elements are linked by
+f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0. The sequence is evaluated at x by these links, from
+the last element to the first, with three multiplications per element. */
 struct Sturm
 {
-    /** @return the lanes in which all links exist: they do not where a degree is (nearly) skipped,
-    as for x^10 - 1. A sequence ends early if its last element divides the others up to rounding. */
+    /** Computes the links of the sequences. A sequence ends early if an element divides the
+    elements before it up to rounding errors.
+    @return the lanes in which all links exist; they do not exist if the degree decreases by more
+    than 1 (or nearly so) between two elements, as for x^10 - 1. */
     Mask build(const Polynomials& p)
     {
         Pack f[DEGREE + 1], g[DEGREE + 1];
@@ -74,7 +77,7 @@ struct Sturm
         return regular;
     }
 
-    //! Number of sign changes at x.
+    //! Number of sign changes in the sequence at x.
     Pack changes(const Pack& x) const
     {
         SignChanges result;
@@ -96,8 +99,8 @@ struct Sturm
     }
 
 private:
-    //! The k-th link, between f, of degree `degree`, and g. In lanes whose sequence has ended
-    //! (`open` is false), the link passes values on unchanged.
+    //! Computes the k-th link, between f, of degree `degree`, and the next element g. In lanes
+    //! whose sequence has ended (`open` is false), the link becomes f = g.
     void link(int k, const Pack* f, const Pack* g, int degree, const Mask& open)
     {
         const Pack lead = 1. / g[degree - 1], factor = f[degree] * lead,
@@ -107,22 +110,23 @@ private:
     }
 
     Pack a[DEGREE], b[DEGREE], s[DEGREE];
-    Pack last[DEGREE];  //!< coefficients of the last element
-    bool early;         //!< in some lane the last element is not a constant
+    Pack last[DEGREE];  //!< coefficients of the last element of the sequence
+    bool early;         //!< true if the last element is not a constant in some lane
 };
 
-//! Intervals of equal length between #LOWEST and #HIGHEST, each of which holds at most one root in
-//! most cases.
+//! Number of intervals of equal length between #LOWEST and #HIGHEST. Most of them contain at most
+//! one root.
 constexpr int CELLS = 8;
-//! Maximum number of halvings of an interval that holds several roots.
+//! Maximum number of halvings of an interval that contains several roots.
 constexpr int HALVINGS = 37;
 
+//! Lower end of the interval with this index; for #CELLS, the upper end of the last interval.
 inline double boundOf(int cell)
 {
     return cell == CELLS ? HIGHEST : LOWEST + cell * ((HIGHEST - LOWEST) / CELLS);
 }
 
-//! Intervals (low, high] with one root each, in which the polynomial changes its sign.
+//! Brackets: intervals (low, high] with one root each, in which the polynomial changes its sign.
 struct Brackets
 {
     enum { PER_LANE = 2 * DEGREE, MOST = PER_LANE * WIDTH };
@@ -135,7 +139,7 @@ struct Brackets
 
     void add(int part, int k, double from, double to, double atFrom, double atTo)
     {
-        if (ofLane[k] == PER_LANE)  // only if rounding has spoiled the sequence
+        if (ofLane[k] == PER_LANE)  // possible only if rounding errors make the sequence invalid
             return;
         ++ofLane[k];
         reversed[count] = part;
@@ -147,12 +151,16 @@ struct Brackets
     }
 
     int count, ofLane[WIDTH];
-    int reversed[MOST], lanes[MOST];  //!< polynomial of the bracket: 1 if it is reversed; its lane
+    //! The polynomial of a bracket: `reversed` is 1 for a reversed polynomial, else 0; `lanes` is
+    //! its lane.
+    int reversed[MOST], lanes[MOST];
+    //! The ends of a bracket, and the values of the polynomial there.
     double low[MOST], high[MOST], atLow[MOST], atHigh[MOST];
-    double roots[MOST];  //!< output of refine()
+    double roots[MOST];  //!< output of Isolation::refine()
 };
 
-//! Polynomials and reversed polynomials with their sequences.
+//! The polynomials (index 0) and the reversed polynomials (index 1) with their Sturm sequences, and
+//! brackets of their roots. `part` is one of these indices.
 struct Isolation
 {
     Polynomials p[2];
@@ -160,7 +168,8 @@ struct Isolation
     Brackets brackets;
 
     //! Adds brackets of the roots of lane k in (low, high]. The number of roots is fromLow -
-    //! fromHigh, the difference of the sign changes at the two ends.
+    //! fromHigh, the difference of the numbers of sign changes at the two ends. At most `depth`
+    //! halvings.
     void split(int part, int k, double low, double high, double fromLow, double fromHigh, int depth)
     {
         if (!(fromLow > fromHigh))
@@ -170,7 +179,7 @@ struct Isolation
         const double middle = 0.5 * (low + high);
         if (fromLow - fromHigh == 1 && (atLow < 0) != (atHigh < 0))
             brackets.add(part, k, low, high, atLow, atHigh);
-        else if (depth == 0)  // a multiple root, or a cluster too narrow to distinguish from one
+        else if (depth == 0)  // a multiple root, or several roots that are nearly equal
             brackets.add(part, k, middle, middle, atLow, atHigh);
         else
         {
@@ -180,7 +189,7 @@ struct Isolation
         }
     }
 
-    //! The same for all lanes of `wanted`, in (LOWEST, HIGHEST].
+    //! Adds brackets of the roots in (LOWEST, HIGHEST] for all lanes of `wanted`, a bit for each.
     void isolate(int part, int wanted)
     {
         Pack from[CELLS + 1], at[CELLS + 1];
@@ -207,14 +216,16 @@ struct Isolation
         }
     }
 
-    //! Refines the roots of all brackets.
+    //! Computes the roots in all brackets.
     void refine();
 };
 
-//! Halley's method inside brackets, with bisection where a step leaves the bracket.
+//! Refines one root in each lane by Halley's method, with bisection where a step leaves the
+//! bracket.
 struct Refinement
 {
-    //! @param all, i lane k refines the bracket i[k] of `all`
+    //! @param all polynomials and brackets
+    //! @param i lane k refines the root in the bracket i[k]
     void begin(const Isolation& all, const int (&i)[WIDTH])
     {
         const Brackets& brackets = all.brackets;
@@ -234,7 +245,7 @@ struct Refinement
         low = load(numbers[DEGREE + 1]);
         high = load(numbers[DEGREE + 2]);
         atLow = load(numbers[DEGREE + 3]);
-        // where the chord crosses zero, or in the middle
+        // start where the chord between the ends crosses zero, or else in the middle
         const Pack chord = low - atLow / (load(numbers[DEGREE + 4]) - atLow) * (high - low);
         x = ((chord > low) & (chord < high)) ? chord : 0.5 * (low + high);
         active = low == low;
@@ -264,7 +275,7 @@ struct Refinement
 
 void Isolation::refine()
 {
-    enum { PACKS = 2 };  // registers at a time, which hides the latency of the operations
+    enum { PACKS = 2 };  // registers that are processed together, to hide the latency of operations
     for (int first = 0; first < brackets.count; first += PACKS * WIDTH)
     {
         Refinement r[PACKS];
@@ -301,13 +312,15 @@ void Isolation::refine()
     }
 }
 
-//! Real roots of the polynomials; the roots of lane k are in the first count[k] elements of `at`.
+//! Real roots of the polynomials. Lane k has count[k] roots, which are in lane k of the first
+//! elements of `at`.
 struct Roots
 {
     int count[WIDTH];
     Pack at[MAX_MODELS];
 
-    //! @param coefficients of the polynomials, the constant first
+    //! Computes the roots.
+    //! @param coefficients coefficients of the polynomials, the constant first
     //! @param wanted lanes to solve, a bit for each; the other lanes get no roots
     void find(const Pack (&coefficients)[DEGREE + 1], int wanted)
     {
@@ -324,7 +337,7 @@ struct Roots
             all.p[0].c[i] = all.p[1].c[DEGREE - i] = coefficients[i] * inverse;
         for (int part = 0; part < 2; ++part)
         {
-            // else the degree is lower than the sequence assumes
+            // where `full` is false, the degree is lower than the Sturm sequence assumes
             const Mask full = absolute(all.p[part].c[DEGREE]) > 1e-14;
             const int regular = wanted & bitsOf(full & all.sturm[part].build(all.p[part]));
             all.isolate(part, regular);
@@ -338,7 +351,10 @@ struct Roots
     }
 
 private:
-    //! @param part 0: `near` is a root; 1: 1 / `near` is a root, left out where part 0 finds it
+    //! Adds a root to lane k.
+    //! @param part 0: `near` is the root; 1: 1 / `near` is the root
+    //! @param near root of the polynomial or of the reversed polynomial. A root 1 / `near` within
+    //! the bounds of part 0 is not added, because part 0 finds it, too.
     void add(int part, int k, double near)
     {
         const double root = part == 0 ? near : 1 / near;

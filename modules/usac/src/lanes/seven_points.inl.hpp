@@ -3,10 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* The seven-point solver @cite hartley2003multiple for several samples at once. The epipolar
-constraints leave F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated points lower
-the rank of the constraints, so that the sample is degenerate. Collinear points fit l2 l1^T, which
-has rank 1 and is no epipolar geometry. No include guard: compiled once for each instruction set by
-lanes/lane_kernels.inl.hpp. */
+constraints are satisfied by all F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t).
+Repeated points lower the rank of the constraints, so that the sample is degenerate. If the points
+are collinear, on lines l1 and l2, one solution is l2 l1^T, which has rank 1 and is no fundamental
+matrix. No include guard: compiled once for each instruction set by lanes/lane_kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {
@@ -15,6 +15,7 @@ namespace {
 //! Real roots of cubic polynomials, one in each lane.
 struct CubicRoots
 {
+    //! Computes `at` and `lanes`.
     //! @param c coefficients, the constant first
     //! @param wanted lanes to solve, a bit for each; the other lanes get no roots
     void find(const Pack (&c)[4], int wanted)
@@ -28,12 +29,13 @@ struct CubicRoots
         const Pack shift = a / 3.;
         const Pack first = R > 0. ? -outermost(Q, absolute(R), excess)
                                   : outermost(Q, absolute(R), excess);
-        // the other two, if real, from the quotient t^2 + first t + first^2 - 3 Q
+        // the other two roots, if they are real, are those of t^2 + first t + first^2 - 3 Q, the
+        // cubic divided by t - first
         const Pack half = 0.5 * squareRoot(largerOf(Pack(), 12. * Q - 3. * first * first));
         at[0] = polish(a, b, d, first - shift);
         at[1] = polish(a, b, d, -0.5 * first + half - shift);
         at[2] = polish(a, b, d, -0.5 * first - half - shift);
-        // a root at infinity, or a multiple one
+        // lanes whose cubic may have a root near infinity or a multiple root
         const int special = wanted & ~(bitsOf(absolute(c[3]) > 1e-3 * largest) &
                                        bitsOf(absolute(excess) > 1e-13 * R * R));
         lanes[0] = wanted & ~special;
@@ -43,14 +45,14 @@ struct CubicRoots
                 findOne(c, k);
     }
 
-    Pack at[3];
-    int lanes[3];  //!< the lanes that have each root, a bit for each
+    Pack at[3];    //!< first, second and third root
+    int lanes[3];  //!< lanes in which this root exists, a bit for each
 
 private:
-    /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: a start with an error of a few
-    thousandths, and two steps of Halley's method. If there are three roots (excess W^2 - Q^3 < 0),
-    this one grows nearly linearly in W, from sqrt(3 Q) to 2 sqrt(Q); else Cardano's formula gives
-    the start. */
+    /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: an approximation with an error of a few
+    thousandths is refined by two steps of Halley's method. If there are three real roots (excess
+    W^2 - Q^3 < 0), the largest root grows nearly linearly with W, from sqrt(3 Q) to 2 sqrt(Q), and
+    is approximated by this line; else Cardano's formula gives the approximation. */
     static Pack outermost(const Pack& Q, const Pack& W, const Pack& excess)
     {
         const double ROOT3 = 1.7320508075688772;
@@ -69,8 +71,8 @@ private:
         return u;
     }
 
-    //! Two Newton steps towards a root of x^3 + a x^2 + b x + d, where they reduce the absolute
-    //! value of the polynomial.
+    //! Two Newton steps towards a root of x^3 + a x^2 + b x + d. In each lane, a step is only taken
+    //! if it reduces the absolute value of the polynomial.
     static Pack polish(const Pack& a, const Pack& b, const Pack& d, Pack x)
     {
         Pack value = ((x + a) * x + b) * x + d;
@@ -100,7 +102,8 @@ private:
     }
 };
 
-//! Appends the matrices of the lanes `wanted`, normalized, to the models of the samples.
+//! Scales F in the lanes `wanted` to unit norm and appends it to the models of these samples,
+//! except where its rank is 1 or it is not finite.
 void addFundamental(Pack (&F)[9], int wanted, double (*models)[MAX_MODELS][9], int* found)
 {
     const Pack squares = dot9(F, F), inverse = 1. / squareRoot(squares);
@@ -108,7 +111,7 @@ void addFundamental(Pack (&F)[9], int wanted, double (*models)[MAX_MODELS][9], i
     for (int i = 0; i < 9; ++i)
         F[i] *= inverse;
     Pack c[9];
-    cofactors(F, c);  // their norm is the product of the singular values
+    cofactors(F, c);  // as det F = 0, their norm is the product of the two nonzero singular values
     wanted &= bitsOf(dot9(c, c) > LEAST_RATIO * LEAST_RATIO);
     for (int k = 0; k < WIDTH; ++k)
         if (wanted >> k & 1)
@@ -119,7 +122,7 @@ void addFundamental(Pack (&F)[9], int wanted, double (*models)[MAX_MODELS][9], i
         }
 }
 
-//! Solves up to WIDTH samples.
+//! Solves `count` samples, at most WIDTH.
 void solveSeven(const Correspondences& points, const int* const* samples, int count,
                 double (*models)[MAX_MODELS][9], int* found)
 {
@@ -130,8 +133,8 @@ void solveSeven(const Correspondences& points, const int* const* samples, int co
     cofactors(F[0], c1);
     cofactors(F[1], c2);
     Pack cubic[4] = {dot9(c2, F[1]) / 3., dot9(c2, F[0]), dot9(c1, F[1]), dot9(c1, F[0]) / 3.};
-    // s / t or t / s: the ratio whose cubic has the larger leading coefficient, so that no root is
-    // at infinity
+    // the unknown is s / t or t / s: the ratio whose cubic has the larger leading coefficient, so
+    // that no root is at infinity
     const Mask other = absolute(cubic[0]) > absolute(cubic[3]);
     exchange(other, 0, F[0], F[1]);
     const Pack turned[4] = {cubic[3], cubic[2], cubic[1], cubic[0]};

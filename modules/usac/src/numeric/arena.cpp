@@ -27,16 +27,16 @@ namespace usacv20 {
 namespace {
 
 constexpr int ALIGNMENT = 64;
-/** Smallest and largest size of a block in bytes; a block for a single larger array exceeds
-LARGEST. When a Usac is destroyed, glibc returns its memory to the system, and the page faults of
-the next Usac, one for each page that it writes to, take a quarter of the time of a call. glibc
-keeps the memory if a separately mapped block (128 kB to 32 MB) was freed before and at most twice
-its size is free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Between them sizes
-double, so that calls with slightly different numbers of points use the same size. Untouched pages
-cost nothing. */
+/** Smallest and largest size of a block in bytes; only a block for a single larger array exceeds
+LARGEST. If glibc returns the memory of a destroyed Usac to the system, the next Usac causes a page
+fault for each page that it writes to, which takes a quarter of the time of a call. glibc keeps the
+memory if a separately mapped block (128 kB to 32 MB) was freed before and at most twice its size is
+free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Block sizes are SMALLEST times
+a power of 2, so that calls with slightly different numbers of points use the same size. Pages that
+are never written to cost no time. */
 constexpr size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
 
-//! Size of a block that has room for `bytes`.
+//! Size of a block that can hold `bytes`.
 size_t blockSize(size_t bytes)
 {
     size_t size = SMALLEST;
@@ -56,8 +56,8 @@ struct Arena::Block
     Block* next;
     char *begin, *end;
     char* kept;  //!< clear() frees only the memory from here on
-    char* low;   //!< end of what has been taken from the low end
-    char* high;  //!< start of what has been taken from the high end
+    char* low;   //!< end of the memory taken from the low end
+    char* high;  //!< start of the memory taken from the high end
 
     size_t room() const { return (size_t)(high - low); }
 };
@@ -81,7 +81,7 @@ void Arena::release()
     top = 0;
 }
 
-//! Appends a block of at least `bytes`, and of at least min(capacity(), LARGEST).
+//! Appends a block of at least `bytes` and at least min(capacity(), LARGEST) bytes.
 Arena::Block* Arena::add(size_t bytes)
 {
     const size_t header = rounded(sizeof(Block)),
@@ -115,7 +115,7 @@ void* Arena::low(size_t bytes)
     return taken;
 }
 
-//! Memory at the high end is in use in `top` and the blocks before it only.
+//! Memory at the high end is only in use in the block `top` and in the blocks before it.
 void* Arena::high(size_t bytes)
 {
     const size_t size = sizeOf(bytes);

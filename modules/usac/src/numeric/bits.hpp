@@ -14,7 +14,7 @@ namespace usacv20 {
 //! Number of bits of a word.
 constexpr int WORD_BITS = 64;
 
-//! Number of 1 bits of a word, summed in parallel in fields of 2, 4 and 8 bits.
+//! Number of bits of a word that are 1, summed in parallel in fields of 2, 4 and 8 bits.
 inline int ones(uint64 word)
 {
     word -= (word >> 1) & 0x5555555555555555ULL;
@@ -22,7 +22,7 @@ inline int ones(uint64 word)
     return (int)((((word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fULL) * 0x0101010101010101ULL) >> 56);
 }
 
-//! Index of the lowest 1 bit of a word other than 0.
+//! Index of the lowest bit that is 1; the word must not be 0.
 inline int lowestOne(uint64 word)
 {
 #ifdef __GNUC__
@@ -32,9 +32,9 @@ inline int lowestOne(uint64 word)
 #endif
 }
 
-/** A word whose bit i is 1 if errors[i] <= limit, for at most #WORD_BITS errors; NaN gives 0.
-Compilers vectorize the comparison; a multiplication then gathers the flags of eight bytes in the
-highest byte. */
+/** A word whose bit i is 1 if errors[i] <= limit, and 0 if not or if errors[i] is NaN; `count` is
+at most #WORD_BITS. Compilers vectorize the comparison; a multiplication then gathers the flags of
+eight bytes in the highest byte. */
 inline uint64 within(const float* errors, int count, float limit)
 {
 #if defined __BYTE_ORDER__ && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
@@ -45,7 +45,7 @@ inline uint64 within(const float* errors, int count, float limit)
     uchar flags[WORD_BITS];
     if (count < WORD_BITS)
         std::memset(flags, 0, WORD_BITS);
-    if (count == WORD_BITS)  // constant trip count, for vectorization
+    if (count == WORD_BITS)  // compilers vectorize this loop, because its length is constant
     {
         USAC_SIMD
         for (int i = 0; i < WORD_BITS; ++i)

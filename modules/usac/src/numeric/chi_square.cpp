@@ -9,8 +9,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Fraction of the inliers with noise sigma_max whose errors are within the threshold, as in
-//! @cite barath2019magsac.
+//! Fraction of the inliers whose errors are within the threshold if the standard deviation of their
+//! noise is sigma_max, as in @cite barath2019magsac.
 constexpr double QUANTILE = 0.99;
 
 double chiSquareDistribution(double x, double degrees)
@@ -18,7 +18,7 @@ double chiSquareDistribution(double x, double degrees)
     return lowerGamma(0.5 * degrees, 0.5 * x) / gammaFunction(0.5 * degrees);
 }
 
-//! By bisection, until the bounds are adjacent doubles.
+//! Computes the quantile by bisection, until the bounds are adjacent doubles.
 double chiSquareQuantile(double p, double degrees)
 {
     CV_Assert(p >= 0 && p < 1 && degrees > 0);

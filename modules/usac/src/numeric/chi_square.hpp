@@ -11,15 +11,17 @@ namespace cv {
 namespace usacv20 {
 
 /** Probability that the squared error of an inlier, in units of the variance, is at most x.
-@param degrees degrees of freedom of the error; any positive number, as Satterthwaite's
-approximation of the distribution of a sum of squares with different variances has it */
+@param x squared error divided by the variance
+@param degrees degrees of freedom of the error, any positive number; in Satterthwaite's
+approximation of a sum of squares with different variances, it is not an integer */
 double chiSquareDistribution(double x, double degrees);
-//! The x at which chiSquareDistribution is p; 0 <= p < 1.
+//! The x for which chiSquareDistribution(x, degrees) is p; 0 <= p < 1.
 double chiSquareQuantile(double p, double degrees);
 
-/** The threshold in units of the largest standard deviation of the noise, sigma_max: the square
-root of the 0.99 quantile, as in @cite barath2019magsac. Params::threshold thus defines sigma_max,
-and losses that are marginalized over noise levels up to sigma_max end at the threshold. */
+/** The threshold divided by the largest standard deviation of the noise, sigma_max: the square root
+of the 0.99 quantile of the chi-square distribution, as in @cite barath2019magsac. The search
+threshold thus defines sigma_max, and losses that are marginalized over noise levels up to sigma_max
+are constant beyond the threshold. */
 double thresholdInSigmas(int degrees);
 
 }  // namespace usacv20

@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-constexpr int MAX_TERMS = 1000;  // a guard; a few dozen terms are needed
+constexpr int MAX_TERMS = 1000;  // ends every loop; in practice, a few dozen terms are enough
 
 //! x^a exp(-x) times the sum of x^n / (a (a+1) .. (a+n)).
 double lowerSeries(double a, double x)
@@ -36,8 +36,8 @@ double exponentialSeries(double x)
     return sum;
 }
 
-//! x^a exp(-x) / (x+1-a - 1(1-a) / (x+3-a - 2(2-a) / (x+5-a - ...))), evaluated from the front by
-//! Lentz's method.
+//! x^a exp(-x) / (x+1-a - 1(1-a) / (x+3-a - 2(2-a) / (x+5-a - ...))), a continued fraction that is
+//! evaluated from the first term on by Lentz's method.
 double upperFraction(double a, double x)
 {
     double b = x + 1 - a, c = 1 / DBL_MIN, d = 1 / b, h = d;

@@ -9,9 +9,10 @@ namespace cv {
 namespace usacv20 {
 
 /* Incomplete gamma functions, by power series for x < a + 1 and by continued fractions for larger x
-@cite press2007numerical; relative error about 1e-14. */
+@cite press2007numerical. The relative error is about 1e-14. */
 
-//! The gamma function, a > 0. Not std::tgamma, whose last bit differs between versions of glibc.
+//! The gamma function, a > 0. std::tgamma is not used, because the last bit of its result differs
+//! between versions of glibc.
 double gammaFunction(double a);
 //! Integral of t^(a-1) exp(-t) over 0 .. x; a > 0, x >= 0.
 double lowerGamma(double a, double x);

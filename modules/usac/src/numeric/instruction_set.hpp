@@ -11,8 +11,8 @@
 #define USAC_RESTRICT __restrict__
 #endif
 
-//! Keeps compilers from unrolling a short loop before they can vectorize it. Needs -fopenmp-simd,
-//! but not OpenMP.
+//! Written before a short loop: keeps GCC and Clang from unrolling it instead of vectorizing it.
+//! Needs the compiler option -fopenmp-simd, but not the OpenMP library.
 #if defined __GNUC__
 #define USAC_SIMD _Pragma("omp simd")
 #else
@@ -22,10 +22,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! Instruction sets for which some files are compiled, see usac_options.cmake.
+//! Instruction sets for which some source files are compiled, see usac_options.cmake.
 enum InstructionSet { INSTRUCTIONS_BASELINE, INSTRUCTIONS_AVX2, INSTRUCTIONS_AVX512 };
 
-//! The fastest set that compiler and processor support and OPENCV_CPU_DISABLE permits.
+//! The fastest instruction set that compiler and processor support and that the environment
+//! variable OPENCV_CPU_DISABLE does not exclude.
 InstructionSet fastestInstructions();
 
 }  // namespace usacv20

@@ -28,8 +28,8 @@ struct Polynomial
     }
 };
 
-//! The root in (low, high], where the polynomial changes sign: Newton's method, with bisection
-//! where a step leaves the bracket.
+//! The root in (low, high], where the polynomial changes sign; `atLow` is its value at `low`. Uses
+//! Newton's method, or bisection where a Newton step leaves the bracket.
 double refine(const Polynomial& p, double low, double high, double atLow)
 {
     double x = 0.5 * (low + high);
@@ -52,8 +52,8 @@ double refine(const Polynomial& p, double low, double high, double atLow)
     return x;
 }
 
-//! The roots in (LOWEST, HIGHEST], bracketed by the roots of the derivative. Slower than Sturm's
-//! sequence, but this works for every polynomial.
+//! The roots in (LOWEST, HIGHEST], bracketed by the roots of the derivative. This recursion is
+//! slower than Sturm's sequence, but works for every polynomial. @return number of roots
 int betweenExtrema(const Polynomial& p, double* roots)
 {
     if (p.degree <= 1)
@@ -75,7 +75,7 @@ int betweenExtrema(const Polynomial& p, double* roots)
         p.evaluate(bounds[k], here, slope);
         if (k <= extrema && std::abs(here) <= 1e-15)
         {
-            roots[count++] = bounds[k];  // a multiple root
+            roots[count++] = bounds[k];  // an extremum where the polynomial is 0: a multiple root
             here = 0;
         }
         else if (before != 0 && (before < 0) != (here < 0))
@@ -84,7 +84,8 @@ int betweenExtrema(const Polynomial& p, double* roots)
     return count;
 }
 
-//! One Newton step towards a root, if it reduces the absolute value of the polynomial.
+//! The result of one Newton step from x, or x itself if the step does not reduce the absolute value
+//! of the polynomial.
 double polish(const Polynomial& p, double x)
 {
     double value, slope, newValue, newSlope;
@@ -122,7 +123,7 @@ int cubicRoots(const double* c, double* roots)
     }
     for (int i = 0; i < count; ++i)
         roots[i] = polish(p, polish(p, roots[i]));
-    return std::abs(roots[0]) <= DBL_MAX ? count : 0;  // 0 if a coefficient is NaN
+    return std::abs(roots[0]) <= DBL_MAX ? count : 0;  // no roots if a coefficient is NaN
 }
 
 }  // namespace

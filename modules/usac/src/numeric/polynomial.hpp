@@ -11,11 +11,11 @@ namespace usacv20 {
 //! Highest degree that #realRoots accepts.
 constexpr int MAX_DEGREE = 10;
 
-/** @brief Real roots of a polynomial, in no particular order, each once.
+/** @brief Real roots of a polynomial, in no particular order; a multiple root is listed once.
 
-Roots in (#LOWEST, #HIGHEST], about -1 to 1, are isolated by the roots of the derivative; the others
-are inverses of roots of the reversed polynomial. Newton's method inside a bracket refines all to
-double precision. A cubic is solved in closed form.
+Roots in (#LOWEST, #HIGHEST], about -1 to 1, are isolated by the roots of the derivative; the other
+roots are inverses of roots of the polynomial with reversed coefficients. Newton's method inside a
+bracket refines all roots to double precision. A cubic is solved in closed form.
 @param coefficients degree + 1 numbers, the constant term first
 @param degree at most #MAX_DEGREE
 @param roots output, at most `degree`
@@ -23,11 +23,13 @@ double precision. A cubic is solved in closed form.
 @cite press2007numerical */
 int realRoots(const double* coefficients, int degree, double* roots);
 
-//! Roots outside these bounds are found by the reversed polynomial. Not -1 and 1, which are likely
-//! roots, as Sturm's theorem does not count a root at the lower end of an interval.
+//! Roots outside these bounds are found by the polynomial with reversed coefficients. The bounds
+//! are not -1 and 1, because these are likely roots, and Sturm's theorem does not count a root at
+//! the lower end of an interval.
 constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 
 //! The roots in (#LOWEST, #HIGHEST] of a polynomial whose largest absolute coefficient is 1.
+//! @return number of roots
 int rootsNearZero(const double* coefficients, int degree, double* roots);
 
 }  // namespace usacv20

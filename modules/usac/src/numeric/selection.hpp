@@ -11,7 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Of an even number of values, the upper median; `count` > 0. Reorders the values.
+//! The median of `count` > 0 values; if `count` is even, the larger of the two middle values.
+//! Reorders the values.
 template <class T>
 T median(T* values, int count)
 {
@@ -19,8 +20,9 @@ T median(T* values, int count)
     return values[count / 2];
 }
 
-/** Moves `count` random items out of `size` to the front: a partial Fisher-Yates shuffle.
-@param exchange swaps the items at two indices */
+/** Moves `count` random items of a list of `size` items to its front: a partial Fisher-Yates
+shuffle. If `count` is not less than `size`, nothing is moved.
+@param exchange function that swaps the items at two indices */
 template <class Exchange>
 void randomPart(int size, int count, Rng& rng, const Exchange& exchange)
 {

@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Above this number log(n!) is computed by Stirling's series. The first omitted term is below
-//! 1 / (1188 n^9), 1.3e-14.
+//! For n above this number, log(n!) is computed by Stirling's series. The first omitted term is
+//! below 1 / (1188 n^9), which is at most 2.2e-14.
 constexpr double LARGE = 15;
 
-//! log(n!) minus Stirling's formula, n > LARGE.
+//! log(n!) minus Stirling's formula, by a series; n > LARGE.
 double stirlingSeries(double n)
 {
     const double r = 1 / (n * n);
@@ -55,10 +55,11 @@ double binomial(double k, double n, double p)
     return std::exp(exponent) * std::sqrt(n / (2 * CV_PI * k * (n - k)));
 }
 
-/** Upper tail of a distribution on 0 .. n.
-@param upper true: the sum of the terms k, k + 1, ...; false: 1 minus the sum of k, k - 1, ...
+/** Upper tail of a distribution on 0 .. n, given by its probabilities ("terms").
+@param upper true: the sum of the terms k, k + 1, ...; false: 1 minus the sum of the terms k, k - 1,
+...
 @param term the term k
-@param ratio ratio(k): the next term in the direction of the sum, divided by the term k */
+@param ratio ratio(k) is the next term in the direction of the sum, divided by the term k */
 template <class Ratio>
 double sumOfTerms(bool upper, double k, double n, double term, const Ratio& ratio)
 {
@@ -73,7 +74,7 @@ double sumOfTerms(bool upper, double k, double n, double term, const Ratio& rati
 
 }  // namespace
 
-//! Not by std::lgamma, which writes to a global variable in some C libraries.
+//! std::lgamma is not used, because it writes to a global variable in some C libraries.
 double logFactorial(double n)
 {
     if (n <= LARGE)

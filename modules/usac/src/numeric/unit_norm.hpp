@@ -8,7 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Frobenius norm, summed in the order of cv::norm in OpenCV 4; the order in OpenCV 5 differs.
+//! Frobenius norm, summed in the order of cv::norm in OpenCV 4. OpenCV 5 uses another order, which
+//! would change the last bits of the result.
 inline double frobeniusNorm(const Matx33d& m)
 {
     const double* const v = m.val;
@@ -20,7 +21,7 @@ inline double frobeniusNorm(const Matx33d& m)
 //! A matrix other than zero, scaled to unit Frobenius norm.
 inline Matx33d ofUnitNorm(const Matx33d& m) { return m * (1 / frobeniusNorm(m)); }
 
-//! Scales a model to unit Frobenius norm. False if it is zero or not finite.
+//! Scales a model to unit Frobenius norm. @return false if it is zero or not finite
 inline bool toUnitNorm(Matx33d& model)
 {
     const double size = frobeniusNorm(model);

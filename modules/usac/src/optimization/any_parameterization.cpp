@@ -11,8 +11,9 @@ namespace usacv20 {
 
 namespace {
 
-//! Of several diagonal entries of the projection that differ by at most this part, the first is the
-//! pivot: those of symmetric models (no rotation) are the same but for rounding.
+//! Diagonal entries of the projection matrix that differ by at most this fraction count as equal,
+//! and the first of them is the pivot. Symmetric models (no rotation) have entries that are equal
+//! except for rounding errors, which would make the choice of the pivot arbitrary.
 constexpr double TIED = 1e-6;
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! A Parameterization around a model, in the form that LeastSquaresSolver works with.
+//! A Parameterization around a fixed model, in the form that LeastSquaresSolver uses.
 class AnyParameterization
 {
 public:
@@ -25,7 +25,7 @@ public:
                           MAX_MODEL_SIZE>
         Basis;
 
-    //! Makes the parameterization around a model.
+    //! Function object that creates the parameterization around a model.
     struct Around
     {
         explicit Around(const Ptr<Parameterization>& rule_) : rule(rule_) {}
@@ -65,8 +65,8 @@ private:
     Basis basis;
 };
 
-/** @brief The Parameterization of a built-in problem, whose class `Here` is a parameterization
-around one model with sizes that are known to the compiler. */
+/** @brief The Parameterization of a built-in problem. Its class `Here` is the parameterization
+around a fixed model, with sizes that are known at compile time. */
 template <class Here, class Around = AroundModel<Here>>
 class BuiltInParameterization : public Parameterization
 {
@@ -94,10 +94,12 @@ private:
     const Around around;
 };
 
-/** @brief The derivatives of the entries of a model by the parameters of Report::covariance: those
-of the parameterization. If its basis of the tangent space depends on how rounding turns singular
-vectors (Parameterization::smooth is false), it is replaced by an orthonormal one that depends on
-the tangent space alone: the rows of the pivoted Cholesky decomposition of the projection onto it.
+/** @brief The derivatives of the entries of a model by the parameters of Report::covariance. They
+are those of the parameterization (Parameterization::tangent), except if its basis of the tangent
+space depends on singular vectors, which rounding errors may rotate (Parameterization::smooth is
+false). It is then replaced by an orthonormal basis that depends only on the tangent space: the rows
+of the pivoted Cholesky decomposition of the matrix of the projection onto this space.
+@param rule the parameterization
 @param model as Parameterization::plus returns it
 @param basis output, Model::size() x Parameterization::dimension()
 @return false if the model is degenerate */

@@ -11,14 +11,15 @@
 namespace cv {
 namespace usacv20 {
 
-/** The rotation R that is closest to a matrix M in the Frobenius norm and has the largest trace of
-R^T M, by the singular value decomposition. All members are NaN if M is not finite. */
+/** The rotation R that is closest to a matrix M in the Frobenius norm, by the singular value
+decomposition; this is also the R with the largest trace of R^T M. All members are NaN if M is not
+finite. */
 struct ClosestRotation
 {
     explicit ClosestRotation(const Eigen::Matrix3d& M)
     {
         const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // leaves U and V undefined if M is not finite
+#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // these versions leave U and V undefined if M is not finite
         const bool solved = svd.info() == Eigen::Success;
 #else
         const bool solved = M.allFinite();
@@ -41,8 +42,8 @@ struct ClosestRotation
     }
 
     Eigen::Matrix3d rotation;
-    double scale;                    //!< scale times R is closest to M: trace of R^T M, over 3
-    Eigen::Vector3d singularValues;  //!< of M, largest first
+    double scale;                    //!< factor s for which s R is closest to M: trace(R^T M) / 3
+    Eigen::Vector3d singularValues;  //!< singular values of M, largest first
 };
 
 }  // namespace usacv20

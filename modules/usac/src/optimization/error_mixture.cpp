@@ -11,12 +11,13 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving and doubling each constant: doc/constants.md.
+// The effects of halving and doubling each constant are in doc/constants.md.
 
-//! Badly located inliers have TAIL times the noise of the others, and are at most LARGEST_TAIL of
-//! all inliers.
+//! Inliers in the tail have TAIL times the standard deviation of the other inliers, and are at most
+//! the fraction LARGEST_TAIL of all inliers.
 constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
-//! Steps of the bisection of a quantile: 2^-30 of the largest one remains.
+//! Number of halvings of the interval that contains a quantile; its length is then 2^-30 of the
+//! largest possible quantile.
 constexpr int BISECTIONS = 30;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
@@ -41,7 +42,7 @@ ErrorHistogram::ErrorHistogram(const float* squaredErrors, int count, double uni
     for (int i = 0; i < count && size < most; ++i)
     {
         const double square = squaredErrors[i] * scale;
-        if (!(square <= limit))  // or NaN
+        if (!(square <= limit))  // true for NaN, too
             continue;
         const int bin = std::min((int)(std::sqrt(square) * (int)BINS / window), BINS - 1);
         squares[bin] += square;

@@ -8,56 +8,61 @@
 namespace cv {
 namespace usacv20 {
 
-//! Density of e^degrees at 0, where e is the error of an inlier with `degrees` degrees of freedom.
+//! Probability density of e^degrees at 0, where e is the length of the error of an inlier with
+//! `degrees` degrees of freedom, 1 to 3.
+//! @param variance variance of each component of the error
 double inlierPeak(double variance, int degrees);
 
-//! The errors within a window, in bins of equal width, each represented by the mean square of its
-//! errors.
+//! Histogram of the errors up to a limit, the window. The bins have equal width; each has the
+//! number of its errors (members) and their mean square.
 struct ErrorHistogram
 {
     //! Number of bins. Halving or doubling it does not change the accuracy.
     enum { BINS = 48 };
 
     /** @param squaredErrors, count squared errors of points in random order; NaN is left out
-    @param unit of the histogram, not squared
-    @param window_ largest error, in units
-    @param most use only the first `most` errors within the window */
+    @param unit unit of errors in the histogram, not squared
+    @param window_ largest error that is used, in this unit
+    @param most only the first `most` errors within the window are used */
     ErrorHistogram(const float* squaredErrors, int count, double unit, int window_, int most);
 
-    int members[BINS], size;
-    double squares[BINS];  //!< mean squared error of the members, in squared units
+    int members[BINS], size;  //!< number of errors in each bin, and in all bins
+    double squares[BINS];     //!< mean squared error in each bin, in squared units
     const int window;
 };
 
 /** @brief Inliers and wrong matches in a histogram of errors, separated by the EM algorithm
 @cite torr2000mlesac.
 
-The errors of inliers are half-normal for one degree of freedom, have Rayleigh's distribution for
-two, Maxwell's for three; wrong matches are uniform on a line, in the plane, in space. A part of the
-inliers may have #TAIL times the noise of the others: keypoints on photographs that are badly
-located. */
+The errors of inliers have a half-normal distribution for one degree of freedom, Rayleigh's for two
+and Maxwell's for three; those of wrong matches are uniform on a line, in the plane or in space. A
+part of the inliers, the tail, may have #TAIL times the noise of the others, because keypoints on
+photographs are sometimes badly located. */
 class ErrorMixture
 {
 public:
-    //! @param degrees degrees of freedom of an error, 1 to 3
-    //! @param variance, inliers, tail values to begin with; without a tail (0) there is none later
+    //! @param degrees_ degrees of freedom of an error, 1 to 3
+    //! @param variance_, inliers_, tail_ initial values: variance in squared units, inlier ratio,
+    //! and fraction of the inliers that are in the tail. If tail_ is 0, it stays 0.
     ErrorMixture(int degrees_, double variance_, double inliers_, double tail_)
         : degrees(degrees_), variance(variance_), inliers(inliers_), tail(tail_)
     {}
 
-    //! Takes steps of the EM algorithm.
+    //! Takes `steps` steps of the EM algorithm.
     void fit(const ErrorHistogram& errors, int steps);
-    //! Standard deviation of the noise of the inliers that are not in the tail, in units.
+    //! Standard deviation of the noise of the inliers that are not in the tail, in the unit of the
+    //! histogram.
     double sigma() const;
-    //! The error that a fraction `part` of all inliers do not exceed, in units.
+    //! The error that the fraction `part` of all inliers do not exceed, in the unit of the
+    //! histogram.
     double quantile(double part) const;
 
 private:
     void improve(const ErrorHistogram& errors);
 
     const int degrees;
-    double variance, inliers;
-    double tail;  //!< part of the inliers
+    double variance, inliers;  //!< variance of the inliers that are not in the tail; inlier ratio
+    double tail;               //!< fraction of the inliers that are in the tail
 };
 
 }  // namespace usacv20

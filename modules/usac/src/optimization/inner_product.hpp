@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Inner product of vectors with the same bits for every version of Eigen: since Eigen 5, dot()
-//! adds 8 or more numbers in another order.
+//! Inner product of vectors. The result has the same bits with every version of Eigen, unlike that
+//! of dot(), which adds 8 or more numbers in another order since Eigen 5.
 template <class First, class Second>
 double innerProduct(const Eigen::MatrixBase<First>& a, const Eigen::MatrixBase<Second>& b)
 {

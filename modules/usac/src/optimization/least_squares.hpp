@@ -12,7 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Makes a parameterization that depends only on the model.
+//! Function object that creates the parameterization around a model, for parameterizations that
+//! depend only on the model.
 template <class Parameterization>
 struct AroundModel
 {
@@ -23,19 +24,22 @@ struct AroundModel
 damping @cite more1978levenberg after a step that does not lower the cost.
 
 Minimizes the sum of (weighted) squared errors of a Residual, starting from a given model. The
-parameterization is minimal: dimension() parameters for the NUMBERS entries of a model, with
-project(), plus(), model() and hasFullRank(). As it starts from a model, the method needs no linear
-estimate and works on planar scenes, where the eight-point method fails. About 40 (H) or 100 (F, E)
-operations per point and iteration, twice as many for the symmetric errors.
+parameterization is minimal: it has dimension() parameters for the NUMBERS entries of a model, and
+the methods project(), plus(), model() and hasFullRank(). As the method starts from a model, it
+needs no linear estimate and works on planar scenes, where the eight-point method fails. It takes
+about 40 (H) or 100 (F, E) operations per point and iteration, twice as many for the symmetric
+errors.
 
-The first step is not damped: a polisher asks for one step at a time, and any effective damping
-would each time suppress the change of weakly determined parameters (the epipole under forward
-motion). */
+The first step is not damped, because a polisher may request only one step in each call. With
+damping, weakly determined parameters (the epipole under forward motion) would hardly change in any
+of these calls. */
 template <class Parameterization, class Around = AroundModel<Parameterization>>
 class LeastSquaresSolver : public NonMinimalSolver
 {
 public:
-    //! `errorDimension_`: Problem::errorDimension(); `around_`: makes a model's parameterization
+    //! @param residual_ error to minimize
+    //! @param errorDimension_ Problem::errorDimension()
+    //! @param around_ function object that creates the parameterization around a model
     LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_,
                        const Around& around_ = Around())
         : residual(residual_), errorDimension(errorDimension_), around(around_), arena(0)
@@ -98,7 +102,7 @@ private:
             trialSums.cost = Equations::costOf(*residual, chunks, trial.model());
         else
             trialSums.accumulate(*residual, chunks, trial.model());
-        if (!(trialSums.cost < sums.cost))  // also for NaN
+        if (!(trialSums.cost < sums.cost))  // NaN is rejected, too
             return false;
         here = trial;
         if (!last)
@@ -106,8 +110,9 @@ private:
         return true;
     }
 
-    /** Solves the damped normal equations on the tangent space. `gain` is the decrease of the cost
-    for linear residuals. False if the equations are singular or not finite. */
+    /** Solves the damped normal equations on the tangent space.
+    @param gain output: the decrease of the cost that is expected for linear residuals
+    @return false if the equations are singular or not finite */
     static bool solve(const Parameterization& here, const Equations& sums, double damping,
                       Step& step, double& gain)
     {
@@ -125,15 +130,18 @@ private:
         return step.allFinite();
     }
 
-    // Effects of halving or doubling each constant: doc/constants.md.
+    // The effects of halving or doubling each constant are in doc/constants.md.
 
-    //! Number of steps that did not lower the cost and are tried in addition to the iterations.
+    //! Number of unsuccessful steps (the cost does not decrease) that are tried in addition to the
+    //! requested iterations.
     enum { RETRIES = 2 };
-    //! Added to each entry of the diagonal of the normal equations: FIRST_DAMPING times the entry
-    //! after a first step that did not lower the cost; in any case SINGULAR times the mean entry.
+    //! FIRST_DAMPING times the entry is added to each diagonal entry of the normal equations after
+    //! the first unsuccessful step. SINGULAR times the mean of the diagonal is always added to each
+    //! diagonal entry, so that the equations can be solved if they are singular.
     static const double FIRST_DAMPING, SINGULAR;
-    //! A step with an expected decrease of less than SETTLED times the cost is the last one; with
-    //! at most ARRIVED times the cost, it is not taken.
+    //! If the expected decrease of the cost by a step is less than SETTLED times the cost, the step
+    //! is the last one. If it is at most ARRIVED times the cost, the step is not taken, and the fit
+    //! ends.
     static const double SETTLED, ARRIVED;
 
     const Ptr<Residual> residual;

@@ -22,7 +22,7 @@ double MarginalizedFit::weigh(const Context& context, double threshold, const Mo
     {
         const float u = errors[i] * scale;
         loss += table.tabulatedLoss(u);
-        if (!(u < 1))  // also for NaN
+        if (!(u < 1))  // skips NaN, too
             continue;
         indices[count] = i;
         weights[count++] = table.tabulatedWeight(u);

@@ -13,14 +13,14 @@ namespace usacv20 {
 /** @brief One iteration of re-weighted least squares with the weights of MAGSAC++
 @cite barath2020magsac: weigh(), then fit().
 
-The weights are the derivative of a loss. As they decrease with the error, a fit to all weighted
-points never increases this loss. */
+The weights are the derivative of a loss with respect to the squared error. As they decrease with
+the error, a fit to all weighted points never increases this loss. */
 class MarginalizedFit
 {
 public:
     MarginalizedFit() : errors(0), indices(0), weights(0), count(0) {}
 
-    //! Takes memory for this many points; has to be called first.
+    //! Takes memory for this many points. To be called before the other methods.
     void allocate(Arena::Scope& scope, int points)
     {
         errors = scope.take<float>(points);
@@ -28,21 +28,22 @@ public:
         weights = scope.take<double>(points);
         count = 0;
     }
-    //! Computes weights of the points within the threshold of the model. @return loss of all points
+    //! Computes the weights of the points within the threshold of the model. @return the sum of the
+    //! losses of all points
     double weigh(const Context& context, double threshold, const Model& model);
-    //! Number of points with a weight.
+    //! Number of weighted points.
     int size() const { return count; }
     //! Keeps a random subset of `most` weighted points, or all if there are fewer.
     void reduce(int most, Rng& rng);
-    //! Fits to the weighted points, starting from `model`. False if they are too few or do not
-    //! determine a model.
+    //! Fits `model` to the weighted points, starting from its present value. @return false if there
+    //! are too few points or if they do not determine a model
     bool fit(const Context& context, Model& model) const;
 
 private:
     float* errors;
     int* indices;
     double* weights;
-    int count;  //!< number of points with a weight
+    int count;  //!< number of weighted points
 };
 
 }  // namespace usacv20

@@ -12,17 +12,18 @@ namespace usacv20 {
 
 namespace {
 
-// Effects of halving or doubling each constant: doc/constants.md.
+// The effects of halving or doubling each constant are in doc/constants.md.
 
 //! The EM algorithm starts with this variance (in squared thresholds) and this inlier ratio, and
-//! takes STEPS steps. Halving one of the three raises errors of H by 3 to 8 % on the scenes of
-//! doc/structured.md, and changes them by at most 1 % on real pairs.
+//! takes STEPS steps. Halving one of the three constants raises the errors of H by 3 to 8 % on the
+//! scenes of doc/structured.md, and changes them by at most 1 % on real image pairs.
 constexpr double FIRST_VARIANCE = 0.15, FIRST_PART = 0.7;
 constexpr int STEPS = 4;
-//! The tail of the inliers' errors begins at CORE standard deviations of the noise. It is
-//! significant if it has more points than outliers explain, plus DEVIATIONS standard deviations of
-//! this number, plus PART_OF_CORE times the number of points with smaller errors. Halving or
-//! doubling one of the three changes errors on real pairs by at most 1 %.
+//! The tail consists of the errors from CORE standard deviations of the noise up to the threshold.
+//! It is significant if it has more points than a limit: the expected number of outliers in it,
+//! plus DEVIATIONS standard deviations of this number, plus PART_OF_CORE times the number of points
+//! with smaller errors. Halving or doubling one of the three constants changes the errors of models
+//! on real image pairs by at most 1 %.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
 int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }

@@ -10,42 +10,47 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Standard deviation sigma of the noise of the inliers in units of the threshold: an
-ErrorMixture without a tail is fitted to the errors within #REACH thresholds.
+/** @brief Estimates the standard deviation sigma of the noise of the inliers, in units of the
+threshold: an ErrorMixture without a tail is fitted to the errors up to #REACH thresholds.
 
-Only the first #MOST errors are used. With fewer than #LEAST errors, the result is the noise for
-which the threshold was chosen, 1 / thresholdInSigmas(degrees).
+Only the first #MOST errors are used. With fewer than #LEAST errors, the result is the noise to
+which the threshold corresponds, 1 / thresholdInSigmas(degrees).
 
-A sigma below #leastSigma needs evidence: between 4 sigma and the threshold there must be hardly
-more errors than outliers explain; their density is measured beyond the threshold. Otherwise the
-noise has long tails, or the model does not fit all points equally well (a surface that is not quite
-a plane): a fit to the closest points would fit only a part of the scene, and #leastSigma is
-returned. */
+A sigma below #leastSigma is only returned if hardly more errors are between 4 sigma and the
+threshold than outliers explain; the density of outliers is measured beyond the threshold. If there
+are more errors, the noise has long tails, or the model does not fit all points equally well (for
+example H for a surface that is not quite a plane). A fit with a small sigma would then fit only a
+part of the scene, and #leastSigma is returned. */
 class NoiseScale
 {
 public:
-    /** Errors up to this many thresholds are used. With 2, errors of H on the scenes of
-    doc/structured.md are 17 % larger; with 8, 4 % smaller. Other effects: doc/constants.md. */
+    /** Errors up to this many thresholds are used. With 2, the errors of estimated H on the scenes
+    of doc/structured.md are 17 % larger; with 8, they are 4 % smaller. Other effects are in
+    doc/constants.md. */
     enum { REACH = 4 };
-    //! Minimum and maximum number of errors used. Halving or doubling one changes time by at most
-    //! 3 % and errors by at most 1 %.
+    //! Minimum and maximum number of errors that are used. Halving or doubling one of them changes
+    //! the time by at most 3 % and the errors of models by at most 1 %.
     enum { LEAST = 20, MOST = 200 };
 
-    //! Smallest sigma that needs no evidence, in thresholds. Without the test for evidence, smaller
-    //! values would increase errors of H on photographs, by 8 % with 0.1. With the test, halving or
-    //! doubling increases errors of H on real pairs by 1 %.
+    //! Smallest sigma that is returned without the test of the tail, in units of the threshold.
+    //! Without this test, smaller values would increase the errors of H on photographs, for example
+    //! the value 0.1 by 8 %. With the test, halving or doubling the value increases them by 1 %.
     static double leastSigma() { return 0.27; }
 
-    //! @param squaredErrors `count` of them @param threshold not squared @param degrees 1 to 3
+    //! @param squaredErrors, count squared errors of the points, in random order
+    //! @param threshold inlier threshold, not squared
+    //! @param degrees degrees of freedom of the error, 1 to 3
+    //! @return sigma in units of the threshold
     static double estimate(const float* squaredErrors, int count, double threshold, int degrees);
 
 private:
     enum {
         BINS = ErrorHistogram::BINS,
-        INSIDE = (int)BINS / (int)REACH  //!< bins within the threshold
+        INSIDE = (int)BINS / (int)REACH  //!< number of bins within the threshold
     };
 
-    //! Are there more errors between 4 sigma and the threshold than outliers explain?
+    //! True if there are significantly more errors between 4 sigma and the threshold than outliers
+    //! explain. @param members number of errors in each bin
     static bool hasTail(const int* members, double sigma, int degrees);
 };
 

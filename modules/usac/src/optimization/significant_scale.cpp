@@ -10,15 +10,16 @@ namespace usacv20 {
 
 namespace {
 
-//! Bins of the squared errors in units of the squared threshold: [2^e, 1.5 2^e) and [1.5 2^e, 2^(e
-//! + 1)) from e = LOWEST on.
+//! The bins of the squared errors, in units of the squared threshold, are [2^e, 1.5 * 2^e) and [1.5
+//! * 2^e, 2^(e+1)) for e = LOWEST, LOWEST + 1, ...; the first bin also has all smaller errors.
 constexpr int LOWEST = -4, BINS = 128;
-//! Median error within the radius r that is found, in standard deviations of the noise, for one to
-//! three degrees of freedom. Derived, see the class. Halving all is like doubling REACH of
-//! reach.cpp.
+//! Median error within the estimated radius r, in standard deviations of the noise, for one to
+//! three degrees of freedom; see the comment of the class. Smaller values would lead to a larger
+//! sigma.
 constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
-//! Bin by exponent and first bit of the mantissa; #BINS or more if too large or NaN.
+//! Index of the bin of a squared error, from the exponent and the first bit of the mantissa. The
+//! result is #BINS or more if the error is too large for all bins or is NaN.
 int binOf(float square)
 {
     unsigned bits;
@@ -28,7 +29,8 @@ int binOf(float square)
 
 double endOf(int bin) { return std::ldexp(bin % 2 ? 2. : 1.5, LOWEST + bin / 2); }
 
-//! n D(k/n, p) if k/n > p, else 0; D is the Kullback-Leibler divergence.
+//! Exponent of Chernoff's bound, without its sign: n D(k/n, p) if k/n > p, else 0; D is the
+//! Kullback-Leibler divergence.
 double surprise(double k, double n, double p)
 {
     const double q = k / n;
@@ -37,7 +39,7 @@ double surprise(double k, double n, double p)
     return n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
 }
 
-//! Counts the squared errors, times `scale`, in each bin.
+//! Multiplies the squared errors by `scale` and counts them in each bin.
 void countInBins(const float* squaredErrors, int count, float scale, int* members)
 {
     for (int i = 0; i < count; ++i)
@@ -49,14 +51,19 @@ void countInBins(const float* squaredErrors, int count, float scale, int* member
     }
 }
 
-//! r^degrees for r^2 = `square`.
+//! r^degrees for a squared radius r^2 = `square`, which is proportional to the length, area or
+//! volume within r.
 double volumeOf(double square, int degrees)
 {
     return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);
 }
 
-//! The median error of the points up to a bin. Within a bin, errors are taken as uniform over its
-//! length, area or volume. @param exact number of points without error that do not count
+//! The median error of the points in the bins up to `last`, in thresholds. Within a bin, errors are
+//! assumed to be uniform over its length, area or volume.
+//! @param members number of points in each bin
+//! @param within number of points in the bins up to `last`
+//! @param exact number of points in the first bins that do not count for the median, see
+//! `exactSample` of SignificantScale::estimate()
 double medianOf(const int* members, int last, int within, int degrees, int exact)
 {
     const double half = 0.5 * (within + exact);

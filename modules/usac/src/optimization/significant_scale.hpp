@@ -10,25 +10,25 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Standard deviation sigma of the noise of the inliers from the errors alone, for any
-threshold.
+/** @brief Estimates the standard deviation sigma of the noise of the inliers from the errors, for
+any threshold.
 
-Inliers are the points within the radius r for which their number is least likely by chance, as in
-an a-contrario RANSAC @cite moisan2004probabilistic. A point is within r of a wrong model with
-probability p(r) = chance (r / threshold)^degrees, or p(r) is the part of the wrong matches that are
-within r, if that is higher (it is much higher if points form clusters). By Chernoff's bound, k or
-more of n points are within r by chance with a probability of at most exp(-n D(k/n, p)), D being the
-Kullback-Leibler divergence; r minimizes this bound. The points of the sample are inliers anyway and
-are left out.
+Inliers are the points with errors up to a radius r, chosen so that their number is least likely by
+chance, as in an a-contrario RANSAC @cite moisan2004probabilistic. A point is within r of a wrong
+model with probability p(r). This is chance (r / threshold)^degrees, or the fraction of the wrong
+matches whose errors are within r, if this fraction is higher (it is much higher if points form
+clusters). By Chernoff's bound, k or more of n points are within r by chance with a probability of
+at most exp(-n D(k/n, p)), where D is the Kullback-Leibler divergence; r minimizes this bound. The
+points of the sample are inliers of any model computed from it and are left out.
 
 With Gaussian noise and 10 to 100 % inliers, r is 1.7 to 2.4 sigma for one degree of freedom, 2.4 to
-2.9 sigma for two (errors in the plane) and 2.9 to 3.2 sigma for three; the median error within r is
-then 0.64, 1.15 or 1.52 sigma, to within 3 %, and gives sigma. If half of the inliers are much
-closer than the others (on a second plane not far from the first), the result is the sigma of the
-closer half.
+2.9 sigma for two (errors in the plane) and 2.9 to 3.2 sigma for three. The median error within r is
+then 0.64, 1.15 or 1.52 sigma, to within 3 %; sigma is computed from this median. If half of the
+inliers have much smaller errors than the others (which are on a second plane near the first), the
+result is the sigma of the half with the smaller errors.
 
-The radii grow by factors of 1.15 and 1.22, from a quarter of the threshold up to where p is 1. Only
-the first #MOST errors are used. */
+The radii that are tried grow by factors of 1.15 and 1.22 in turn, from a quarter of the threshold
+up to the radius for which p is 1. Only the first #MOST errors are used. */
 class SignificantScale
 {
 public:
@@ -36,19 +36,22 @@ public:
 
     struct Found
     {
-        double sigma;  //!< 0 if even the lowest bound is not below n^-m: chance explains it
-        int inliers;   //!< points within the radius that was found
+        double sigma;  //!< 0 if no radius is significant: the lowest bound is not below n^-m, and
+                       //!< wrong models of samples of m points explain it
+        int inliers;   //!< number of points within the radius; 0 if sigma is 0
     };
 
     /** @param squaredErrors, count squared errors of all points, in random order
-    @param wrongErrors, wrongCount squared errors of wrong matches, see wrongErrors()
+    @param wrongErrors, wrongCount squared errors of wrong matches, see wrongErrors() in
+    significance/agreement.hpp
     @param threshold unit of the radii, not squared
     @param chance probability that a point is within the threshold of a wrong model
     @param degrees degrees of freedom of the error, 1 to 3
-    @param sampleSize m points of a minimal sample
+    @param sampleSize number m of points in a minimal sample
     @param widest largest radius that is tried, in thresholds
-    @param exactSample the points of the sample, which have hardly any errors if the model was
-    computed from them, do not count for the median: with few inliers, sigma would be far too small
+    @param exactSample true: the model was computed from the sample, whose points therefore have
+    hardly any errors and do not count for the median; with few inliers, sigma would otherwise be
+    far too small
     */
     static Found estimate(const float* squaredErrors, int count, const float* wrongErrors,
                           int wrongCount, double threshold, double chance, int degrees,

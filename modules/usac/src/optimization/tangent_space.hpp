@@ -14,7 +14,7 @@ namespace usacv20 {
 
 typedef Eigen::Matrix<double, 3, 3, Eigen::RowMajor> RowMajor3;
 
-//! The rotation about a vector by its length in radians.
+//! The rotation about the axis w by the angle |w| in radians.
 inline Eigen::Matrix3d rotationOf(const Eigen::Vector3d& w)
 {
     const double angle = w.norm();
@@ -33,8 +33,8 @@ inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Mat
     return turned;
 }
 
-//! Projects normal equations in the entries of the model to those in the parameters: A = B^T JtJ B,
-//! b = B^T Jtr.
+//! Converts normal equations in the entries of the model to equations in the parameters: A = B^T
+//! JtJ B and b = B^T Jtr. B is `basis`, the derivatives of the entries by the parameters.
 template <int DIMENSION, int SIZE>
 void projectOnTangents(const NormalEquationsOf<SIZE>& sums,
                        const Eigen::Matrix<double, SIZE, DIMENSION>& basis,

@@ -25,24 +25,25 @@ struct SomeError
     {
         At(const T* m, T x, ...);  // evaluates one datum under a model given row by row
         T squared() const;         // squared error; NaN or infinite where it is not defined
-        T cost() const;            // the same for fits, which need a finite number in any case
+        T cost() const;            // squared error for fits, which is always finite
         // for T = double: writes the error vector, out.error(component), and its derivative by the
         // entries of the model, out.derivative(component, number)
         template <class Out> void linearize(Out& out) const;
     };
 };
 
-A formula in the list of problems/errors.hpp gets its kernels for each instruction set and the sums
-of the fits (kernels.inl.hpp, sums.inl.hpp); FormulaResidual makes the component of it.
+For each formula in the list of problems/errors.hpp, the kernels are compiled for each instruction
+set: the loops that compute errors and scores (kernels.inl.hpp) and the sums for fits
+(sums.inl.hpp). FormulaResidual is the Residual component of a formula.
 
-Formulas and everything that is made of them are inside unnamed namespaces, because they are
-compiled several times for different instruction sets, and the linker would merge inline functions
-with external linkage; for the same reason formulas call sqrtf() and fabsf() instead of functions of
-std for float. */
+Formulas and all templates that use them are inside unnamed namespaces, because they are compiled
+several times for different instruction sets, and the linker would merge inline functions with
+external linkage. For the same reason, formulas call sqrtf() and fabsf() instead of std::sqrt() and
+std::abs() for float. */
 
 namespace {
 
-//! Error and derivative of a datum for Residual::linearize().
+//! Receives error and derivative of a datum from a formula, for Residual::linearize().
 template <class Error>
 struct ErrorAndDerivative
 {
@@ -55,7 +56,7 @@ struct ErrorAndDerivative
     }
 };
 
-//! The error alone.
+//! Receives only the error of a datum from a formula; the derivative is discarded.
 struct ErrorOnly
 {
     double* const errors;

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! A list of indices at compile time, like std::index_sequence of C++14: it passes the columns of
-//! a datum to a formula as separate arguments.
+//! A list of indices at compile time, like std::index_sequence of C++14. It is used to pass the
+//! columns of a datum to a formula as separate arguments.
 template <int... K>
 struct Indices
 {};
@@ -31,18 +31,18 @@ struct IndicesTo<0, K...>
 typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end,
                             float* errors);
 
-//! Number of points of one call of a SumsKernel; fewer are padded with points of weight 0.
+//! Number of points in one call of a SumsKernel; if there are fewer, points of weight 0 are added.
 constexpr int SUMS_CHUNK = 32;
 //! Number of partial sums of each sum; the caller adds them at the end.
 constexpr int SUMS_LANES = 8;
-//! Most sums of a kernel: the lower triangle of a matrix of #MAX_MODEL_SIZE + 1 rows.
+//! Maximum number of sums of a kernel: the lower triangle of a matrix of #MAX_MODEL_SIZE + 1 rows.
 constexpr int MAX_SUMS = (MAX_MODEL_SIZE + 1) * (MAX_MODEL_SIZE + 2) / 2;
-//! Most numbers of the derivative of an error, see Residual::linearize().
+//! Maximum number of entries of the derivative of an error, see Residual::linearize().
 constexpr int MAX_DERIVATIVE = (int)Residual::MAX_COMPONENTS * (int)MAX_MODEL_SIZE;
-/** Adds the Gauss-Newton sums of #SUMS_CHUNK points to `sums`, or the sum of their squared errors
-alone; see sums.inl.hpp.
-@param chunk columns of the points and their weights: rows of #SUMS_CHUNK numbers, one for each
-number of a datum, the last one for the weights */
+/** Adds the sums that the normal equations of the Gauss-Newton method consist of, for #SUMS_CHUNK
+points, to `sums`; or only the sum of their squared errors. See sums.inl.hpp.
+@param chunk a row of #SUMS_CHUNK numbers for each column of the points, and a last row with their
+weights */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model,
                            double (*sums)[SUMS_LANES]);
 
@@ -51,22 +51,24 @@ instruction set. All versions return the same bits: they sum in the same lanes a
 multiplication is contracted with an addition. */
 struct ResidualKernels
 {
-    ErrorKernel errors;
-    FusedKernel msac;     //!< of the MSAC score
-    FusedKernel inliers;  //!< of the number of inliers
-    SumsKernel sums;
-    SumsKernel cost;
-    int count;  //!< number of sums of `sums`
-    /** Writes the normal equations of the Gauss-Newton method with N = Model::size() entries.
+    ErrorKernel errors;   //!< squared errors
+    FusedKernel msac;     //!< MSAC score
+    FusedKernel inliers;  //!< number of inliers as score
+    SumsKernel sums;      //!< all sums for the normal equations
+    SumsKernel cost;      //!< only the sum of the weighted squared errors
+    int count;            //!< number of sums that the kernel `sums` computes
+    /** Writes the normal equations of the Gauss-Newton method in the N = Model::size() entries of a
+    model, with the Jacobian J of the errors r.
     @param total the `count` sums
-    @param JtJ output, N x N, symmetric
-    @param Jtr output, N
-    @param cost output */
+    @param JtJ output, J^T J, N x N, symmetric
+    @param Jtr output, J^T r, N numbers
+    @param cost output, the sum of the weighted squared errors */
     void (*toEquations)(const double* total, double* JtJ, double* Jtr, double& cost);
 };
 
-//! Converts the Model::size() numbers of a model to float without overflow: a homogeneous model is
-//! divided by its largest entry; the entries of any other model are clamped.
+//! Converts the Model::size() entries of a model to float without overflow: a homogeneous model is
+//! divided by its largest absolute entry; the entries of other models are clamped to the range of
+//! float.
 void toFloat(const Model& model, float* m, bool homogeneous = true);
 
 namespace {  // compiled for different instruction sets, see formula_residual.hpp
@@ -75,7 +77,7 @@ namespace {  // compiled for different instruction sets, see formula_residual.hp
 inline float msacCost(float squaredError, float scale)
 {
     const float cost = squaredError * scale;
-    return cost < 1.f ? cost : 1.f;  // also for NaN
+    return cost < 1.f ? cost : 1.f;  // 1 for NaN
 }
 
 }  // namespace

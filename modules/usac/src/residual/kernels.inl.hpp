@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* No include guard: each source file that sets an instruction set includes this once. Only kernels
-may be instantiated here, because the linker would merge inline functions of other headers with
-those compiled for other instruction sets. */
+/* The kernels of residual/kernels.hpp for a formula. No include guard: each source file that is
+compiled for an instruction set includes this file once. Only kernels may be instantiated here,
+because the linker would merge inline functions of other headers with those compiled for other
+instruction sets. */
 
 #include <cmath>
 #include <limits>
@@ -17,8 +18,8 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Number of partial sums, as many as the widest registers hold. The same for all instruction sets,
-//! so that all return the same bits.
+//! Number of partial sums, one for each float in the widest registers. It is the same for all
+//! instruction sets, so that all of them return the same bits.
 constexpr int LANES = 16;
 
 template <class Error, typename... Numbers>
@@ -116,7 +117,7 @@ void scoreKernel(const Correspondences& points, const float* model, float limit,
                          typename IndicesTo<Error::COLUMNS>::Type());
 }
 
-//! All loops of a formula.
+//! The kernels of a formula.
 template <class Error>
 ResidualKernels kernelsFor()
 {

@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Normal equations of a residual without kernels, point by point.
+//! Computes the normal equations for a residual without kernels, point by point.
 template <int SIZE>
 void addPoints(const Residual& residual, const PointChunks& points, const Model& model,
                NormalEquationsOf<SIZE>& equations)

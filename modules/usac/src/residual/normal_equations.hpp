@@ -12,8 +12,9 @@ namespace cv {
 namespace usacv20 {
 
 /** Normal equations of the Gauss-Newton method in the `SIZE` entries of the model (Eigen::Dynamic:
-any number of them): JtJ, Jtr and the cost r^T r. A parameterization then projects them onto its
-tangent space, so that the work per point is the same for all parameterizations. */
+any number of entries): JtJ = J^T J, Jtr = J^T r and the cost r^T r for weighted errors r with the
+Jacobian J. A parameterization then projects them onto its tangent space, so that the work per point
+is the same for all parameterizations. */
 template <int SIZE>
 struct NormalEquationsOf
 {
@@ -22,15 +23,16 @@ struct NormalEquationsOf
     Eigen::Matrix<double, SIZE, 1, Eigen::ColMajor, MOST, 1> Jtr;
     double cost;
 
-    //! Computes the sums over the points by a kernel; if the residual has none, by
-    //! Residual::linearize(). The model has `SIZE` numbers.
+    //! Computes the sums over the points by a kernel, or by Residual::linearize() if the residual
+    //! has no kernels. The model has `SIZE` entries.
     void accumulate(const Residual& residual, const PointChunks& points, const Model& model);
 
-    //! The cost alone, in a fraction of the time.
+    //! Computes only the cost, in a fraction of the time of accumulate().
     static double costOf(const Residual& residual, const PointChunks& points, const Model& model);
 };
 
-//! For a 3x3 matrix, and for the 3x4 matrix of a camera or of a 3-D motion.
+//! NormalEquations is for models that are 3x3 matrices, SpaceEquations for 3x4 matrices: the pose
+//! of a camera or a 3-D motion.
 typedef NormalEquationsOf<9> NormalEquations;
 typedef NormalEquationsOf<12> SpaceEquations;
 

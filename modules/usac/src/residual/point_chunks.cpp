@@ -22,7 +22,8 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
         gather(points, indices, weights, columns);
 }
 
-//! `width` is the number of columns, as a compile-time constant if that is known.
+//! @param width number of columns; a std::integral_constant for two views, so that the compiler
+//! knows it
 template <class Width>
 void PointChunks::gather(const Correspondences& points, const int* indices, const double* weights,
                          Width width)
@@ -38,7 +39,7 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
                 chunk[column][k] = points.exact[column][i];
             chunk[width][k] = weights ? weights[first + k] : 1;
         }
-        for (int row = 0; row <= width; ++row)  // padded with the last point, weight 0
+        for (int row = 0; row <= width; ++row)  // pads with copies of the last point of weight 0
             std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK,
                       row < width ? chunk[row][here - 1] : 0.);
     }

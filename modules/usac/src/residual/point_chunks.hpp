@@ -12,20 +12,22 @@
 namespace cv {
 namespace usacv20 {
 
-/** The points of a fit and their weights, gathered once for all its steps, in the chunks that a
-SumsKernel takes. */
+/** The points of a fit and their weights, copied to chunks as a SumsKernel takes them; once for all
+steps of the fit. */
 class PointChunks
 {
 public:
-    //! `count` is at least 1; null `weights` are all 1. More than a few points take memory from the
-    //! arena, or from the heap if `arena` is null.
+    //! @param indices, count indices of the points; at least one
+    //! @param weights one for each index; null: all are 1
+    //! @param arena memory for more than a few points; null: the heap is used
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! The first `count` sums of a kernel over all chunks.
+    //! Computes the first `count` sums of a kernel over all chunks.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
-    //! Gets a point, at most #MAX_COLUMNS numbers, and its weight; false beyond the last one.
+    //! Gets a point, at most #MAX_COLUMNS numbers, and its weight. @return false if `index` is
+    //! beyond the last point
     bool get(int index, double* datum, double& weight) const;
 
 private:
@@ -39,8 +41,8 @@ private:
     const int size, chunks, columns;
     Arena own;  //!< used if no arena was given
     Arena::Scope scope;
-    Row* rows;  //!< columns and weights of each chunk
-    Row few[LOCAL_ROWS];
+    Row* rows;            //!< columns and weights of each chunk
+    Row few[LOCAL_ROWS];  //!< memory of `rows` if there are only a few points
 
     PointChunks(const PointChunks&);
     PointChunks& operator=(const PointChunks&);

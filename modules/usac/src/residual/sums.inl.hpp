@@ -2,15 +2,16 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* Gauss-Newton sums of the error of a formula over a chunk of points, in loops that compilers
-vectorize. No include guard: compiled once for each instruction set by kernels.inl.hpp. The caller
-adds the lanes of each sum in a fixed order. */
+/* The sums for the normal equations of the Gauss-Newton method, for the error of a formula, over a
+chunk of points, in loops that compilers vectorize. Each sum consists of SUMS_LANES partial sums
+(lanes), which the caller adds in a fixed order. No include guard: compiled once for each
+instruction set by kernels.inl.hpp. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Adds a[i] b[i] to the lanes.
+//! Adds the sum of a[i] b[i] over a chunk to the lanes of a sum.
 inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRICT b,
                         double* USAC_RESTRICT lanes)
 {
@@ -27,7 +28,8 @@ inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRI
         lanes[k] = sum[k];
 }
 
-//! Adds a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1] to their lanes; reads each value once.
+//! Adds the products of the rows a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1] to the lanes of four
+//! sums, and reads each value only once.
 inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
                         const double (*USAC_RESTRICT b)[SUMS_CHUNK], double* USAC_RESTRICT lanes00,
                         double* USAC_RESTRICT lanes01, double* USAC_RESTRICT lanes10,
@@ -61,8 +63,8 @@ inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
     }
 }
 
-//! Writes error and derivative of one point, see formula_residual.hpp, to rows of a chunk: for each
-//! component, the NUMBERS derivatives, then the error.
+//! Receives error and derivative of point i from a formula (formula_residual.hpp). For each
+//! component of the error, NUMBERS rows of a chunk have the derivatives and the next row the error.
 template <int NUMBERS>
 struct ChunkRows
 {
@@ -76,9 +78,9 @@ struct ChunkRows
     }
 };
 
-/** The sums of any formula: for each component the row J of derivatives is followed by the error,
-and the lower triangle of the products of these NUMBERS + 1 numbers is summed row by row, so that
-its last row is gradient and cost. */
+/** The sums of any formula. For each component of the error, the NUMBERS derivatives are followed
+by the error; the lower triangle of the matrix of the products of these NUMBERS + 1 numbers is
+summed, row by row. The last row of the triangle consists of gradient and cost. */
 template <class Error>
 struct GeneralSums
 {
@@ -96,7 +98,7 @@ struct GeneralSums
             addTriangle(J + component * ROWS, chunk[Error::COLUMNS], sums);
     }
 
-    //! A function, because compilers do not vectorize a loop that has objects of its own.
+    //! A separate function, because compilers do not vectorize a loop in which objects are created.
     template <typename... Numbers>
     static inline void linearize(double (*J)[SUMS_CHUNK], int i, const double* m, Numbers... datum)
     {
@@ -126,7 +128,8 @@ struct GeneralSums
             addProducts(weighted[row + 1], J[row], second[row]);
             addProducts(weighted[row + 1], J[row + 1], second[row + 1]);
         }
-        for (int col = 0; row < ROWS && col <= row; ++col)  // the last one of an odd number of rows
+        // the last row, if the number of rows is odd
+        for (int col = 0; row < ROWS && col <= row; ++col)
             addProducts(weighted[row], J[col], sums[row * (row + 1) / 2 + col]);
     }
 
@@ -142,12 +145,12 @@ struct GeneralSums
     }
 };
 
-/** The sums of the error of a projection (u, v) by a matrix of three rows. The derivatives of u and
-v with respect to these rows are p / w times (1, 0, -u) and (0, 1, -v), with p the homogeneous point
-and w its depth, so that all blocks of J^T J are multiples of p p^T / w^2. COUNT sums: the upper
-triangle of p p^T / w^2 times 1, u, v, u^2 + v^2; the gradient; the cost. Takes a third of the time
-of GeneralSums. `Error::At` has the members p(0) .. p(POINT - 1), w (1 / depth; 0 for a point that
-adds nothing), u, v and the error (du, dv). */
+/** The sums for the error of a projection (u, v) by a matrix of three rows. The derivatives of u
+and v with respect to these rows are p / d times (1, 0, -u) and (0, 1, -v), where p is the
+homogeneous point and d its depth, so that all blocks of J^T J are multiples of p p^T / d^2. There
+are COUNT sums: the upper triangle of p p^T / d^2 times 1, u, v and u^2 + v^2, then the gradient,
+then the cost. They take a third of the time of GeneralSums. `Error::At` has the members p(0) ..
+p(POINT - 1), w (1 / d, or 0 for a point that contributes nothing), u, v and the error (du, dv). */
 template <class Error>
 struct ProjectionSums
 {
@@ -178,11 +181,11 @@ struct ProjectionSums
         for (int row = 0; row < 3; ++row)
             for (int j = 0; j < POINT; ++j)
                 addProducts(g[row], p[j], sums[4 * PRODUCTS + POINT * row + j]);
-        addProducts(cost, p[POINT - 1], sums[COUNT - 1]);  // times 1
+        addProducts(cost, p[POINT - 1], sums[COUNT - 1]);  // the last homogeneous coordinate is 1
     }
 
-    //! Row and column of the n-th entry of the upper triangle. No nested loops, which compilers
-    //! would not vectorize.
+    //! Row and column of the n-th entry of the upper triangle. With them, project() needs no nested
+    //! loops, which compilers would not vectorize.
     static inline int rowOf(int n)
     {
         return n < POINT ? 0 : n < 2 * POINT - 1 ? 1 : n < 3 * POINT - 3 ? 2 : 3;
@@ -193,7 +196,7 @@ struct ProjectionSums
         return n - row * POINT + row * (row + 1) / 2;
     }
 
-    //! Writes the factors of the sums for one point. @return its weighted cost
+    //! Writes the factors of the sums for point i. @return its weighted squared error
     template <typename... Numbers>
     static inline double project(double (*USAC_RESTRICT pp)[SUMS_CHUNK],
                                  double (*USAC_RESTRICT factor)[SUMS_CHUNK],
@@ -242,7 +245,7 @@ struct ProjectionSums
     }
 };
 
-//! The sums that a formula is compiled with.
+//! Selects ProjectionSums or GeneralSums for a formula.
 template <class Error>
 struct SumsOf
 {
@@ -273,7 +276,7 @@ inline void addCosts(const double (*chunk)[SUMS_CHUNK], const double* m, double 
     addProducts(cost, chunk[Error::COLUMNS], sums[0]);
 }
 
-//! The cost alone, in the first sum.
+//! Adds the weighted squared errors to the first sum; there are no other sums.
 template <class Error>
 void costKernel(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sums)[SUMS_LANES])
 {

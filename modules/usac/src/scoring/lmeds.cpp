@@ -13,23 +13,26 @@ namespace usacv20 {
 
 namespace {
 
-//! From @cite rousseeuw1984least: inliers are within DEVIATIONS standard deviations of the noise;
-//! its scale is multiplied by 1 + SMALL_SETS / (n - m) for n points and samples of m points.
+//! From @cite rousseeuw1984least: inliers have errors of at most DEVIATIONS standard deviations of
+//! the noise. The estimated standard deviation is multiplied by 1 + SMALL_SETS / (n - m) for n
+//! points and samples of m points.
 constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
 
-/** Least median of squares @cite rousseeuw1984least. Needs no threshold, but at least half of the
-points must be inliers.
+/** Least median of squares @cite rousseeuw1984least. It needs no threshold, but at least half of
+the points must be inliers.
 
 The cost of a model is s / (s + extent) for each point, where s is the square root of the median
 squared error and `extent` the size of the image (outlierExtent). For small s this is the median
-error relative to the image. Quality::inliers are the points up to the median, the half that the
-method presumes to be inliers. A multiple of the median would not do: a wrong model has a large
-median, most points lie within its multiples, and the termination criterion would rely on them.
+error divided by the image size. Quality::inliers counts the points with errors up to the median,
+because the method assumes that half of the points are inliers. It does not count points with errors
+up to a multiple of the median: a wrong model has a large median, most points would be inliers, and
+the termination criterion would end the search too early.
 
-The threshold of the final inliers is q c (1 + 5 / (n - m)) s: c converts s to the standard
-deviation of Gaussian noise (1.4826 for F and E); the factor in parentheses is Rousseeuw's for small
-sets of points; q is 2.5 for one degree of freedom (F, E), and for two (H) the quantile of the same
-probability. The threshold is at least the rounding error of the residuals. Linear time. */
+The threshold of the final inliers is q c (1 + 5 / (n - m)) s for n points and samples of m points.
+The factor c converts s to the standard deviation of Gaussian noise (1.4826 for F and E). The factor
+in parentheses is Rousseeuw's correction for small sets of points. The factor q is 2.5 for one
+degree of freedom (F, E), and for two (H) the quantile of the same probability. The threshold is at
+least as large as the rounding error of the residuals. Linear time. */
 class LmedsScore : public Score
 {
 public:
@@ -74,7 +77,7 @@ public:
     }
 
 private:
-    //! The factor q c, see the class.
+    //! The factor q c of the threshold, see the comment of the class.
     static double sigmasInMedian(int degrees)
     {
         const double certainty = chiSquareDistribution(DEVIATIONS * DEVIATIONS, 1);
@@ -89,7 +92,8 @@ private:
                         (double)FLT_MAX);
     }
 
-    //! Reorders the values. NaN counts as infinite, because std::nth_element needs an ordering.
+    //! The median, where NaN counts as infinite, because std::nth_element needs an ordering.
+    //! Reorders the values.
     static float medianOf(float* values, int count)
     {
         for (int i = 0; i < count; ++i)

@@ -10,10 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-/** For a search without a known threshold: the cost of a point is log(1 + e^2 / s^2) / log(1 + t^2
-/ s^2), where t is the threshold and s is t / #FINEST. No noise between s and t is preferred: twice
-the error costs the same everywhere. The logarithm is read from the bits of the floating-point
-number, linear between powers of two; the cost differs by at most 0.0055. */
+/** Score for a search without a known threshold. The cost of a point with error e is log(1 + e^2 /
+s^2) / log(1 + t^2 / s^2), where t is the threshold and s is t / #FINEST. No noise level between s
+and t is preferred: doubling an error in this range always increases the cost by about the same
+amount. The logarithm is approximated by the bits of the floating-point number, that is linearly
+between powers of two; this changes the cost by at most 0.0055. */
 class LogarithmicScore : public Score
 {
 public:
@@ -25,7 +26,7 @@ public:
         int64 cost = 0;
         for (int i = 0; i < count; ++i)
         {
-            const bool inside = squaredErrors[i] <= squaredThreshold;  // false for NaN
+            const bool inside = squaredErrors[i] <= squaredThreshold;  // NaN is outside
             sum.inliers += inside;
             cost += inside ? bitsOf(std::max(squaredErrors[i], 0.f) + least) - zero : range;
         }

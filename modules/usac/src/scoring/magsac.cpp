@@ -13,22 +13,23 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of cells of the table.
+//! Number of cells of the table over u = error / threshold.
 constexpr int SIZE = 1024;
 
 /** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over a noise level
 sigma that is uniform in 0 .. sigma_max.
 
-Given sigma, points within k sigma (thresholdInSigmas) are inliers with Gaussian noise; the others
-are outliers, uniform on the area of the points (outlierExtent). The log-likelihood of all points is
-a sum over them, and so is its average: for n degrees of freedom, a point with error r adds,
-relative to an outlier, the integral over sigma = r/k .. sigma_max of
+Given sigma, points with errors up to k sigma (thresholdInSigmas) are inliers with Gaussian noise;
+the other points are outliers, uniformly distributed on the area of the points (outlierExtent). The
+log-likelihood of all points is a sum over the points, and so is its average. For n degrees of
+freedom, a point with error r contributes, relative to an outlier, the integral over sigma = r/k ..
+sigma_max of
 
     n log(extent / (sqrt(2 pi) sigma)) - r^2 / (2 sigma^2).
 
-The density of the inliers is that of the error vector. The paper uses the density of its length r,
-which for n = 2 vanishes at 0, so that a point without error would be rated worst; for n = 1 both
-are the same.
+The density of the inliers is that of the error vector. The paper uses the density of its length r.
+For n = 2, the latter vanishes at 0, so that a point without error would get the worst score; for n
+= 1, both densities are the same.
 
 With u = r / threshold and L = logDensityRatio(sigma_max) the integral has a closed form. Scaled to
 a loss from 0 to 1 it is
@@ -37,7 +38,7 @@ a loss from 0 to 1 it is
 
 It increases strictly, because L is at least k^2 / (2 n), the value for which an inlier at the
 threshold is as likely as an outlier. The term in parentheses is tabulated over u and interpolated
-linearly: a square root and a table lookup for each inlier. */
+linearly, which takes a square root and a table lookup for each inlier. */
 class MagsacScore : public Score
 {
 public:

@@ -12,7 +12,8 @@ namespace usacv20 {
 namespace {
 
 /** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss that belongs to weights
-marginalized over the scale of the noise, see MarginalizedWeights. A table lookup per inlier. */
+marginalized over the scale of the noise, see MarginalizedWeights. It takes a table lookup for each
+inlier. */
 class MagsacPlusPlusScore : public Score
 {
 public:

@@ -11,16 +11,16 @@
 namespace cv {
 namespace usacv20 {
 
-//! Interpolates linearly in a table, at a position >= 0 in units of cells; the table has one entry
-//! more than cells.
+//! Interpolates linearly in a table at a position >= 0, where 1 is the length of a cell. The table
+//! has one more entry than cells.
 inline float lookUp(const float* table, float position)
 {
     const int cell = (int)position;
     return table[cell] + (position - cell) * (table[cell + 1] - table[cell]);
 }
 
-//! Moves the errors within the threshold to the front, without a branch; NaN is outside.
-//! @return their number
+//! Moves the errors within the threshold to the front of the array, without branches in the loop.
+//! NaN is not within the threshold. @return number of these errors
 int keepInliers(float* squaredErrors, int count, float squaredThreshold);
 
 //! Number of errors within the threshold.
@@ -32,8 +32,8 @@ inline int countWithin(const float* squaredErrors, int count, float squaredThres
     return within;
 }
 
-//! Sum of the interpolated values at `count` positions, in four partial sums, so that an addition
-//! does not wait for the previous one.
+//! Sum of the interpolated values at `count` positions. There are four partial sums, so that an
+//! addition need not wait for the result of the previous addition.
 double sumOfLookUps(const float* table, const float* positions, int count);
 
 /** @brief Weights and loss of MAGSAC++ @cite barath2020magsac.
@@ -46,18 +46,19 @@ incomplete gamma function G this is proportional to
 
     G(a, x) - G(a, K).
 
-The loss that least squares re-weighted in this way minimize is the integral of the weight over x,
-proportional to
+Least squares that are re-weighted with these weights minimize a loss, which is the integral of the
+weight over x, proportional to
 
     x (G(a, x) - G(a, K)) + g(a + 1, x)
 
-with the lower incomplete gamma function g. Both are functions of u = x/K, the squared error in
-units of the squared threshold. The loss is scaled to 1 at u = 1, and the weight is its derivative
-with respect to u. For n = 1 the weight grows like -log(u) towards u = 0; below u = 1/2048, that is,
-for errors below 1/45 of the threshold, it is taken as constant.
+with the lower incomplete gamma function g. Weight and loss are functions of u = x/K, the squared
+error in units of the squared threshold. The loss is scaled to 1 at u = 1, and the weight is its
+derivative with respect to u. For n = 1 the weight grows like -log(u) towards u = 0; below u =
+1/2048, that is, for errors below 1/45 of the threshold, the weight is constant instead.
 
 The tables have 2048 cells of equal length, in u for the loss and in sqrt(u) for the weight, with
-linear interpolation. The interpolation error is below 1e-3, relative for the weight. */
+linear interpolation. The interpolation error is below 1e-3: absolute for the loss, relative for the
+weight. */
 class MarginalizedWeights
 {
 public:
@@ -74,7 +75,7 @@ public:
     double loss(double u) const;
     double weight(double u) const;
 
-    //! Loss and weight from the tables; u >= 0 may be infinite, NaN counts as infinite.
+    //! Loss and weight from the tables. u >= 0 may be infinite; NaN is treated as infinite.
     float tabulatedLoss(float u) const { return interpolate(losses, u < 1 ? u : 1.f); }
     float tabulatedWeight(float u) const { return interpolate(weights, sqrtf(u < 1 ? u : 1.f)); }
     //! Sum of tabulatedLoss(u[i]); overwrites u.

@@ -9,8 +9,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Expectation maximization takes at most MAX_ITERATIONS steps; it ends when the inlier ratio
-//! changes by less than SETTLED.
+//! Expectation maximization takes at most MAX_ITERATIONS steps. It ends earlier if a step changes
+//! the inlier ratio by less than SETTLED.
 constexpr int MAX_ITERATIONS = 50;
 constexpr double SETTLED = 1e-4;
 

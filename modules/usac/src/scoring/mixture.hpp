@@ -8,15 +8,18 @@
 namespace cv {
 namespace usacv20 {
 
-/** Logarithm of the density of an inlier without error over that of an outlier, divided by the
-degrees of freedom: log(extent / (sqrt(2 pi) sigma)). If this is too low for an inlier at the
-threshold (thresholdInSigmas) to be as likely as an outlier, because the threshold is wide and the
-points lie close together, the value for which both are equally likely is returned instead. */
+/** Logarithm of the ratio of two densities, that of an inlier at an error of 0 and that of an
+outlier, divided by the degrees of freedom: log(extent / (sqrt(2 pi) sigma)). If the threshold is
+wide and the points lie close together, an inlier with an error equal to the threshold
+(thresholdInSigmas) would be less likely than an outlier; then the value for which they are equally
+likely is returned instead.
+@param extent side of the cube in which errors of outliers are uniform, see Problem::outlierExtent
+@param sigma standard deviation of the noise, in the same unit */
 double logDensityRatio(double extent, double sigma, int degrees);
 
-/** Maximum-likelihood inlier ratio of `count` points, by expectation maximization. For the first
-`near` points, `ratios` are the densities as inliers divided by the densities as outliers; the ratio
-of the other points is 0. */
+/** Maximum-likelihood inlier ratio of `count` points, by expectation maximization. `ratios` has,
+for each of the first `near` points, the density of its error as an inlier divided by the density as
+an outlier; for the other points this ratio is 0. */
 double mixingWeight(const float* ratios, int near, int count);
 
 }  // namespace usacv20

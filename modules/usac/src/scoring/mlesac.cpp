@@ -15,14 +15,14 @@ namespace {
 //! Points whose density as inliers is below this multiple of their density as outliers count as
 //! outliers.
 constexpr double NEGLIGIBLE = 1e-6;
-//! Number of densities multiplied before a logarithm is taken: a product of 4 floats does not
-//! overflow a double.
+//! Number of likelihoods that are multiplied before a logarithm is taken. A product of 4 floats
+//! does not overflow a double.
 constexpr int GROUP = 4;
 
-/** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers, Gaussian with sigma =
-threshold / thresholdInSigmas, and outliers, uniform on the area of the points (outlierExtent). With
-q the density of an inlier at an error of 0 divided by that of an outlier, the log-likelihood of a
-point, relative to that of an outlier, is
+/** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers and outliers. Inliers have
+Gaussian noise with sigma = threshold / thresholdInSigmas; outliers are uniformly distributed on the
+area of the points (outlierExtent). Let q be the density of an inlier at an error of 0 divided by
+that of an outlier. Then the log-likelihood of a point, relative to that of an outlier, is
 
     l = log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
 
@@ -30,8 +30,8 @@ where the inlier ratio gamma is found for each model by expectation maximization
 sum of 1 - l / log(q) over the points: 0 if all errors are 0, and at most the number of points,
 which is the cost for gamma = 0.
 
-One pass over the points, with an exponential for each point near the model, and several passes over
-the points near the model. */
+There is one pass over all points, with an exponential for each point near the model, and then
+several passes over the points near the model. */
 class MlesacScore : public Score
 {
 public:
@@ -56,7 +56,7 @@ public:
         {
             const float error = squaredErrors[i];
             sum.inliers += error <= squaredThreshold;
-            if (error < reach)  // false for NaN
+            if (error < reach)  // NaN is not near the model
                 squaredErrors[near++] = (float)std::min(std::exp(logRatio + factor * error),
                                                         (double)FLT_MAX);
         }

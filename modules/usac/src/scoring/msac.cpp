@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-/** MSAC @cite torr2000mlesac: the cost of a point is min(error^2 / threshold^2, 1). One pass over
-the points, fused with the residual. */
+/** MSAC @cite torr2000mlesac: the cost of a point is min(error^2 / threshold^2, 1). Errors and
+score are computed in one pass over the points (Score::fused). */
 class MsacScore : public Score
 {
 public:

@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Largest log-likelihood of `ones` of `count` flags that are set with the same probability.
+//! Log-likelihood of `ones` set flags among `count` flags, for the most likely common probability
+//! that a flag is set.
 double logLikelihood(int ones, int count)
 {
     const double share = (double)ones / count;
@@ -31,7 +32,7 @@ double orderLogLikelihood(const uchar* inliers, int size, int* blocks)
         ones[last] = inliers[i] != 0;
         counts[last] = 1;
         all += ones[last];
-        // blocks whose probability would not be lower than that of the block before are merged
+        // a block whose inlier ratio is not lower than that of the block before is merged with it
         for (; last > 0 &&
                (double)ones[last] * counts[last - 1] >= (double)ones[last - 1] * counts[last];
              --last)

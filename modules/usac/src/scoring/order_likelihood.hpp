@@ -10,15 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief By how much does the order of the points explain which of them are inliers?
+/** @brief Measures how well the order of the points explains which of them are inliers.
 
-Logarithm of the ratio of two likelihoods of the inlier flags: with a probability of being an inlier
-that does not increase along the order, fitted by isotonic regression @cite barlow1972statistical;
-and with the same probability for all points. If the order is random, it is about log(size) / 2, or
-less; if the inliers come late, 0.
-@param inliers flags, best point first @param size their number
-@param blocks room for 2 * size numbers
-@return the logarithm, in nats, at least 0 */
+The result is the logarithm of the ratio of two likelihoods of the inlier flags. For the first
+likelihood, the probability of being an inlier does not increase along the order; it is fitted by
+isotonic regression @cite barlow1972statistical. For the second, it is the same for all points. If
+the order is random, the result is about log(size) / 2 or less. It is 0 if the inliers come last.
+@param inliers 1 for inliers, 0 for outliers, best point first
+@param size number of points
+@param blocks temporary memory for 2 * size numbers
+@return natural logarithm of the likelihood ratio, at least 0 */
 double orderLogLikelihood(const uchar* inliers, int size, int* blocks);
 
 }  // namespace usacv20

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** Number of inliers @cite fischler1981random. The cost of a point is 0 within the threshold,
-else 1. One pass over the points, fused with the residual. */
+/** Number of inliers @cite fischler1981random. The cost of a point is 0 if its error is within the
+threshold, else 1. Errors and score are computed in one pass over the points (Score::fused). */
 class InlierScore : public Score
 {
 public:
@@ -29,10 +29,11 @@ Ptr<Score> createMsacScore();
 Ptr<Score> createMlesacScore();
 //! See LmedsScore.
 Ptr<Score> createLmedsScore();
-//! See MagsacScore. @param reach Params::reach: inliers are the points with an error of at most
-//! 1 / reach times the threshold of the cost
+//! See MagsacScore. @param errorDimension Problem::errorDimension
+//! @param reach Params::reach: inliers are the points with an error of at most 1 / reach times the
+//! threshold of the cost
 Ptr<Score> createMagsacScore(int errorDimension, double reach);
-//! See MagsacPlusPlusScore. @param reach as above
+//! See MagsacPlusPlusScore. @param errorDimension, reach as above
 Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach);
 
 //! See LogarithmicScore.
@@ -41,19 +42,20 @@ Ptr<Score> createLogarithmicScore();
 //! Result of the evaluation of one model.
 struct Rating
 {
-    Quality quality;    //!< of all points if `complete`
-    bool complete;      //!< false: rejected by the verifier, or no better than the bound
-    bool refused;       //!< rejected by the verifier
-    int firstInliers;   //!< inliers of the first block
-    int firstTested;    //!< points of the first block
+    Quality quality;    //!< score of the blocks evaluated so far; of all points if `complete`
+    bool complete;      //!< false: rejected by the verifier, or not better than the bound
+    bool refused;       //!< true: rejected by the verifier
+    int firstInliers;   //!< number of inliers in the first block
+    int firstTested;    //!< number of points in the first block
     double costBefore;  //!< cost before the last evaluated block
 };
 
-/** Evaluates one model block by block: lines 11 and 13 of Algorithm 1 in one pass over the points.
-The evaluation ends early if the verifier rejects the model after a block, or if its cost reaches
-the bound. The blocks start at point `start` and wrap around, so that it is not always the same
-points that are tested first. `errors` has room for one number per point, for scores that need all
-errors at once (Score::wholeModel); else it may be null. */
+/** Scores one model block by block and lets the verifier (null: none) test it: lines 11 and 13 of
+Algorithm 1 of @cite ivashechkin2021usacv20 in one pass over the points. The evaluation ends early
+if the verifier rejects the model after a block, or if its cost reaches `bound`. The blocks begin at
+point `start` and wrap around, so that not always the same points are tested first. `errors` is
+temporary memory with one number per point, for scores that need all errors at once
+(Score::wholeModel); for other scores it may be null. */
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound,
             int start, float* errors);
 

@@ -17,38 +17,38 @@ namespace usacv20 {
 //! @addtogroup usacv20_extend
 //! @{
 
-/** @brief The memory of the runs of a Usac: usually one block (several above 31 MB), which the next
-run reuses.
+/** @brief The memory of the runs of a Usac: usually one block (several if more than 31 MB are
+needed), which the next run reuses.
 
-Memory from take() stays valid until the run ends, memory from a Scope until that scope ends. The
-former is taken from the low end of the block, the latter from the high end: so a component may
-allocate what it keeps while a scope of its caller is open. When a block is full, another one is
-added; the next reset() merges them into one of up to 31 MB. Nothing is initialized, constructed or
-destroyed. To be used by one thread at a time. */
+Memory from take() stays valid until the run ends, memory from a Scope until that scope ends. take()
+uses the low end of the block and a Scope the high end, so a component may call take() while a scope
+of its caller is open. When a block is full, another block is added; the next reset() merges all
+blocks into one of up to 31 MB. The memory is not initialized, and no constructors or destructors
+are called. Only one thread at a time may use an arena. */
 class CV_EXPORTS Arena
 {
     struct Block;
 
 public:
-    //! @param bytes size of the first block; 0: the first take() allocates it
+    //! @param bytes size of the first block; 0: the first block is allocated when memory is needed
     explicit Arena(size_t bytes = 0);
     ~Arena();
 
-    //! Memory for `count` objects until the run ends, 64-byte aligned, uninitialized. Not null,
-    //! even if `count` is 0.
+    //! Returns uninitialized, 64-byte aligned memory for `count` objects, valid until the run ends.
+    //! Never null, even if `count` is 0.
     template <class T>
     T* take(size_t count)
     {
         return static_cast<T*>(low(bytesOf<T>(count)));
     }
-    //! Protects everything taken so far from clear().
+    //! Makes later calls of clear() leave everything taken so far valid.
     void keep();
     //! Starts a new run: frees what was taken since keep(), or everything if keep() was not called.
     //! No Scope may be open.
     void clear();
-    //! Frees everything. If the first block is smaller than `bytes` or than all blocks together,
-    //! and smaller than 31 MB, one block of that size (at most 31 MB) replaces all; otherwise the
-    //! blocks stay.
+    //! Frees everything. If the first block is smaller than the maximum of `bytes` and capacity()
+    //! (but at most 31 MB), one block of this size replaces all blocks; otherwise the blocks are
+    //! kept.
     void reset(size_t bytes);
 
     //! Number of blocks.
@@ -72,7 +72,7 @@ public:
 
     private:
         Arena& arena;
-        Block* const block;  //!< `top` at construction; `end` is its Block::high at that time
+        Block* const block;  //!< Arena::top at construction; `end` is its Block::high at that time
         char* const end;
 
         Scope(const Scope&);
@@ -101,14 +101,15 @@ private:
     Arena& operator=(const Arena&);
 };
 
-//! A growing list in an arena, valid as long as the memory there. Copies share the elements.
+//! A growing list whose elements are in an arena and valid as long as memory from Arena::take.
+//! Copies of a list share the elements.
 template <class T>
 class ArenaList
 {
 public:
     ArenaList() : items(0), count(0), room(0) {}
 
-    //! Appends a copy of an element. A full list moves to a larger piece of the arena.
+    //! Appends a copy of `item`. A full list is first moved to an array of twice the capacity.
     void push(Arena& arena, const T& item)
     {
         const T copy = item;  // `item` may be an element of this list

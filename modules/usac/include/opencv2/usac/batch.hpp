@@ -17,11 +17,11 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief One estimation of a batch: the arguments of #estimateHomography and its kin. */
+/** @brief One estimation of a batch: the arguments of #estimateHomography and similar functions. */
 struct CV_EXPORTS Task
 {
     Task() : problem(HOMOGRAPHY) {}
-    //! For a problem without cameras; camera matrices and distortions are set afterwards.
+    //! Sets all members except camera matrices and distortions, which may be set afterwards.
     Task(ProblemType problem_, const Mat& points1_, const Mat& points2_,
          const Params& params_ = Params())
         : problem(problem_), points1(points1_), points2(points2_), params(params_)
@@ -30,9 +30,9 @@ struct CV_EXPORTS Task
     ProblemType problem;  //!< what is estimated
     Mat points1;          //!< points of image 1; #ABSOLUTE_POSE: object points
     Mat points2;          //!< their counterparts; #ABSOLUTE_POSE: image points
-    Params params;        //!< options; `scores` belong to these points
-    Mat cameraMatrix1;    //!< #ESSENTIAL, #ABSOLUTE_POSE
-    Mat cameraMatrix2;    //!< #ESSENTIAL; empty: the same as `cameraMatrix1`
+    Params params;        //!< options; Params::scores, if any, are those of these points
+    Mat cameraMatrix1;    //!< for #ESSENTIAL and #ABSOLUTE_POSE
+    Mat cameraMatrix2;    //!< for #ESSENTIAL; empty: the same as `cameraMatrix1`
     Mat distCoeffs1;      //!< distortion of camera 1; empty: none
     Mat distCoeffs2;      //!< distortion of camera 2; empty: none
 };
@@ -40,10 +40,11 @@ struct CV_EXPORTS Task
 //! @brief The result of a Task.
 struct CV_EXPORTS Estimate
 {
-    Mat model;  //!< in the form that #estimateHomography and its kin return; empty if there is none
-    Mat mask;   //!< N x 1, CV_8U
+    Mat model;      //!< in the form that #estimateHomography and similar functions return; empty if
+                    //!< there is none
+    Mat mask;       //!< N x 1, CV_8U
     Report report;  //!< statistics of the run
-    String error;   //!< message of the cv::Exception that the estimation raised, else empty
+    String error;   //!< message of the cv::Exception that the estimation raised; empty: none
 };
 
 /** @brief Runs many estimations in parallel.
@@ -68,7 +69,7 @@ public:
     //! One Params for each task.
     ParamsOfTasks(const std::vector<Params>& params) : list(params) {}
 
-    //! 1, or the number of tasks.
+    //! Number of stored options: 1 if they are the same for all tasks, else the number of tasks.
     size_t size() const { return list.size(); }
     //! The options of a task.
     const Params& operator[](size_t task) const { return list[list.size() == 1 ? 0 : task]; }
@@ -78,10 +79,10 @@ private:
 };
 
 /** @name Batches of one problem
-Each calls #estimateBatch with tasks of one problem.
+Each of these functions calls #estimateBatch with tasks of one problem.
 @param points1, points2 lists of the same length, one entry per task:
 `std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry like the points of
-#estimateHomography and its kin
+#estimateHomography and similar functions
 @param params one Params for all tasks, or a `std::vector<Params>` with one for each, for example
 because match scores differ from pair to pair
 @param threads as in #estimateBatch
@@ -123,9 +124,9 @@ CV_EXPORTS std::vector<Estimate> estimateTranslations2D(InputArrayOfArrays point
                                                         InputArrayOfArrays points2,
                                                         const ParamsOfTasks& params = Params(),
                                                         int threads = 0);
-/** Batch version of #estimateEssential. Cameras and distortions are lists, too, with one entry per
-task or a single one for all. Empty `cameraMatrices2`: the same as `cameraMatrices1`; empty
-distortions: none. */
+/** Batch version of #estimateEssential. Camera matrices and distortions are lists, too, with one
+entry per task or a single entry for all tasks. If `cameraMatrices2` is empty, `cameraMatrices1` are
+used for both images; empty distortion lists mean no distortion. */
 CV_EXPORTS std::vector<Estimate> estimateEssentials(
     InputArrayOfArrays points1, InputArrayOfArrays points2, InputArrayOfArrays cameraMatrices1,
     InputArrayOfArrays cameraMatrices2 = noArray(), InputArrayOfArrays distCoeffs1 = noArray(),

@@ -31,13 +31,15 @@ Degeneracy::validSample, mayBeGood and validModel. They are `const` and must not
 Context::arena. All other methods are called by one thread.
 @{ */
 
-//! One design of the sequential probability ratio test (SPRT), and how long it was in use.
+//! Parameters of one design of the sequential probability ratio test (SPRT), and the number of
+//! samples that it was used for.
 struct SequentialTest
 {
     double epsilon;  //!< probability that a point is an inlier of a good model
     double delta;    //!< probability that a point is an inlier of a bad model
     double A;  //!< decision threshold: a good model is rejected with a probability of at most 1/A
-    int samples;  //!< number of samples with State::counts whose models this design has tested
+    int samples;  //!< number of samples, only those with State::counts, whose models this design
+                  //!< has tested
 };
 
 struct Context;
@@ -46,7 +48,7 @@ struct Context;
 enum WantedSamples {
     SAMPLES_MIXED,   //!< samples that follow the order of the points, mixed with uniform ones, see
                      //!< Params::orderedEvery
-    SAMPLES_HALF,    //!< the same, but every second sample follows the order
+    SAMPLES_HALF,    //!< mixed samples of which every second one follows the order
     SAMPLES_ORDERED  //!< only samples that follow the order
 };
 
@@ -59,7 +61,8 @@ struct CV_EXPORTS State
           degenerate(false)
     {}
 
-    //! The points in the sequence given by the Ordering, best first; sorted at the first call.
+    //! The indices of the points in the sequence given by the Ordering, best point first. They are
+    //! sorted at the first call.
     const int* bestFirst(const Context& context)
     {
         if (!order)
@@ -68,26 +71,29 @@ struct CV_EXPORTS State
     }
 
     Rng rng;        //!< generator of the current iteration
-    int iteration;  //!< samples drawn so far
-    bool counts;    //!< the current sample counts for the termination criteria like one drawn
-                    //!< uniformly from all points; true unless the sampler says otherwise
+    int iteration;  //!< number of samples drawn so far
+    bool counts;    //!< the termination criteria count the current sample like one drawn uniformly
+                    //!< from all points; true unless the sampler sets it to false
     double successProbability;  //!< probability that an all-inlier sample leads to the best model,
                                 //!< see Degeneracy::successProbability()
-    int countedSamples;   //!< samples so far with `counts`: the confidence is computed from these
-    int repeatedSamples;  //!< samples that would count if they did not contain a match twice
-    int orderedSamples;   //!< samples drawn so far that follow a known order (scores, or the order
-                          //!< of the input)
+    int countedSamples;   //!< number of samples so far with `counts`; the confidence is computed
+                          //!< from it
+    int repeatedSamples;  //!< number of samples that would count if they did not contain the same
+                          //!< match twice
+    int orderedSamples;   //!< number of samples so far that follow a known order (scores, or the
+                          //!< order of the input)
     int wanted;           //!< @ref WantedSamples; used only by samplers that follow a known order
-    //! Set by a criterion that ends the search with #STOP_ORDER: number of samples of the points
-    //! that the best model does not explain, drawn before the search ends; the search goes on if
-    //! they lead to a better model.
+    //! Set by a criterion that ends the search with #STOP_ORDER: number of samples that are drawn
+    //! from the outliers of the best model before the search ends. The search continues if they
+    //! lead to a better model.
     int unexplainedSamples;
     const int* order;                 //!< result of bestFirst(); null before its first call
     Model best;                       //!< the best model so far
-    Quality bestQuality;              //!< its score
+    Quality bestQuality;              //!< score of `best`
     Quality sampleQuality;            //!< the best score of a model of a sample before optimization
     ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last one is in use
-    bool degenerate;  //!< a sample or model was degenerate, for example dominated by a plane
+    bool degenerate;  //!< true if a sample or model was degenerate, for example dominated by a
+                      //!< plane
     Report report;    //!< statistics of the run so far
 
 private:
@@ -102,7 +108,7 @@ class Watch;
 //! What does not change during a run; passed to components that need more than their own data.
 struct CV_EXPORTS Context
 {
-    //! Keeps references: all arguments must outlive the object.
+    //! The object keeps references to all arguments, which must outlive it.
     Context(const Correspondences& points_, const Components& components_, const Params& params_,
             Arena& arena_, Watch* watch_ = 0)
         : points(points_), components(components_), params(params_), arena(arena_), watch(watch_)
@@ -113,7 +119,7 @@ struct CV_EXPORTS Context
     @param bound scoring stops when the cost reaches this value; the returned cost may then be
     incomplete, but is not lower than `bound`.
 
-    To be called by one thread at a time, because it takes memory from the arena. */
+    Only one thread at a time may call it, because it takes memory from the arena. */
     Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
 
     //! Components::neighborhood; raises cv::Exception if there is none.
@@ -121,28 +127,29 @@ struct CV_EXPORTS Context
     //! Components::nonMinimalSolver; raises cv::Exception if there is none.
     const NonMinimalSolver& nonMinimalSolver() const;
 
-    //! Error, not squared, up to which Quality::inliers counts a point. Without a score: the
-    //! threshold of the points.
+    //! Error, not squared, up to which Quality::inliers counts a point. If there is no score
+    //! component: the threshold of the points.
     double inlierThreshold() const;
     //! Probability that a point is an inlier by chance, see Problem::randomInlierRatio.
     double randomInlierRatio() const;
 
-    //! True if the run must end now (Params::maxTime, ProgressScope). For loops of a component with
-    //! iterations over all points; the component then returns its best result so far. To be called
-    //! by the thread that began the run.
+    //! True if the run must end now (Params::maxTime, ProgressScope); the component then returns
+    //! its best result so far. For loops that process all points in each iteration. To be called by
+    //! the thread that began the run.
     bool stop() const { return watch && mustStop(); }
-    //! The same for loops with short iterations.
+    //! The same for loops with shorter iterations.
     //! @param work work done since the last call, in units of one point test, 2 ns each
     bool stop(double work) const { return watch && mustStop(work); }
-    //! The same before a step that cannot be interrupted: also true if this step, with so much
-    //! work, would exceed Params::maxTime. The step is then skipped, and the run ends.
+    //! To be called before a step that cannot be interrupted: true if the run must end now or if
+    //! this step would exceed Params::maxTime. The caller then skips the step, and the run ends.
+    //! @param work work of the step, in point tests
     bool stopBefore(double work) const { return watch && mustStopBefore(work); }
 
     const Correspondences& points;  //!< points of the run
     const Components& components;   //!< all parts of the estimator
     const Params& params;           //!< options
     Arena& arena;                   //!< memory of the run
-    Watch* const watch;             //!< null: nothing ends the run before its criteria do
+    Watch* const watch;             //!< stops the run early; null: only its criteria end it
 
 private:
     bool mustStop() const;
@@ -159,10 +166,10 @@ public:
     points for a model. If there are more than 32768 points, the search uses only a random part;
     after the search, start() is called again with all points.
 
-    A component that stores anything about a run (its points, for example, or what it has learned)
-    resets it here: the same object is used for the next run, whose points and number of points may
-    differ. Memory that it took from Context::arena in the previous run is gone. Other components
-    may not have been started yet. Default: does nothing. */
+    A component that stores data about a run (for example its points or learned values) resets them
+    here: the same object is used for the next run, whose points and number of points may differ.
+    Memory from Context::arena of the previous run is no longer valid. Other components may not have
+    been started yet. Default: does nothing. */
     virtual void start(const Context& context);
 };
 
@@ -173,9 +180,9 @@ public:
     virtual ~Ordering();
     //! Writes a permutation of 0 .. size-1 to `order`, where `size` is the number of points.
     virtual void sort(const Context& context, int* order) = 0;
-    //! True if the order comes from knowledge about the matches, such as their scores. False: it is
-    //! a guess from the points themselves, on which samplers rely less. May be called before
-    //! sort(). Default: true.
+    //! True if the order comes from knowledge about the matches, such as their scores. False if the
+    //! order is guessed from the points themselves; samplers rely less on such an order. May be
+    //! called before sort(). Default: true.
     virtual bool informative(const Context& context) const;
 };
 
@@ -184,7 +191,7 @@ class CV_EXPORTS Neighborhood : public Component
 {
 public:
     virtual ~Neighborhood();
-    //! Number of layers, that is of neighborhood sizes; layer 0 is the finest.
+    //! Number of layers, that is of neighborhood sizes; layer 0 has the smallest neighborhoods.
     virtual int layers() const = 0;
     //! Neighbors of a point in a layer, including the point itself. @return their number; `members`
     //! points to them.
@@ -201,14 +208,15 @@ public:
     virtual ~Sampler();
     /** @brief Draws the next sample with `state.rng`.
 
-    Sets `state.counts` to false if the termination criteria must not take the sample for one drawn
-    uniformly from all points: samples from a subset of the points may never consist of inliers of
-    the best model.
+    Sets `state.counts` to false if the termination criteria must not treat the sample like one
+    drawn uniformly from all points. For example, samples from a subset of the points may never
+    consist of inliers of the best model.
     @param context, state the fixed and the changing data of the run
     @param sample output, as many distinct point indices as the minimal solver needs */
     virtual void sample(const Context& context, State& state, int* sample) = 0;
-    //! Fraction of the samples that are drawn from a growing set as in PROSAC: only these count for
-    //! PROSAC's termination criterion. Default: 0, so that this criterion never ends the search.
+    //! Fraction of the samples that are drawn from a growing set of the best points as in PROSAC.
+    //! PROSAC's termination criterion counts only these samples. Default: 0, so that this criterion
+    //! never ends the search.
     virtual double growingShare(const Context& context) const;
 };
 
@@ -224,14 +232,14 @@ public:
     @param points the correspondences
     @param samples `count` samples
     @param count number of samples
-    @param models output: where the models of each sample go, at most #MAX_MODELS
+    @param models output: for each sample an array of at most #MAX_MODELS models
     @param found output: number of models of each sample
 
     The models of a sample must not depend on the other samples. Default: calls solve() for each. */
     virtual void solveMany(const Correspondences& points, const int* const* samples, int count,
                            Model* const* models, int* found) const;
     //! Number of samples for which solveMany() is fastest, at most #MAX_TOGETHER. Default: 1, so
-    //! that no sample is solved in vain when the run ends.
+    //! that no sample is solved needlessly when the run ends.
     virtual int together() const;
     enum { MAX_TOGETHER = 8 /*!< most samples that a run solves at once */ };
 };
@@ -243,12 +251,12 @@ public:
     virtual ~NonMinimalSolver();
     /** @brief Fits a model to `count` points.
     @param points the correspondences
-    @param indices which of them
+    @param indices indices of the points to fit
     @param count number of indices
-    @param weights one per index; null: all are 1
+    @param weights weight of the squared error of each of these points; null: all are 1
     @param model input: initial model; output: the fit
     @param iterations an iterative solver may stop after this many steps; >= 1
-    @return false if the points do not determine a model; `model` is then as before. */
+    @return false if the points do not determine a model; `model` is then unchanged. */
     virtual bool fit(const Correspondences& points, const int* indices, int count,
                      const double* weights, Model& model, int iterations = 10) const = 0;
 };
@@ -272,9 +280,9 @@ public:
     @param model the model
     @param datum one number of each column
     @param error output, at most #MAX_COMPONENTS numbers
-    @return the number of components. Default: one, the square root of the squared error, which
-    suits distances to a curve. For an error with two or three components, override this method: the
-    root has no derivative where the error is 0.
+    @return the number of components. Default: one component, the square root of the squared error,
+    which suits distances to a curve. For an error with two or three components, override this
+    method, because the root has no derivative where the error is 0.
     */
     virtual int error(const Model& model, const double* datum, double* error) const;
     /** @brief The same, with the derivative with respect to the entries of the model, for
@@ -285,17 +293,17 @@ public:
     Default: central differences, 2 Model::size() + 1 calls of error(). */
     virtual int linearize(const Model& model, const double* datum, double* error,
                           double* derivative) const;
-    //! The loops that the module has compiled from the formula of the error, if it has. Default:
-    //! null; then the scores and fits call the methods above.
+    //! The loops over points that the module has compiled from the formula of the error. Default:
+    //! null, there are none; scores and fits then call the methods above.
     virtual const ResidualKernels* kernels() const;
     //! True (default): models are homogeneous, and a FusedKernel gets them scaled so that the
-    //! largest entry is 1. False: it gets the entries as they are.
+    //! largest absolute entry is 1. False: a FusedKernel gets the entries unchanged.
     virtual bool homogeneous() const;
 };
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over
 Correspondences::column. `model` has the Model::size() entries as float, see Residual::homogeneous.
-A kernel saves time if the compiler vectorizes it, even for blocks of 32 points. */
+A kernel only saves time if the compiler vectorizes it, but then even for blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model,
                             float squaredThreshold, int begin, int end, Quality& sum);
 
@@ -305,24 +313,25 @@ class CV_EXPORTS Score : public Component
 public:
     virtual ~Score();
     /** @brief Adds the costs and inliers of a block of points to `sum`; the cost of a point lies
-    between 0 (perfect) and 1 (outlier). NaN is an outlier. `squaredThreshold` has the unit of the
-    squared errors. The array of errors may be modified. */
+    between 0 (no error) and 1 (outlier). A point whose error is NaN is an outlier.
+    `squaredThreshold` has the unit of the squared errors. The array of errors may be modified. */
     virtual void accumulate(float* squaredErrors, int count, float squaredThreshold,
                             Quality& sum) const = 0;
-    //! A kernel that does the same without an array of errors, or null.
+    //! A kernel that computes errors and score in one pass, without an array of errors. Default:
+    //! null, there is none.
     virtual FusedKernel fused(const Residual& residual) const;
     //! True: the cost is not a sum over the points; accumulate() is called once per model, with all
     //! points. Default: false.
     virtual bool wholeModel() const;
-    //! True: the cost is the number of points that are no inliers. Default: false.
+    //! True: the cost is the number of points that are not inliers. Default: false.
     virtual bool countsInliers() const;
-    //! False: the score does not use the threshold of the points, and a fixed part of the points
-    //! are its inliers, as for least median of squares. Default: true.
+    //! False: the score does not use the threshold of the points but counts a fixed fraction of the
+    //! points as inliers, as least median of squares does. Default: true.
     virtual bool usesThreshold() const;
     //! Fraction of the threshold of the points, 0 to 1, up to which accumulate() counts a point as
     //! an inlier; points beyond it contribute to the cost only. Default: 1.
     virtual double inlierPart() const;
-    //! The threshold, not squared, of the mask and of the steps after the search. Default: the
+    //! The threshold, not squared, for the mask and for the steps after the search. Default: the
     //! threshold of the points.
     virtual double threshold(const Context& context, const Model& model) const;
 };
@@ -332,7 +341,7 @@ class CV_EXPORTS Verifier : public Component
 {
 public:
     virtual ~Verifier();
-    /** @brief Tests single points before the blocks. Default: tests none.
+    /** @brief Tests single points before blocks of points are tested. Default: tests none.
     @param context, model the data of the run and the model to test
     @param rng the sample's random number generator
     @param inliers, tested output: the number of inliers among the tested points, and the number of
@@ -344,8 +353,8 @@ public:
     virtual int nextBlock(int tested) const = 0;
     //! False: the model is rejected after `tested` points, of which `inliers` were inliers.
     virtual bool proceed(int inliers, int tested) const = 0;
-    /** @brief Probability that a good model passes preTest(); the number of samples increases
-    accordingly. Default: 1.
+    /** @brief Probability that a good model passes preTest(). The lower it is, the more samples the
+    termination criteria ask for. Default: 1.
     @param context the data of the run
     @param inliers number of inliers of the model among all points
     @param withoutRepetition points are drawn without replacement: hypergeometric distribution, not
@@ -372,7 +381,7 @@ public:
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model is rejected and not scored. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
-    /** @brief Examines a new so-far-the-best model and may replace it by a better one.
+    /** @brief Examines a model that is better than all before and may replace it by a better one.
     @param sample the sample that the model was computed from; null after the local optimization
     @param context, state the fixed and the changing data of the run
     @param model, quality the model and its score
@@ -380,23 +389,23 @@ public:
     */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model,
                          Quality& quality);
-    //! Lowers the quality of a model that has passed every recover(), if some of its inliers are no
-    //! independent evidence for it. Default: does nothing.
+    //! Lowers the quality of a model that has passed every recover(), if some of its inliers are
+    //! not independent of each other, such as repeated matches. Default: does nothing.
     virtual void discount(const Context& context, const Model& model, Quality& quality);
     //! Probability that an all-inlier sample leads to this model, which has just become the best
-    //! one, and not to a wrong model with nearly as many inliers. At most 1, the default; below 1,
-    //! more samples are drawn.
+    //! one, and not to a wrong model with nearly as many inliers. At most 1, which is the default;
+    //! the lower it is, the more samples are drawn.
     virtual double successProbability(const Context& context, const State& state,
                                       const Model& model);
 };
 
-//! Improves each so-far-the-best model (paper, section "Local optimization").
+//! Improves each model that is better than all before (paper, section "Local optimization").
 class CV_EXPORTS LocalOptimizer : public Component
 {
 public:
     virtual ~LocalOptimizer();
-    //! Replaces the model by a better one. @return false if none was found; model and quality are
-    //! then unchanged.
+    //! Replaces the model by a better one. @return false if no better model was found; model and
+    //! quality are then unchanged.
     virtual bool optimize(const Context& context, State& state, Model& model, Quality& quality) = 0;
 };
 
@@ -406,12 +415,12 @@ class CV_EXPORTS Termination : public Component
 public:
     virtual ~Termination();
     //! Number of samples after which the run can stop, given the best model so far; countsAll()
-    //! says which samples are counted. INT_MAX: not yet known. Called when the best model changes,
-    //! and when the verifier adds a design to `state.tests`.
+    //! says which samples are counted. INT_MAX: the number is not yet known. Called when the best
+    //! model changes, and when the verifier adds a design to `state.tests`.
     virtual int iterations(const Context& context, const State& state) const = 0;
-    //! True (default): iterations() is a number of samples of any kind. False: only those with
-    //! State::counts are counted; but all if more than half of the points outside the sample of the
-    //! best model are its inliers.
+    //! True (default): iterations() is a number of samples of any kind. False: only samples with
+    //! State::counts are counted; if more than half of the points outside the sample of the best
+    //! model are its inliers, all samples are counted nevertheless.
     virtual bool countsAll() const;
     /** @brief Called between batches of samples: may set State::wanted, so that the sampler draws
     what the criterion needs. Default: does nothing.
@@ -428,23 +437,23 @@ public:
     virtual ~Polisher();
     //! Replaces the model by a better one if it can.
     virtual void polish(const Context& context, Model& model) = 0;
-    /** @brief The distance up to which points act on a polished model, for Report::covariance. At
-    such a model the sum over these points of weight times error times the derivative of the error
-    by the parameters is 0 (an M-estimate).
+    /** @brief The error up to which points influence a polished model, for Report::covariance. The
+    polished model must be an M-estimate: the sum over these points of weight times error times the
+    derivative of the error by the parameters is 0.
     @param context context of polish()
-    @param squaredErrors of all points under the polished model, in single precision
-    @return distance in the coordinates of the points, not squared. Default: 0, it is not known what
-    polish() minimizes; then the report has no covariance. */
+    @param squaredErrors squared errors of all points under the polished model
+    @return an error in the coordinates of the points, not squared. Default: 0, which means that it
+    is unknown what polish() minimizes; Report::covariance is then NaN. */
     virtual double support(const Context& context, const float* squaredErrors) const;
-    //! The weight of a point within the support. `square` is its squared error as a part of the
-    //! squared support, 0 to 1, `degrees` is Problem::errorDimension. Default: 1.
+    //! The weight of a point whose error is within support(). `square` is its squared error divided
+    //! by the squared support, 0 to 1; `degrees` is Problem::errorDimension. Default: 1.
     virtual double weight(double square, int degrees) const;
 };
 
 //! The components of one estimator.
 struct CV_EXPORTS Components
 {
-    //! Calls Component::start of all of them.
+    //! Calls Component::start of all components.
     void start(const Context& context) const;
 
     Ptr<Residual> residual;                      //!< required

@@ -14,35 +14,37 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @name How sure a model is
-What the covariance of a model, Report::covariance, means for its entries, for the motion between
-two cameras, and for single points. All propagate it to first order @cite hartley2003multiple
-(result 5.6): the errors must be small against the curvature of the function. All raise
-cv::Exception for a model that is none of its problem and for a covariance that is not d x d; NaN in
-the covariance becomes NaN.
+/** @name Uncertainty of a model
+These functions propagate the covariance of a model, Report::covariance, to its entries, to the
+motion between two cameras, and to single points, to first order @cite hartley2003multiple (result
+5.6). The errors must be so small that the propagated function is nearly linear over their range.
+All functions raise cv::Exception for a model that is not one of the given problem and for a
+covariance that is not d x d. If the covariance has NaN entries, so has the result.
 @{ */
 
 /** @brief Derivatives of the entries of a model by the parameters of Report::covariance.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
-@return n x d, CV_64F: n entries of the model row by row, d parameters, of which Report::covariance
-is the covariance. H, F and E are first brought to the scale and sign in which they are returned.
+@param model as #estimateHomography and similar functions return it, any depth
+@return n x d, CV_64F: a row for each of the n entries of the model (row by row), a column for each
+of the d parameters of Report::covariance. H, F and E are first brought to the scale and sign in
+which the estimation returns them.
 
 The parameters of H, F and E are coordinates in an orthonormal basis of the tangent space of the
 matrices of unit norm; for H, which is returned with h33 = 1, the derivatives are those of the
-entries over h33. */
+entries divided by h33. */
 CV_EXPORTS_W Mat tangentOfModel(ProblemType problem, InputArray model);
 
 /** @brief Covariance of the entries of a model, T C T^T with T of #tangentOfModel.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param covariance Report::covariance, d x d, any depth
 @return n x n, CV_64F, of rank d or less */
 CV_EXPORTS_W Mat covarianceOfModel(ProblemType problem, InputArray model, InputArray covariance);
 
-/** @brief Covariance of rotation and direction of translation from that of an essential matrix.
+/** @brief Covariance of the rotation and of the direction of the translation, from the covariance
+of an essential matrix.
 
 @param essential 3x3, any depth: a multiple of [t]x R
 @param covariance Report::covariance of the essential matrix, 5 x 5, any depth
@@ -54,10 +56,10 @@ if R is no rotation or [t]x R no multiple of the essential matrix, up to 1e-6 of
 CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R,
                                   InputArray t);
 
-/** @brief How sure a model is at given points.
+/** @brief Uncertainty of a model at given points.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param covariance Report::covariance, d x d, any depth
 @param points1 N points of image 1; absolute pose and rigid motions: points of space. Layouts as in
 #estimateHomography
@@ -70,8 +72,8 @@ absolute pose: N x 4, that of the projected point (without distortion); rigid mo
 3x3 covariance of the moved point; F and E: N x 1, the variance of the signed distance of the point
 of image 2 from its epipolar line. NaN where the result is not finite.
 
-It is the error of the model alone; a point that is measured has its own noise in addition. Points
-of E are in pixels, without distortion: use cv::undistortPoints with P = the camera matrix. */
+The result covers the error of the model alone, not the noise of a measured point. Points for E are
+in pixels without distortion: use cv::undistortPoints with P = the camera matrix. */
 CV_EXPORTS_W Mat pointCovariance(ProblemType problem, InputArray model, InputArray covariance,
                                  InputArray points1, InputArray points2 = noArray(),
                                  InputArray cameraMatrix1 = noArray(),

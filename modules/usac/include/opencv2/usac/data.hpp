@@ -20,14 +20,14 @@ namespace usacv20 {
 /** @name Data that components work on
 @{ */
 
-//! Sizes of arrays.
+//! Maximum sizes, for arrays of fixed length.
 enum {
-    MAX_SAMPLE_SIZE = 8,  //!< points in a minimal sample, at most
-    MAX_MODELS = 10,      //!< models from a minimal solver, at most
-    MAX_MODEL_SIZE = 12,  //!< numbers in a model, at most
-    MAX_COLUMNS = 6       //!< numbers in a datum (one correspondence), at most
+    MAX_SAMPLE_SIZE = 8,  //!< maximum number of points in a minimal sample
+    MAX_MODELS = 10,      //!< maximum number of models from one minimal sample
+    MAX_MODEL_SIZE = 12,  //!< maximum number of entries of a model
+    MAX_COLUMNS = 6       //!< maximum number of coordinates in a datum (one correspondence)
 };
-//! Columns of two views, see Correspondences.
+//! Columns of Correspondences for problems of two views.
 enum TwoViewColumn {
     X1,  //!< x of image 1
     Y1,  //!< y of image 1
@@ -35,9 +35,9 @@ enum TwoViewColumn {
     Y2   //!< y of image 2
 };
 
-/** @brief A matrix of at most #MAX_MODEL_SIZE numbers, in the coordinates of Correspondences: a
-homography, a fundamental or essential matrix, or whatever model a Problem has. Converts from and to
-a Matx of the same size. */
+/** @brief A model as a matrix of at most #MAX_MODEL_SIZE numbers: a homography, a fundamental or
+essential matrix, or the model of any other Problem. It refers to the coordinates of
+Correspondences. Converts from and to a Matx of the same size. */
 class Model
 {
 public:
@@ -65,7 +65,7 @@ public:
 
     //! Number of entries.
     int size() const { return rows * cols; }
-    //! True for the same shape and numbers.
+    //! True if shape and entries are equal.
     bool operator==(const Model& other) const
     {
         return rows == other.rows && cols == other.cols && std::equal(val, val + size(), other.val);
@@ -92,52 +92,54 @@ struct Frame
         return Matx33d(scale, 0, 0 - scale * center[0], 0, scale, 0 - scale * center[1], 0, 0, 1);
     }
 
-    double center[3];  //!< in the caller's unit
+    double center[3];  //!< center of the points in the caller's unit
     double scale;      //!< factor applied after the shift: normalized units per caller's unit
 };
 
-/** @brief The correspondences as the components see them: normalized, shuffled, structure of
-arrays.
+/** @brief The correspondences as the components see them: normalized, shuffled, and stored as a
+structure of arrays.
 
 A datum (one correspondence) has coordinates[0] numbers from the caller's first array and
-coordinates[1] from the second; each number has a column: #X1, #Y1, #X2, #Y2 for two views. H, F:
-translated and scaled to about unit size (F: with the same scale in both images, so that errors
-scale with it). E: coordinates of the normalized image plane. The order is pseudo-random and fixed,
-so that any run of consecutive points is a random sample. Each column has `size` elements.
-*/
+coordinates[1] from the second. Each of these numbers has a column of `size` elements: #X1, #Y1,
+#X2, #Y2 for two views. For H and F, the points of each image are translated and scaled to about
+unit size (for F with the same scale in both images, so that errors are scaled by this factor, too).
+For E, they are on the normalized image plane. The order is pseudo-random and fixed, so that any
+consecutive points are a random sample. */
 struct Correspondences
 {
     //! Numbers per datum.
     int columns() const { return coordinates[0] + coordinates[1]; }
 
-    const Problem* problem;  //!< what is estimated
-    int size;                //!< number of finite correspondences
+    const Problem* problem;  //!< kind of model that is estimated
+    int size;                //!< number of correspondences whose coordinates are all finite
     int inputSize;           //!< number of rows in the caller's arrays
-    int coordinates[2];      //!< numbers per point in either array; 0: there is no second array
+    int coordinates[2];      //!< numbers per point in each array; 0: there is no second array
     const float* column[MAX_COLUMNS];  //!< single precision for scoring, 64-byte aligned
     const double* exact[MAX_COLUMNS];  //!< double precision for solvers and fits
     const int* inputIndex;             //!< row of each point in the caller's arrays
     const float*
-        scores;   //!< Params::scores in the order of the points, lower is better; null: none given
-    double unit;  //!< unit of Params::threshold (a pixel, mostly) in the coordinates of array 2
-    double threshold;  //!< Params::threshold times Params::reach in these coordinates, not squared
-    Frame frame[2];  //!< from the caller's coordinates (E: of the normalized image plane) to these;
-                     //!< if there is one array, both entries are the same
-    float lower[MAX_COLUMNS];  //!< nearly all values of each column are above this
-    float upper[MAX_COLUMNS];  //!< and nearly all are below this
+        scores;   //!< Params::scores in the order of the points, lower is better; null: no scores
+    double unit;  //!< length of one unit of Params::threshold (mostly a pixel) in the columns of
+                  //!< array 2
+    double threshold;  //!< Params::threshold times Params::reach, in the same coordinates, not
+                       //!< squared
+    Frame frame[2];  //!< normalization of each array: from the caller's coordinates (for E from the
+                     //!< normalized image plane) to the columns; equal if there is one array
+    float lower[MAX_COLUMNS];  //!< nearly all values of each column are above this bound
+    float upper[MAX_COLUMNS];  //!< nearly all values of each column are below this bound
 };
 
 //! The score of a model: the lower the cost, the better.
 struct Quality
 {
     Quality() : cost(std::numeric_limits<double>::infinity()), inliers(0) {}
-    //! From known values.
+    //! Sets both members.
     Quality(double cost_, int inliers_) : cost(cost_), inliers(inliers_) {}
-    //! True if this cost is lower.
+    //! True if this object has a lower cost than `other`.
     bool betterThan(const Quality& other) const { return cost < other.cost; }
 
-    double cost;  //!< sum over all points, each of which contributes between 0 and 1
-    int inliers;  //!< points within the threshold
+    double cost;  //!< sum of a cost between 0 and 1 for each point; infinite: there is no model
+    int inliers;  //!< number of points with an error within the threshold
 };
 
 //! @}

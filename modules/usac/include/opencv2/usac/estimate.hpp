@@ -14,18 +14,18 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-#ifndef OPENCV_BINDING_PARSER  // other languages make theirs from #estimateModel
+#ifndef OPENCV_BINDING_PARSER  // the packages for other languages call #estimateModel instead
 
 /** @brief Estimates the homography that maps image 1 to image 2.
 
 @param points1 N points of image 1 in any layout and depth that some function of OpenCV accepts: a
 matrix with 2 channels (Nx1, 1xN or any other shape), or with 1 channel, Nx2 or 2xN; vector<Point>,
 vector<Point2f>, vector<Point2d> etc. With 3 coordinates instead of 2 (vector<Point3f>, Nx3, 3xN)
-the points are homogeneous; one whose third coordinate is 0 is a point at infinity and never an
-inlier. Rows (x, y, size) or (x, y, confidence) cannot be distinguished from homogeneous points and
-are divided by the third number, too. With 4 or more numbers, the first two are used. With 1
-channel, the longer side is the number of points; if both sides are equal, it is the number of rows;
-a single row or column is one point.
+the points are homogeneous; a point whose third coordinate is 0 is at infinity and never an inlier.
+Rows (x, y, size) or (x, y, confidence) cannot be distinguished from homogeneous points and are
+divided by the third number, too. With 4 or more numbers, the first two are used. With 1 channel,
+the longer side is the number of points; if both sides are equal, it is the number of rows; a single
+row or column is one point.
 @param points2 their N counterparts in image 2; layout and depth may differ.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the
@@ -202,7 +202,7 @@ threshold, else 0.
 #estimateAffinity2D; cv::estimateTranslation2D of OpenCV 5 returns its last column. Empty if there
 is none, and `report` says why.
 
-A minimal sample is one point; many are fitted by their mean displacement. */
+A minimal sample is one correspondence; a fit to many correspondences is their mean displacement. */
 CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2, const Params& params,
                                      OutputArray mask, Report& report);
 //! @overload
@@ -211,8 +211,8 @@ CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2,
 
 #endif  // OPENCV_BINDING_PARSER
 
-/** @brief Estimates a model of any kind: what #estimateHomography and its kin do, for a program
-that knows the problem at run time only.
+/** @brief Estimates a model of any kind, like #estimateHomography and similar functions, for a
+program that knows the problem only at run time.
 
 @param problem what to estimate
 @param points1 N points, in the layouts that the function of the problem takes; #ABSOLUTE_POSE: 3-D

@@ -51,35 +51,36 @@ public:
     static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
                             const Params& params = Params());
 
-    /** The components, to be replaced before #run. The remaining default components adapt to a
-    replaced one: for example, fits minimize the new residual. A missing component, a
-    sampler that draws invalid samples, or a score that counts no inliers raises a cv::Exception
-    that names the component. */
+    /** The components, which may be replaced before #run. The remaining default components adapt to
+    a replaced one: for example, fits minimize the new residual. In #run, a missing component, a
+    sampler that draws invalid samples, or a score that does not count points without error as
+    inliers raises a cv::Exception that names the component. */
     virtual Components& components() = 0;
     //! The points as the components see them.
     virtual const Correspondences& points() const = 0;
     /** @brief Replaces the points of #create for the next #run; their number may differ.
-    @param points1, points2 as in #create. Params::scores, if any, are taken as those of the new
-    points, whose number must then be the same.
+    @param points1, points2 as in #create. Params::scores, if any, are used for the new points,
+    whose number must then be the same.
 
-    The object keeps its memory, as much as the largest run so far needed: a tracker allocates once.
-    After a cv::Exception it has no points. */
+    The object keeps the memory that its largest run so far needed, so that a tracker allocates only
+    once. After a cv::Exception the object has no points. */
     virtual void setPoints(InputArray points1, InputArray points2) = 0;
     /** @brief Runs the estimation. May be called repeatedly, with the same result for the same
     points: each run begins with Component::start of all components, including replaced ones. From
-    the second run of the same size on, this module allocates only what it returns (OpenCV allocates
-    for kd-trees, graph cuts and distortion).
+    the second run of the same size on, this module allocates memory only for its results (OpenCV
+    allocates some for kd-trees, graph cuts and distortion).
     @param mask output, N x 1, CV_8U
     @param report output, may be null
-    @return the model in the form of #estimateHomography and its kin; for other problems the matrix
-    of Problem::toOutput, CV_64F; empty if there is none. */
+    @return the model in the form of #estimateHomography and similar functions; for other problems
+    the matrix of Problem::toOutput, CV_64F; empty if there is none. */
     virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
 
-    /** @brief Least-squares fit to all points, or to a subset, without a search; OpenCV's method 0.
+    /** @brief Least-squares fit to all points, or to a subset, without a search, as with the flag 0
+    of calib3d.
     @param weights N weights of the squared errors, at least 0, any depth; empty: all 1
     @param chosen mask of the points to fit, N numbers, 0 for points that are left out; empty: all
     points
-    @param mask output, N x 1, CV_8U, of all points, as in #run
+    @param mask output, N x 1, CV_8U, for all points, as in #run
     @param report output, may be null; `stop` is #STOP_NO_SEARCH, or says why there is no model
     @return the model as #run returns it; empty if the points determine none. The fit starts from
     the best models of minimal samples and iterates the Gauss-Newton method until it converges. It
@@ -88,9 +89,9 @@ public:
                     OutputArray mask = noArray(), Report* report = 0) = 0;
     /** @brief Refines a known model.
     @param model as #run returns it, any depth
-    @param chosen mask of the inliers, N numbers, 0 for other points: least-squares fit to the
-    inliers, starting from the model. Empty: the last step of #run (Params::polishing), which
-    selects the inliers itself, starting from the model
+    @param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares
+    fit to these inliers is made, starting from the model. Empty: the model is polished as at the
+    end of #run (Params::polishing), which selects the inliers itself
     @param mask, report as in #fit
     @return the model; empty if the points determine none. */
     virtual Mat refine(InputArray model, InputArray chosen = noArray(),

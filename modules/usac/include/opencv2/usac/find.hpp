@@ -15,14 +15,15 @@ namespace cv {
 //! @{
 
 /** @name The functions of calib3d with a flag of this module
-Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat, with the
-same meaning, order and defaults of the arguments. Overload resolution picks these functions for a
-#UsacV20Method, and those of calib3d for an `int`; an `int` that may hold a flag of this module
-needs usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat. The
-results are those of usacv20::estimateHomography, usacv20::estimateFundamental and
-usacv20::estimateEssential. Functions with a flag do not tell whether `maxIters` ended the search;
-to find out, call an `estimate` function with the flag's options (usacv20::Params::fromMethod) and
-check for usacv20::Report::stop == usacv20::STOP_MAX_ITERATIONS.
+There is an overload for every signature of cv::findHomography, cv::findFundamentalMat and
+cv::findEssentialMat, with the same meaning, order and defaults of the arguments. Overload
+resolution picks these functions for a #UsacV20Method, and those of calib3d for an `int`. If an
+`int` may hold a flag of this module, call usacv20::findHomography, usacv20::findFundamentalMat and
+usacv20::findEssentialMat instead. The results are those of usacv20::estimateHomography,
+usacv20::estimateFundamental and usacv20::estimateEssential. Functions with a flag do not tell
+whether `maxIters` ended the search; to find out, call an `estimate` function with the flag's
+options (usacv20::Params::fromMethod) and check for usacv20::Report::stop ==
+usacv20::STOP_MAX_ITERATIONS.
 
 An invalid argument raises a cv::Exception whose message begins with the name of the argument in
 these signatures, or with the name of the field of Params.
@@ -106,12 +107,12 @@ inline Mat findEssentialMat(InputArray points1, InputArray points2, InputArray c
 namespace usacv20 {
 
 /** @name The functions of calib3d with any flag, known only at run time
-Every signature of cv::findHomography, cv::findFundamentalMat and cv::findEssentialMat that has an
-`int method`, with the same meaning, order and defaults of the arguments, except that an omitted
-`method` is UsacV20Method::USACV20. If `method` is the value of a #UsacV20Method, the result is that
-of cv::findHomography and its kin with this flag; if it is one of OpenCV's own flags, the call is
-passed on to calib3d unchanged. A number that is neither (OpenCV's flags are among 0 .. 63) raises a
-cv::Exception that names `method`.
+There is a function for every signature of cv::findHomography, cv::findFundamentalMat and
+cv::findEssentialMat that has an `int method`, with the same meaning, order and defaults of the
+arguments, except that an omitted `method` is UsacV20Method::USACV20. If `method` is the value of a
+#UsacV20Method, the result is that of cv::findHomography and similar functions with this flag; if it
+is one of OpenCV's own flags, the call is passed on to calib3d unchanged. A number that is neither
+(OpenCV's flags are among 0 .. 63) raises a cv::Exception that names `method`.
 
 After both `using namespace cv` and `using namespace cv::usacv20`, a call with an `int` must name
 the namespace, `usacv20::findHomography(...)`, because calib3d's function matches equally well.
@@ -140,8 +141,8 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
 @param method value of a #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
 @param confidence confidence of the search, see usacv20::Params::confidence
-@param maxIters maximum number of samples; it has a default in Python so that a None in
-this position, meant for `mask`, does no harm
+@param maxIters maximum number of samples. It has a default value in Python, so that a None at this
+position, meant for `mask`, does not raise an error
 @param mask output, Nx1, CV_8U, 1 for inliers
 @return 3x3, CV_64F (with OpenCV's flags and seven points up to three matrices, stacked as 9x3);
 empty if there is none

@@ -15,17 +15,18 @@ namespace cv {
 //! @{
 
 /** @name Maps of the plane by calib3d's functions with a flag of this module
-The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D, with the same meaning, order
-and defaults of the arguments, for a #UsacV20Method; OpenCV itself has no
-cv::estimateAffinePartial2D with all options in one argument. An `int` that may hold a flag of this
-module needs usacv20::estimateAffine2D and usacv20::estimateAffinePartial2D. The results are those
+These overloads of cv::estimateAffine2D and cv::estimateAffinePartial2D take a #UsacV20Method; the
+meaning, order and defaults of the other arguments are the same. (OpenCV itself has no
+cv::estimateAffinePartial2D with all options in one argument.) If the flag is stored in an `int`,
+call usacv20::estimateAffine2D and usacv20::estimateAffinePartial2D instead. The results are those
 of usacv20::estimateAffinity2D and usacv20::estimateSimilarity2D.
 
 `refineIters` is the maximum number of steps of the final polishing
 (usacv20::Params::polishingSteps); a preset with fewer steps keeps its own number. 0 turns polishing
 off (usacv20::POLISHING_NONE): the model is then the result of the search, which local optimization
-has already fitted to its inliers; with OpenCV's flags and 0, it is the model of the minimal sample.
-A negative number (which becomes a huge `size_t`) raises cv::Exception, as it does for `maxIters`.
+has already fitted to its inliers. (With OpenCV's flags and 0, it is the model of the minimal
+sample.) A negative number, which is converted to a very large `size_t`, raises cv::Exception for
+`refineIters` and `maxIters`.
 @{ */
 //! An affine map; arguments and result as in usacv20::estimateAffine2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers,
@@ -61,11 +62,11 @@ inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, const usacv
 namespace usacv20 {
 
 /** @name Maps of the plane with any flag, known only at run time
-The signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D that have an `int method`,
-except that an omitted `method` is UsacV20Method::USACV20. As for usacv20::findHomography, a call
-with one of OpenCV's own flags is passed on to calib3d unchanged, a number that is no flag raises a
-cv::Exception that names `method`, and after `using namespace cv` and `using namespace cv::usacv20`
-the call must name the namespace.
+These functions have the signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D with an
+`int method`, except that an omitted `method` is UsacV20Method::USACV20. As for
+usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d unchanged, a
+number that is no flag raises a cv::Exception that names `method`, and after `using namespace cv`
+and `using namespace cv::usacv20` the call must name the namespace.
 @{ */
 /** @brief cv::estimateAffine2D with a flag of this module or of OpenCV.
 @param from N points of image 1
@@ -102,7 +103,8 @@ CV_EXPORTS_W Mat estimateAffinePartial2D(InputArray from, InputArray to,
 //! @}
 
 /** @name The same functions with a flag that is known at compile time
-Templates for the same reason as those in find.hpp: a call without a namespace is not ambiguous.
+They are templates so that a call without a namespace is not ambiguous after `using namespace cv`
+and `using namespace cv::usacv20`.
 @{ */
 //! cv::estimateAffine2D with the same arguments.
 template <typename... Others>

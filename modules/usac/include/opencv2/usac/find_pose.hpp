@@ -15,11 +15,11 @@ namespace cv {
 //! @{
 
 /** @name The pose of a camera by cv::solvePnPRansac with a flag of this module
-The signatures of cv::solvePnPRansac with the same meaning and order of the arguments, for a
-#UsacV20Method or for options. An `int` that may hold a flag of this module needs
-usacv20::solvePnPRansac. The results are those of usacv20::estimateAbsolutePose: the reprojection
-error is measured in the original image, distortion included, and points behind the camera are not
-inliers.
+These overloads of cv::solvePnPRansac take a #UsacV20Method or a usacv20::Params; the meaning and
+order of the other arguments are the same. If the flag is stored in an `int`, call
+usacv20::solvePnPRansac instead. The results are those of usacv20::estimateAbsolutePose: the
+reprojection error is measured in the original image, distortion included, and points behind the
+camera are not inliers.
 @{ */
 /** @brief The pose of a calibrated camera.
 @param objectPoints N 3-D points
@@ -78,8 +78,8 @@ CV_EXPORTS_W bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints
                                  double confidence = 0.99, OutputArray inliers = noArray(),
                                  int flags = (int)USACV20);
 
-//! The same with a flag that is known at compile time; a template for the same reason as those in
-//! find.hpp.
+//! The same with a flag that is known at compile time. It is a template so that a call without a
+//! namespace is not ambiguous after `using namespace cv` and `using namespace cv::usacv20`.
 template <typename... Others>
 bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
                     InputArray distCoeffs, OutputArray rvec, OutputArray tvec,

@@ -15,29 +15,30 @@ namespace usacv20 {
 //! @{
 
 /** @name Without a search
-Fits, refines or evaluates a model without drawing samples: one function each for all problems of
-#ProblemType. (For several calls with the same points, or for a problem of your own: Usac::fit,
-Usac::refine, Usac::errors.)
+These functions fit, refine or evaluate a model without a search. Each works for all problems of
+#ProblemType. (For several calls with the same points, or for a problem of your own, use Usac::fit,
+Usac::refine and Usac::errors.)
 @{ */
 
-/** @brief Least-squares fit to all points, or to a subset; OpenCV's method 0.
+/** @brief Least-squares fit to all points, or to a subset, as with the flag 0 of calib3d.
 
 @param problem what to fit
-@param points1 N points, in the layouts that #estimateHomography and its kin take; #ABSOLUTE_POSE:
-3-D points
+@param points1 N points, in the layouts that #estimateHomography and similar functions take;
+#ABSOLUTE_POSE: 3-D points
 @param points2 their N counterparts; #ABSOLUTE_POSE: image points
 @param params `threshold` is the threshold of the mask, `residual` the error that is minimized
 @param mask output, N x 1, CV_8U: 1 exactly where the error of a point under the returned model is
 at most the threshold
 @param report output; `stop` is #STOP_NO_SEARCH, or says why there is no model
 @param weights N weights of the squared errors, at least 0, any depth; empty: all 1
-@param chosen mask of the points to fit (of inliers, for example), N numbers, 0 for points that are
+@param chosen mask of the points to fit (for example the inliers), N numbers, 0 for points that are
 left out; empty: all points
 @param cameraMatrix1 3x3, for #ESSENTIAL and #ABSOLUTE_POSE
 @param cameraMatrix2 3x3, for #ESSENTIAL; empty: the same as `cameraMatrix1`
 @param distCoeffs1 distortion of camera 1, for #ESSENTIAL and #ABSOLUTE_POSE; empty: none
 @param distCoeffs2 distortion of camera 2, for #ESSENTIAL; empty: none
-@return the model as #estimateHomography and its kin return it; empty if the points determine none.
+@return the model as #estimateHomography and similar functions return it; empty if the points
+determine none.
 
 The fit is not robust: outliers are not detected and affect it fully. Raises cv::Exception for lists
 of different lengths, negative weights and invalid parameters. */
@@ -51,13 +52,13 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 /** @brief Refines a known model.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
 @param params options; `threshold`, `residual`, `polishing` and `polishingSteps` are used
 @param mask, report as in #fitModel
-@param chosen mask of the inliers, N numbers, 0 for other points: least-squares fit to the inliers,
-starting from the model. Empty: the last step of an estimation (Params::polishing), which selects
-the inliers itself, starting from the model.
+@param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares fit
+to these inliers is made, starting from the model. Empty: the model is polished as at the end of an
+estimation (Params::polishing), which selects the inliers itself.
 @param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel
 @return the model; empty if the points determine none. */
 CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray points1,
@@ -71,7 +72,7 @@ CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray p
 /** @brief The error of each point under a model, as used for the mask of an estimation.
 
 @param problem kind of the model
-@param model as #estimateHomography and its kin return it, any depth
+@param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
 @param params options; `residual` is used
 @param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel

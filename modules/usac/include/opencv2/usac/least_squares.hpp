@@ -18,18 +18,19 @@ namespace usacv20 {
 /** @brief How least squares varies the models of a problem: a parameterization of all valid models
 near a given one by as many numbers as they have degrees of freedom.
 
-The entries of a model are mostly more than these and fulfill constraints (an essential matrix has
-9 entries and 5 degrees of freedom). Implementations fulfill these laws for every model M that is
-valid, where 0 are `dimension()` zeros; #checkParameterization tests them:
+A model usually has more entries than degrees of freedom, because the entries fulfill constraints
+(an essential matrix has 9 entries and 5 degrees of freedom). Implementations must fulfill these
+laws for every valid model M, where 0 stands for a vector of `dimension()` zeros;
+#checkParameterization tests them:
 
-1. plus(M, 0) is M itself (homogeneous models: with the scale that the implementation chooses), and
-   plus(plus(M, 0), 0) equals plus(M, 0).
+1. plus(M, 0) is M itself (for homogeneous models up to a scale that the implementation chooses),
+   and plus(plus(M, 0), 0) equals plus(M, 0).
 2. plus(M, x) is valid again, whatever x is, and changes continuously with x.
 3. The columns of tangent(M) are the derivatives of plus(M, x) with respect to x at 0. They are
    linearly independent.
 
-For a model that is not valid, but near a valid one, as solvers return it, both methods use the
-valid one. All methods are `const` and may be called by several threads. */
+If a model violates the constraints slightly, as models of solvers do, both methods use a valid
+model near it. All methods are `const` and may be called by several threads. */
 class CV_EXPORTS Parameterization
 {
 public:
@@ -41,36 +42,38 @@ public:
     @param basis output, Model::size() rows of dimension() numbers
     @return false if the model is degenerate, so that there is no parameterization around it */
     virtual bool tangent(const Model& model, double* basis) const = 0;
-    /** @brief The model with other parameters.
-    @param model the model whose parameters are all 0
+    /** @brief The model with the parameters x in the parameterization around `model`.
+    @param model the model that has the parameters 0
     @param x dimension() parameters */
     virtual Model plus(const Model& model, const double* x) const = 0;
-    //! True (default): tangent() changes little if the model does. False: it may become another
-    //! basis of the same space, because it depends on singular vectors; Report::covariance then
-    //! refers to a basis that does not, see #tangentOfModel.
+    //! True (default): tangent() changes little if the model changes little. False: it may change
+    //! to another basis of the same space, because it depends on singular vectors.
+    //! Report::covariance then refers to another basis without this dependence, see
+    //! #tangentOfModel.
     virtual bool smooth() const;
 };
 
-/** @brief Weighted least squares of a residual, by the Gauss-Newton method with Levenberg-Marquardt
-damping @cite more1978levenberg of the steps that would not lower the cost.
+/** @brief Creates a solver for weighted least squares of a residual, by the Gauss-Newton method;
+steps that would not lower the cost are repeated with Levenberg-Marquardt damping
+@cite more1978levenberg.
 
-This is what a Problem needs for local optimization and polishing; Problem::createNonMinimalSolver
-makes it by default if there is a Problem::createParameterization.
+A Problem needs such a solver for local optimization and polishing. Problem::createNonMinimalSolver
+creates it by default if there is a Problem::createParameterization.
 @param residual its Residual::linearize gives the derivative of the error by the entries of a model
 @param errorDimension Problem::errorDimension: a fit needs at least
 Parameterization::dimension() / errorDimension points
-@param parameterization of the models */
+@param parameterization parameterization of the models */
 CV_EXPORTS Ptr<NonMinimalSolver> createLeastSquares(const Ptr<Residual>& residual,
                                                     int errorDimension,
                                                     const Ptr<Parameterization>& parameterization);
 
-/** @brief Tests the laws of a parameterization around a model, the derivatives by central
-differences. For tests of programs that implement one.
-@param parameterization to be tested
+/** @brief Tests whether a parameterization fulfills its laws around a model; derivatives are
+compared with central differences. For tests of a program that implements a parameterization.
+@param parameterization the parameterization to test
 @param model any valid model; test several
-@return empty if all laws hold, otherwise the first one that does not, with the deviation. A
-deviation of 1e-9 (law 1 and 2) or 1e-5 (derivatives), relative to the largest entry of the model or
-of the column, is permitted. */
+@return empty if all laws hold, otherwise a description of the first violated law, with the
+deviation. A deviation of 1e-9 (law 1 and 2) or 1e-5 (derivatives), relative to the largest entry of
+the model or of the column, is permitted. */
 CV_EXPORTS String checkParameterization(const Parameterization& parameterization,
                                         const Model& model);
 

@@ -13,13 +13,13 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief Removes lens distortion: returns where the same camera without distortion would see the
-points.
+/** @brief Removes lens distortion: returns the pixels at which the same camera without distortion
+would see the points.
 
 Inverts the distortion model of cv::projectPoints to double precision, by Newton's method until
-convergence; cv::undistortPoints takes five fixed-point iterations by default, and is up to a tenth
-of a pixel off in the corners of an ordinary lens. Estimation removes the distortion in the same way
-for E and absolute poses.
+convergence. cv::undistortPoints takes five fixed-point iterations by default; its errors reach a
+tenth of a pixel in the image corners of an ordinary lens. The estimation of E and of absolute poses
+removes the distortion in the same way as this function.
 
 @param points N points of the original (distorted) image in pixels; any layout and depth that
 usacv20::estimateHomography takes

@@ -29,7 +29,7 @@ usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialM
 both kinds of flags as `int`:
 @code{.cpp}
     int method = (int)cv::USACV20;  // without the cast this does not compile
-    // from a cv::FileStorage, with 16385: USACV20_FAST; with 8: cv::RANSAC
+    // reads the flag from a cv::FileStorage: 16385 is USACV20_FAST, 8 is cv::RANSAC
     cv::read(fs["method"], method, method);
     cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
 @endcode
@@ -50,8 +50,8 @@ enum class UsacV20Method : int {
                                 //!< usacv20::Params::magsacPlusPlus()
     USACV20_PARALLEL = 0x4005,  //!< USACV20 with cv::getNumThreads() threads and the same result;
                                 //!< usacv20::Params::parallel()
-    USACV20_AUTO = 0x4006       //!< the threshold is estimated from the data, the given one is the
-                                //!< largest plausible; usacv20::Params::automatic()
+    USACV20_AUTO = 0x4006       //!< the threshold is estimated from the data; the given value is
+                                //!< its upper bound; usacv20::Params::automatic()
 };
 
 //! UsacV20Method::USACV20
@@ -89,15 +89,15 @@ enum ProblemType {
 //! What Params::threshold means.
 enum ThresholdType {
     THRESHOLD_GIVEN = 0,  //!< the inlier threshold
-    /** The largest plausible inlier threshold, for example three to ten times the usual one. From
-    the noise of the inliers @cite moisan2004probabilistic @cite torr2000mlesac follows the
-    threshold that 95 % of them do not exceed, see Report::threshold and Report::sigma; at least
-    1/1024 of `threshold`. Before the search, up to 1000 uniform samples (at most
-    Params::maxIterations) are drawn, which Report does not count; their models are checked for
-    orientation and repeated matches as Params::degeneracy says, also if a program has replaced
-    these checks. If no model is better than chance, or has fewer than ten inliers beyond a sample,
-    the noise is not estimated, and the threshold is a third of `threshold`. Usac::run and
-    Usac::refine (of all points) estimate, Usac::fit does not. Params::widestReach has no effect. */
+    /** `threshold` is the largest plausible inlier threshold, for example three to ten times the
+    usual one. The inlier threshold, at least 1/1024 of it, is the error that 95 % of the inliers do
+    not exceed, see Report::threshold; it follows from their noise, see Report::sigma
+    @cite moisan2004probabilistic @cite torr2000mlesac. Before the search, up to 1000 uniform
+    samples (at most Params::maxIterations) are drawn, which Report does not count; the checks of
+    Params::degeneracy for orientation and repeated matches apply to them, also if a program has
+    replaced these checks. If no model is better than chance, or if it has fewer than ten inliers
+    beyond a sample, the threshold is a third of `threshold`. Usac::run and Usac::refine (of all
+    points) estimate the threshold, Usac::fit does not. Params::widestReach has no effect. */
     THRESHOLD_ESTIMATED = 1
 };
 
@@ -106,12 +106,12 @@ enum ThresholdType {
 enum SamplerType {
     SAMPLER_UNIFORM = 0,  //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
-    //! P-NAPSAC: a point of PROSAC's set, and others from its growing neighborhood
-    //! @cite barath2019progressive. Of the samples that are not uniform (Params::orderedEvery), one
-    //! in four is drawn so, or one in two if the points are ordered by density; the rest are
-    //! PROSAC's. In the paper all are drawn so until the neighborhood contains all points. The size
-    //! of a neighborhood doubles when its point is chosen again; in the paper it grows like the
-    //! size of PROSAC's set.
+    //! P-NAPSAC: a point of PROSAC's set and other points from its growing neighborhood
+    //! @cite barath2019progressive. One in four of the non-uniform samples (Params::orderedEvery)
+    //! is drawn in this way, or one in two if the points are ordered by density; the others are
+    //! drawn as in PROSAC. The paper draws all samples in this way until the neighborhood contains
+    //! all points. The size of a neighborhood doubles when its point is chosen again; in the paper
+    //! it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC = 3,     //!< any point and its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
@@ -160,7 +160,7 @@ enum QualityType {
     QUALITY_MSAC = 1,     //!< sum of truncated squared errors @cite torr2000mlesac
     QUALITY_MLESAC = 2,   //!< likelihood under a mixture of Gaussian inliers and uniform outliers
                           //!< @cite torr2000mlesac
-    QUALITY_LMEDS = 3,    //!< median of the squared errors; estimates the threshold
+    QUALITY_LMEDS = 3,    //!< median of the squared errors; the threshold of the mask is estimated
                           //!< @cite rousseeuw1984least
     QUALITY_MAGSAC = 4,   //!< likelihood marginalized over the noise scale @cite barath2019magsac
     QUALITY_MAGSAC_PLUS_PLUS = 5  //!< the robust loss whose weights are marginalized over the noise
@@ -169,13 +169,13 @@ enum QualityType {
 
 //! How bad models are rejected early (paper, section "Pre-emptive verification").
 enum VerificationType {
-    VERIFICATION_NONE = 0,  //!< no test; only a cost that is already too high ends the scoring
+    VERIFICATION_NONE = 0,  //!< no test; scoring ends early only when the cost becomes too high
     VERIFICATION_SPRT = 1,  //!< Wald's sequential probability ratio test @cite chum2008optimal
     VERIFICATION_TDD = 2    //!< Params::tddPoints random points must be inliers
                             //!< @cite matas2004randomized
 };
 
-//! How each so-far-the-best model is improved (paper, section "Local optimization").
+//! How each model that is better than all before is improved (paper, section "Local optimization").
 enum LocalOptimizationType {
     LOCAL_OPTIMIZATION_NONE = 0,        //!< nothing
     LOCAL_OPTIMIZATION_GRAPH_CUT = 1,   //!< least squares with a shrinking threshold; then, if the
@@ -198,17 +198,17 @@ enum LocalOptimizationType {
 enum TerminationFlags {
     TERMINATION_STANDARD = 1,  //!< with probability `confidence` there is no better model
                                //!< @cite fischler1981random
-    TERMINATION_SPRT = 2,      //!< the same, accounting for good models that SPRT rejects
-                               //!< @cite chum2008optimal
+    TERMINATION_SPRT = 2,      //!< the standard criterion, allowing for good models that SPRT
+                               //!< rejects @cite chum2008optimal
     TERMINATION_P_NAPSAC = 4,  //!< with probability `confidence` there is no significantly better
                                //!< model, see Params::relaxation @cite barath2019progressive
     TERMINATION_PROSAC = 8,    //!< PROSAC's maximality and non-randomness on a set of best points
                                //!< @cite chum2005matching
     TERMINATION_MAGSAC = 16,   //!< the standard criterion marginalized over the noise scale
                                //!< @cite barath2019magsac
-    TERMINATION_EXACT = 32,  //!< modifies the others: with I inliers among N points, a sample of m
-                             //!< points, drawn without replacement, is all-inlier with probability
-                             //!< C(I, m) / C(N, m) instead of (I / N)^m
+    TERMINATION_EXACT = 32,    //!< modifies the other criteria: with I inliers among N points, a
+                             //!< sample of m points, drawn without replacement, is all-inlier with
+                             //!< probability C(I, m) / C(N, m) instead of (I / N)^m
     //! PROSAC's criterion, if the inliers of the best model come early in a known order, and if
     //! samples of its outliers yield no better model; no effect if `runnersUp` is 0
     TERMINATION_ORDER = 64
@@ -216,15 +216,15 @@ enum TerminationFlags {
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
 //! checks that the problem has. Affine maps, absolute poses and 3-D motions raise cv::Exception for
-//! #DEGENERACY_DEGENSAC unless all bits are set, and so for Params::usac2013.
+//! #DEGENERACY_DEGENSAC unless all bits are set, and therefore also for Params::usac2013.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
     //! F: if a plane dominates a sample, F is computed by plane and parallax @cite chum2005two. E:
-    //! twice as many samples if most inliers are on a plane
+    //! twice as many samples are drawn if most inliers are on a plane
     DEGENERACY_DEGENSAC = 2,
-    //! samples of matches that share a point (up to noise, if there are many such matches), and
-    //! models supported by such matches
+    //! rejects samples of matches that share a point (up to noise, if there are many such matches),
+    //! and checks for models supported by such matches
     DEGENERACY_REPEATED = 4
 };
 
@@ -265,8 +265,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int maxIterations;
     /** Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit. A run
     takes up to 5 ms longer with 10 000 points, 0.1 s longer with a million (reading a million
-    points takes 0.08 s, their mask 0.007 s). Some values of the Report are then less exact, see
-    there. The only option that makes the result depend on the machine, see Report::stop and
+    points takes 0.08 s, their mask 0.007 s). After such an end, some values of the Report are less
+    exact, see there. No other option makes the result depend on the machine, see Report::stop and
     ProgressScope. Default 0. */
     CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; the same seed and input give bit-identical results.
@@ -280,16 +280,16 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int sampler;
     //! @ref OrderingType. Default #ORDERING_AUTO.
     CV_PROP_RW int ordering;
-    //! Score of each correspondence, N values or none; they order the samples and, with
-    //! `runnersUp`, choose between models of like cost; #SAMPLER_IMPORTANCE: weights. Default none.
+    //! Score of each correspondence, N values or none; samplers use them to prefer points, and with
+    //! `runnersUp` they choose between models of nearly equal cost. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** Entries, row by row, of an initial model as the estimator returns it (for example that of
     the previous frame), or no model; see setInitialModel(). It is scored and optimized before the
     first sample, like a model of a sample; a better one replaces it. A wrong number of entries
-    raises a cv::Exception. It saves time if `maxIterations` is small: with 8, poses of a smooth
-    sequence with 20 % inliers took 0.20 of the time that they took with the defaults, including a
-    second run without an initial model for each frame with fewer than half as many inliers as the
-    previous frame. Default none. */
+    raises a cv::Exception. It saves time if `maxIterations` is small: with 8, the poses of a smooth
+    sequence with 20 % inliers took 0.20 of the time with the defaults. This includes a second run
+    without an initial model for each frame with fewer than half as many inliers as the previous
+    frame. Default none. */
     CV_PROP_RW std::vector<double> initialModel;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;
@@ -332,16 +332,16 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
-    //! Maximum number of runners-up, models that are optimized when the search is about to end
-    //! although none of them was the best one: those with the most inliers that are outliers of the
-    //! best model. If above 0, samples are also drawn from the points that the best model does not
-    //! explain. 0..100. Default 16.
+    //! Maximum number of runners-up: models that were not the best one, but are optimized when the
+    //! search is about to end, because they have the most inliers that are outliers of the best
+    //! model. If above 0, samples are also drawn from the outliers of the best model. 0..100.
+    //! Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some points (all except #SAMPLER_UNIFORM) draw one in this many samples
     in their own way; the others are uniform among all points. Only the uniform samples count for
     the termination criteria except #TERMINATION_PROSAC, because samples from a subset may never
-    consist of inliers of the best model, and `confidence` would not hold; all samples count if more
-    than half of the points outside the sample of the best model are its inliers. With
+    consist of inliers of the best model, and `confidence` would not hold. But all samples count if
+    more than half of the points outside the sample of the best model are its inliers. With
     #TERMINATION_ORDER, every second one of the first samples follows a known order, and all samples
     do once the order has been confirmed. 1: all samples are drawn in the sampler's way, and all
     count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
@@ -365,39 +365,39 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! one; fewer if these no longer change; 1..100. Default 6.
     CV_PROP_RW int polishingSteps;
     /** Largest Report::chance with which a model is returned, a probability; 0..1, after
-    @cite moisan2004probabilistic. 1: a model is returned whatever its chance is. Default 0: as
-    0.01; but as 1 if there are so few independent points that even a model with a quarter of them
-    as inliers would have a larger chance. */
+    @cite moisan2004probabilistic. 1: a model is returned whatever its chance is. Default 0: the
+    bound is 0.01, or 1 if there are so few independent points that even a model with a quarter of
+    them as inliers would have a chance above 0.01. */
     CV_PROP_RW double significance;
-    //! 1: Report::covariance and Report::sigma are computed, in 0.1 to 0.3 ms; 0..1. Default 0.
+    //! 1: Report::covariance and Report::sigma are computed (0.1 to 0.3 ms); 0..1. Default 0.
     CV_PROP_RW int covariance;
 
     /** @brief The configuration recommended in the paper, with robust polishing; same as Params().
      */
     CV_WRAP static Params usacV20();
-    /** @brief What UsacV20Method::USACV20_FAST uses: like usacV20(), but the search ends when a
+    /** @brief Preset of UsacV20Method::USACV20_FAST: like usacV20(), but the search ends when a
     model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
     found; local optimization has no graph cut, no inner samples and a single iteration; there are
     four runners-up and three polishing steps. */
     CV_WRAP static Params fast();
-    /** @brief What UsacV20Method::USACV20_ACCURATE uses: like usacV20(), but with three times the
+    /** @brief Preset of UsacV20Method::USACV20_ACCURATE: like usacV20(), but with three times the
     samples that the standard criterion asks for, up to ten alternations with ten inner samples each
     in the local optimization, 24 runners-up and 20 polishing steps. */
     CV_WRAP static Params accurate();
     /** @brief Like usacV20(), with PROSAC sampling of points that the caller has sorted, best first
     (if `scores` are given, they determine the order, as in all presets for sorted points). One
     sample in eight follows the order (`orderedEvery`), the others are uniform, so that `confidence`
-    holds even for a wrong order. What UsacV20Method::USACV20_PROSAC uses. */
+    holds even for a wrong order. Preset of UsacV20Method::USACV20_PROSAC. */
     CV_WRAP static Params sorted();
     /** @brief Like usacV20(), for an order that the caller trusts (`scores`, or
     #ORDERING_INPUT_ORDER): all samples are PROSAC's, and its criterion may end the search
     @cite chum2005matching. If the order is wrong, the search may miss the model. */
     CV_WRAP static Params trustedScores();
-    /** @brief Like usacV20(), with all threads of OpenCV and the same result. What
-    UsacV20Method::USACV20_PARALLEL uses. */
+    /** @brief Like usacV20(), with all threads of OpenCV and the same result. Preset of
+    UsacV20Method::USACV20_PARALLEL. */
     CV_WRAP static Params parallel();
     /** @brief Like usacV20(), with an estimated threshold (#THRESHOLD_ESTIMATED) of at most 5
-    pixels. What UsacV20Method::USACV20_AUTO uses. */
+    pixels. Preset of UsacV20Method::USACV20_AUTO. */
     CV_WRAP static Params automatic();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares
     @cite fischler1981random. The number of samples, which that paper derives from a known inlier
@@ -418,12 +418,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     the termination from the paper are described at the class ProsacTermination. */
     CV_WRAP static Params prosac();
     /** @brief LO-RANSAC: like ransac(), but each new best model is refined by ten inner samples
-    @cite chum2003locally, each with four steps of a shrinking threshold. As in all presets, fits
-    minimize the geometric error, not the algebraic one. */
+    @cite chum2003locally, each followed by four fits with a shrinking threshold. As in all
+    presets, fits minimize the geometric error, not the algebraic one. */
     CV_WRAP static Params loRansac();
     /** @brief FLO-RANSAC: like msac(), but each new best model is refined by inner samples and fits
-    of bounded size @cite lebeda2012fixing. Four inner samples, which is faster than the paper's
-    number; fits minimize the geometric error.
+    of bounded size @cite lebeda2012fixing. There are four inner samples, which is faster than the
+    paper's number; fits minimize the geometric error.
     */
     CV_WRAP static Params floRansac();
     /** @brief GC-RANSAC: like msac(), but each new best model is refined alternately by graph cuts
@@ -437,15 +437,15 @@ struct CV_EXPORTS_W_SIMPLE Params
     test for planes. */
     CV_WRAP static Params usac2013();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
-    @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`
-    divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of freedom as
-    a match has constraints, one for F and E and two for H; the paper uses four, the number of
-    coordinates of a match. The fit divides the range of the noise scale into five parts. If the
-    data show more noise, the range grows (`widestReach`); the paper requires a bound that is far
-    too large instead. */
+    @cite barath2019magsac. The largest standard deviation of the noise is `reach` times
+    `threshold` divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of
+    freedom as a match has constraints, one for F and E and two for H; the paper uses four, the
+    number of coordinates of a match. The fit divides the range of the noise scale into five parts.
+    If the data show more noise, the range grows (`widestReach`); the paper uses a very large upper
+    bound instead. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits
-    (sigma-consensus++) @cite barath2020magsac. What UsacV20Method::USACV20_MAGSAC uses. The range
+    (sigma-consensus++) @cite barath2020magsac. Preset of UsacV20Method::USACV20_MAGSAC. The range
     of the noise scale is chosen as in magsac(), and so are the degrees of freedom. Termination,
     runners-up and tests for degeneracy are those of usacV20(). */
     CV_WRAP static Params magsacPlusPlus();

@@ -29,16 +29,17 @@ enum FieldKind {
     FIELD_MODEL         //!< the numbers of a model
 };
 
-//! Default and range of a field of Params; `double` represents the integers exactly.
+//! Default and range of a field of Params. Integer fields, too, are stored as `double`, which is
+//! exact. The three numbers are not used for FIELD_SCORES and FIELD_MODEL.
 struct FieldValues
 {
     FieldKind kind;  //!< kind of value
-    double initial;  //!< the default; FIELD_SCORES and FIELD_MODEL use none of the three numbers
-    double low;      //!< smallest value; FIELD_PIXELS, FIELD_PROBABILITY: excluded
-    double high;     //!< largest value; FIELD_PROBABILITY: excluded
+    double initial;  //!< default value
+    double low;      //!< lower bound; not itself valid for FIELD_PIXELS and FIELD_PROBABILITY
+    double high;     //!< upper bound; not itself valid for FIELD_PROBABILITY
 
-    //! True if the value is in the range. Always true for FIELD_SCORES and FIELD_MODEL: what is
-    //! valid depends on other fields and on the points.
+    //! True if the value is in the range. Always true for FIELD_SCORES and FIELD_MODEL, whose valid
+    //! values depend on other fields and on the points.
     bool contain(double value) const
     {
         if (kind == FIELD_SCORES || kind == FIELD_MODEL)
@@ -46,7 +47,7 @@ struct FieldValues
         const bool openBelow = kind == FIELD_PIXELS || kind == FIELD_PROBABILITY,
                    openAbove = kind == FIELD_PROBABILITY;
         return (openBelow ? value > low : value >= low) &&
-               (openAbove ? value < high : value <= high);  // NaN: never
+               (openAbove ? value < high : value <= high);  // NaN is never valid
     }
 
     //! An enumerator from `low` to `high`.
@@ -61,9 +62,9 @@ struct FieldValues
     {
         return of(FIELD_NUMBER, initial, low, high);
     }
-    //! A positive and finite number.
+    //! A positive and finite number of pixels.
     static FieldValues pixels(double initial) { return of(FIELD_PIXELS, initial, 0, DBL_MAX); }
-    //! Between 0 and 1.
+    //! A number between 0 and 1, both excluded.
     static FieldValues probability(double initial) { return of(FIELD_PROBABILITY, initial, 0, 1); }
     //! Scores of the matches.
     static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
@@ -78,11 +79,11 @@ private:
     }
 };
 
-/** @brief Calls `visit(name, &Params::field, values)` for each field of Params: `const char*`, a
-pointer to a member of type `int`, `double`, `std::vector<float>` or `std::vector<double>`,
-FieldValues.
+/** @brief Calls `visit(name, &Params::field, values)` for each field of Params.
 
-This is the only list of the fields: their defaults, Params::check, storage, tests, the fuzzer and
+`name` is a `const char*`, the second argument a pointer to a member of type `int`, `double`,
+`std::vector<float>` or `std::vector<double>`, and `values` a FieldValues. This is the only list of
+the fields: the default values, Params::check, reading and writing of files, tests, the fuzzer and
 the options of the benchmark are derived from it. Programs can use it to set fields by name. */
 template <class Visitor>
 void visitFields(Visitor& visit)

@@ -15,7 +15,8 @@ namespace usacv20 {
 //! @addtogroup usacv20_extend
 //! @{
 
-//! Cost of a sample. The unit of time is a test of one point by the built-in kernels, about 2 ns.
+//! Cost of a minimal sample. The unit of time is one point test, the time that the built-in kernels
+//! take to score one point, about 2 ns.
 struct SampleCost
 {
     //! Sets both numbers.
@@ -40,10 +41,11 @@ public:
     virtual String name() const = 0;
     //! Degrees of freedom of a model; at most errorDimension() times the sample size.
     virtual int dimension() const = 0;
-    /** Degrees of freedom of the error of an inlier, that is the codimension of the manifold of
-    exact data in the space of a datum: 2 if a point is mapped to a point of a plane (H), 3 if to a
-    3-D point, 1 if to a line (F, E). 1 to 3. Symmetric errors have the same number: their terms are
-    functions of each other, so the second term only changes the scale of the error. */
+    /** Degrees of freedom of the error of an inlier, 1 to 3; that is the codimension of the
+    manifold of exact data in the space of a datum. It is 2 if a point is mapped to a point of a
+    plane (H), 3 if it is mapped to a 3-D point, and 1 if it is mapped to a line (F, E). A symmetric
+    error has the same number as the one-sided error: its two terms are functions of each other, so
+    the second term only changes the scale. */
     virtual int errorDimension() const = 0;
     //! Coordinates per point in the caller's array 0 or 1: 1 to 3, or 0 if there is no array 1.
     //! Default: 2, two images.
@@ -51,32 +53,33 @@ public:
     //! Name of array 0 or 1 in messages. Default: points1, points2.
     virtual String arrayName(int array) const;
     //! True (default): both arrays have the unit of the threshold; points of an array that are
-    //! closer to each other than the threshold are taken for the same. False: in array 0 only equal
-    //! points are taken for the same, and #NEIGHBORHOOD_KNN and #NEIGHBORHOOD_RADIUS use array 1
-    //! only.
+    //! closer to each other than the threshold are treated as repetitions of one point. False: in
+    //! array 0, only equal points are repetitions, and #NEIGHBORHOOD_KNN and #NEIGHBORHOOD_RADIUS
+    //! use array 1 only.
     virtual bool commonUnit() const;
     //! Cost of a sample, for SPRT and for the size of the batches.
     virtual SampleCost sampleCost() const = 0;
     //! True if two good models can have the same inliers, like the two motions that are compatible
-    //! with a plane (E): then each is optimized. Default: false.
+    //! with a plane (E). A model with the same inliers as the best one is then optimized, too.
+    //! Default: false.
     virtual bool ambiguous() const;
-    /** @brief True if nearly all inliers leave some parameters of the model undetermined: for F and
-    E, if these inliers lie on a plane or the camera only rotates. Their errors then say little
-    about these parameters.
+    /** @brief True if nearly all inliers together leave some parameters of the model undetermined:
+    for F and E, if these inliers lie on a plane or the camera only rotates.
     @param context the data of the run: points in the coordinates of the model, and the threshold
     @param model in the coordinates of Correspondences
 
     Default: false. */
     virtual bool leavesFree(const Context& context, const Model& model) const;
 
-    /** @brief Transforms the caller's points to the coordinates of the model, in place; E: from
+    /** @brief Transforms the caller's points to the coordinates of the model, in place; for E, from
     pixels to the normalized image plane.
     @param columns columns of `count` numbers each
     @param count number of points
     @return number of pixels per unit of the new coordinates. Default: 1, nothing is transformed. */
     virtual double toModelCoordinates(double* const* columns, int count) const;
-    //! The same for createImageResidual(): the points of the last array keep their original image
-    //! coordinates. Default: nothing is transformed.
+    //! Transforms the points for createImageResidual(), in place: like toModelCoordinates(), but
+    //! the points of the last array keep their original image coordinates. Default: nothing is
+    //! transformed.
     virtual void toImageCoordinates(double* const* columns, int count) const;
     /** @brief How the points may be normalized for the search.
     @param residual @ref ResidualType
@@ -84,8 +87,8 @@ public:
     Default: #SCALE_NONE. */
     virtual int normalization(int residual) const;
     /** @brief Converts a model of the search to the coordinates of toModelCoordinates() and to the
-    documented normal form.
-    @param model as components see it
+    scale and sign in which models are returned.
+    @param model model in the coordinates of Correspondences
     @param points the points of the run, for their Correspondences::frame
     @param result output
     @return false if the result is not finite. */
@@ -109,24 +112,24 @@ public:
     Default: an empty model; then fromOutput() and toInput() are used instead, with the same result
     up to rounding. */
     virtual Model ofOutput(const Mat& output) const;
-    //! The closest model that fulfills all constraints, which solvers and polishers may violate
-    //! slightly. Default: the model itself.
+    //! The closest model that fulfills all constraints. Models of solvers and polishers may violate
+    //! them slightly. Default: the model itself.
     virtual Model closest(const Model& model) const;
 
     //! Creates the error for a @ref ResidualType.
     virtual Ptr<Residual> createResidual(int type) const = 0;
-    /** @brief Creates the error at the original image points, if the coordinates of the search only
-    approximate this error: polishing and the mask use it with the points of toImageCoordinates().
+    /** @brief Creates the error at the original image points, if the error of the search only
+    approximates it. Polishing and the mask use it with the points of toImageCoordinates().
     @param residual the residual of the search, with the same unit and models
-    @return default: empty, because `residual` is exact. */
+    @return the error. Default: empty, which means that `residual` is exact. */
     virtual Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const;
     //! Creates the minimal solver.
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
-    //! Creates the rule by which least squares varies the models, in the coordinates of
-    //! Correspondences. Default: empty, there is none.
+    //! Creates the parameterization with which least squares varies the models, in the coordinates
+    //! of Correspondences. Default: empty, there is none.
     virtual Ptr<Parameterization> createParameterization() const;
-    //! Creates a solver that fits by least squares of a residual. Called again if the caller has
-    //! replaced the residual. Empty: none. Default: #createLeastSquares with
+    //! Creates a solver that minimizes the sum of squares of a residual; empty if there is none.
+    //! Called again if the caller has replaced the residual. Default: #createLeastSquares with
     //! createParameterization(), if there is one.
     virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const;
     /** @brief Appends the checks for a set of @ref DegeneracyFlags, in the order in which they are
@@ -136,14 +139,15 @@ public:
     virtual void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
     /** @brief Side of the cube in which the error vectors of outliers are assumed to be uniformly
-    distributed, in the coordinates of `points`: in d dimensions, their density is extent^-d.
-    Default: the geometric mean of the sides of the box that contains nearly all points of the last
-    array (of both arrays for errors of dimension 1). */
+    distributed, in the coordinates of `points`. In d dimensions, their density is side^-d. Default:
+    the geometric mean of the sides of the box that contains nearly all points of the last array (of
+    both arrays for errors of dimension 1). */
     virtual double outlierExtent(const Correspondences& points) const;
     /** @brief Probability that a point is an inlier of a wrong model, if wrong matches are
-    uniformly distributed: an upper bound of the fraction of the box of the last array that is
-    within the threshold of a point, line or plane (of codimension errorDimension()). For errors of
-    dimension 1 and two arrays, the threshold is that of the Sampson distance. At most 1. */
+    uniformly distributed; at most 1. Default: an upper bound of the fraction of a box that is
+    within the threshold of a point, line or plane of codimension errorDimension(). The box contains
+    nearly all points of the last array. For errors of dimension 1 and two arrays, the threshold is
+    that of the Sampson distance. */
     virtual double randomInlierRatio(const Correspondences& points) const;
 };
 
@@ -151,8 +155,8 @@ public:
 enum Normalization {
     SCALE_NONE,    //!< no normalization: the constraints of the model hold in the original
                    //!< coordinates only
-    SCALE_COMMON,  //!< each array is centered, and both are scaled by the same factor, so that
-                   //!< errors scale with it
+    SCALE_COMMON,  //!< each array is centered, and both are scaled by the same factor, by which all
+                   //!< errors are multiplied, too
     SCALE_EACH,    //!< each array is centered and scaled separately
     SCALE_FIRST    //!< array 0 is centered and scaled, array 1 is unchanged
 };

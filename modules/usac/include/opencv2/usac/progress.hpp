@@ -25,38 +25,39 @@ typedef std::function<bool(const Report& report)> Progress;
 /** @brief While an object exists, all estimations that its thread begins call a function every 5
 milliseconds, which decides whether to continue.
 
-This applies to everything that estimates: the functions with a flag, #estimateHomography and its
-kin, #estimateBatch, Usac::run.
+This applies to all functions that estimate a model: those with a flag, #estimateHomography and
+similar functions, #estimateBatch, and Usac::run.
 @code
-    std::atomic<bool> cancelled(false);  // which another thread may set
+    std::atomic<bool> cancelled(false);  // another thread may set it
     const usacv20::ProgressScope scope([&](const usacv20::Report&) { return !cancelled; });
     Mat H = findHomography(points1, points2, USACV20, 3.0, mask);
 @endcode
 The function is called by the thread that began the estimation, even if other threads help
 (Params::threads, #estimateBatch), and not before 5 milliseconds have passed; #estimateBatch also
 calls it between two tasks, with a default-constructed Report. Between two calls there is at most
-one step over all points: 0.15 s for a million points, 0.4 s with a kd-tree (#NEIGHBORHOOD_KNN,
-#NEIGHBORHOOD_RADIUS). After the function has returned false, the estimation takes up to 0.1 s to
-return. If it always returns true, the result is bit-identical to one without a ProgressScope. An
-exception from the function ends the run and is passed on to the caller; a Usac can be run again
-afterwards. Scopes may be nested: their functions are called from the innermost outward until one
-returns false. Destroy them in reverse order, in the thread that created them. */
+one step over all points, which cannot be interrupted: 0.15 s for a million points, 0.4 s with a
+kd-tree (#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS). After the function has returned false, the
+estimation takes up to 0.1 s to return. If it always returns true, the result is bit-identical to
+one without a ProgressScope. An exception from the function ends the run and is passed on to the
+caller; a Usac can be run again afterwards. Scopes may be nested: their functions are called from
+the innermost outward until one returns false. Destroy them in reverse order, in the thread that
+created them. */
 class CV_EXPORTS ProgressScope
 {
 public:
-    //! `progress` is called until the scope ends.
+    //! Makes the estimations of this thread call `progress` until the scope ends.
     explicit ProgressScope(const Progress& progress);
     ~ProgressScope();
 
 private:
     friend class BatchProgress;
     friend class Watch;
-    //! `outer` is called after `progress`.
+    //! @param outer scope whose function is called after `progress`; null: none
     ProgressScope(const Progress& progress, const ProgressScope* outer);
     ProgressScope(const ProgressScope&);
     ProgressScope& operator=(const ProgressScope&);
 
-    //! The innermost scope of this thread; null: none.
+    //! The innermost scope of this thread, or null if there is none.
     static const ProgressScope* current();
     bool ask(const Report& report) const;
 

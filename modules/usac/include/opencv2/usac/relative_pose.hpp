@@ -25,14 +25,15 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     //! The essential matrix [t]x R, 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there
     //! is none.
     CV_PROP_RW Mat essential;
-    //! Number of inliers of the essential matrix behind a camera; they are not in the mask.
+    //! Number of inliers of the essential matrix that are triangulated behind a camera. They are 0
+    //! in the mask.
     CV_PROP_RW int behind;
     //! Number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none.
     CV_PROP_RW int onPlane;
-    //! For a dominant plane: rotation of the second motion that is compatible with the homography
-    //! of the plane, 3x3, CV_64F; empty if there is none.
+    //! If there is a dominant plane: rotation of the second motion that is compatible with the
+    //! homography of the plane, 3x3, CV_64F. Empty if there is no such motion.
     CV_PROP_RW Mat otherR;
-    //! Translation of the second motion, 3x1, CV_64F, unit length.
+    //! Translation of the second motion, 3x1, CV_64F, unit length; empty if `otherR` is empty.
     CV_PROP_RW Mat otherT;
     //! Number of inliers of the second motion in front of both cameras.
     CV_PROP_RW int otherInliers;
@@ -57,10 +58,10 @@ triangulated point is in front of both cameras; points at infinity count as in f
 @return true if there is a model.
 
 Of the four motions that are compatible with an essential matrix, the function returns the one with
-the most inliers in front of both cameras, however far away (@cite nister2004efficient). A plane is
-compatible with two motions (@cite ma2004invitation): the errors of the points off the plane decide
-between them; the other motion is in `pose`. If there are no points off the plane, the two motions
-have about the same number of inliers. */
+the most inliers in front of both cameras, at any distance (@cite nister2004efficient). A plane is
+compatible with two motions (@cite ma2004invitation). The motion with the smaller errors of the
+points off the plane is returned; the other motion is in `pose`. If there are no points off the
+plane, the two motions have about the same number of inliers. */
 CV_EXPORTS_W bool estimateRelativePose(InputArray points1, InputArray points2,
                                        InputArray cameraMatrix1, InputArray distCoeffs1,
                                        InputArray cameraMatrix2, InputArray distCoeffs2,

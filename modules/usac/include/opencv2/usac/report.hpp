@@ -26,8 +26,8 @@ enum StopReason {
     STOP_CUSTOM = 7,          //!< a Termination component of the caller fired
     STOP_PROSAC = 8,          //!< #TERMINATION_PROSAC fired
     STOP_MAGSAC = 9,          //!< #TERMINATION_MAGSAC fired
-    //! the best model has no more inliers than random matches can yield, see Params::significance:
-    //! no model
+    //! no model is returned: the best one has no more inliers than random matches can yield, see
+    //! Params::significance
     STOP_NOT_SIGNIFICANT = 10,
     STOP_ORDER = 11,      //!< #TERMINATION_ORDER fired
     STOP_TIME = 12,       //!< Params::maxTime was reached: the model, if any, is the best so far
@@ -45,57 +45,63 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int stop;
     //! Number of minimal samples drawn.
     CV_PROP_RW int iterations;
-    //! Samples rejected by a check of the sample (orientation, matches that share a point).
+    //! Number of samples rejected by a check before a model is computed (orientation, matches that
+    //! share a point).
     CV_PROP_RW int rejectedSamples;
-    //! Samples that determine no model (repeated or collinear points, no real solution).
+    //! Number of samples that determine no model (repeated or collinear points, no real solution).
     CV_PROP_RW int degenerateSamples;
-    //! Models computed from the samples.
+    //! Number of models computed from the samples.
     CV_PROP_RW int models;
-    //! Models rejected by a check of the model itself (orientation, singular).
+    //! Number of models rejected by a check before they are scored (orientation, singular matrix).
     CV_PROP_RW int rejectedModels;
-    //! Models rejected by the pre-emptive verification.
+    //! Number of models rejected by the pre-emptive verification.
     CV_PROP_RW int refusedModels;
-    //! Models no better than the best one; up to Params::runnersUp of these are optimized anyway.
+    //! Number of models no better than the best one so far; up to Params::runnersUp of these are
+    //! optimized nevertheless.
     CV_PROP_RW int droppedModels;
     //! Number of local optimizations.
     CV_PROP_RW int localOptimizations;
-    //! Local optimizations that improved their model.
+    //! Number of local optimizations that improved their model.
     CV_PROP_RW int localImprovements;
-    //! True if a so-far-the-best F came from a sample dominated by a plane.
+    //! True if, at any time of the search, the best F came from a sample dominated by a plane.
     CV_PROP_RW bool degenerate;
     //! Number of inliers: rows of the mask that are 1.
     CV_PROP_RW int inliers;
     //! The minimal sample of the search that led to the model, as row indices of the caller's
-    //! points. Empty: there is no model, or it came from Params::initialModel or from elsewhere.
+    //! points. Empty if there is no model, or if the model did not come from a minimal sample, for
+    //! example from Params::initialModel.
     CV_PROP_RW std::vector<int> sample;
     //! `inliers` as a fraction of all rows of the mask, 0..1.
     CV_PROP_RW double inlierRatio;
-    //! Number of inliers that are more than a threshold apart from each other in both images:
-    //! repeated matches count once. 0 if the run was stopped (Params::maxTime, ProgressScope) and
-    //! has more than 50 000 inliers.
+    //! Number of inliers without repetitions: in each image, inliers in the same square of a grid
+    //! with the threshold as side count once; the smaller number of both images is returned. 0 (not
+    //! computed) if the run was stopped (Params::maxTime, ProgressScope) and has more than 50 000
+    //! inliers.
     CV_PROP_RW int independentInliers;
     /** Upper bound of the probability that the same search finds a model with as many independent
     inliers (at the threshold, or at 4 or 16 times the threshold) in random matches of the same
     points, 0..1, after @cite moisan2004probabilistic. A value below 1e-6 and below a hundredth of
     Params::significance may be computed from a subset of the points; if the run was stopped, any
-    value may be computed from 50 000 points only. Also set if the model was rejected for this
-    value; 1 if no model was found. #THRESHOLD_ESTIMATED: as if the threshold had been given. */
+    value may be computed from 50 000 points only. Also set if the model was rejected because of
+    this value; 1 if no model was found. With #THRESHOLD_ESTIMATED, it is computed as if the
+    estimated threshold had been given. */
     CV_PROP_RW double chance;
-    //! Threshold of the mask in pixels: Params::threshold; #THRESHOLD_ESTIMATED, #QUALITY_LMEDS:
-    //! estimated from the data.
+    //! Threshold of the mask in pixels: Params::threshold or, with #THRESHOLD_ESTIMATED or
+    //! #QUALITY_LMEDS, a threshold estimated from the data.
     CV_PROP_RW double threshold;
-    //! Standard deviation of the inliers' errors, in each component, in the unit of
-    //! Params::threshold; for F and E about that of the points' coordinates, for maps that of the
-    //! noise of both arrays. From the errors under the returned model, corrected for the parameters
-    //! that were fitted and for the threshold; #THRESHOLD_ESTIMATED: the one that the threshold was
-    //! computed from. 0: not estimated, as there is no model, there are too few inliers, or the
-    //! threshold was given and Params::covariance is 0.
+    //! Standard deviation of each component of the inliers' errors, in the unit of
+    //! Params::threshold. For F and E it is about that of the points' coordinates; for maps it
+    //! combines the noise of both arrays. It is computed from the errors under the returned model
+    //! and corrected for the number of fitted parameters and for the cut-off at the threshold. With
+    //! #THRESHOLD_ESTIMATED it is the value from which the threshold was computed. 0 if it was not
+    //! estimated: there is no model, there are too few inliers, or the threshold was given and
+    //! Params::covariance is 0.
     CV_PROP_RW double sigma;
     /** Covariance of the parameters of the returned model, d x d, CV_64F; empty if there is no
-    model, or if Params::covariance is 0. It is that of the errors that noise of the inliers'
-    coordinates causes, computed from their errors, whatever their size. With few inliers it allows
-    for the error of the noise that they tell: errors in units of this covariance have as many
-    squares as there are parameters on average.
+    model, or if Params::covariance is 0. It describes the errors of the parameters that noise in
+    the coordinates of the inliers causes; this noise is estimated from the inliers' errors. With
+    few inliers the covariance is enlarged, because the estimate of the noise is uncertain: the mean
+    squared Mahalanobis distance of the errors is then still d.
 
     The parameters, in the units of the caller's points (translations: of `objectPoints`, of
     `points2`; angles in radians):
@@ -104,33 +110,35 @@ struct CV_EXPORTS_W_SIMPLE Report
     |---|---|---|
     | absolute pose | 6 | rotation vector w, translation: [exp(w) R, t + dt] |
     | rigid motion | 6 | the same |
-    | with scale | 7 | the same, and relative change of the scale |
+    | 3-D similarity | 7 | the same, and relative change of the scale |
     | affinity | 6 | the entries, row by row |
     | similarity | 4 | a, b and the translation of [a -b tx; b a ty] |
     | homography, F, E | 8, 7, 5 | directions of the tangent space, see #tangentOfModel |
 
     #tangentOfModel returns the derivatives of the entries of any of these models by its parameters,
-    #covarianceOfModel the covariance of the entries; #covarianceOfPose and #pointCovariance go on
-    from there.
+    #covarianceOfModel the covariance of the entries. #covarianceOfPose and #pointCovariance compute
+    the covariance of a motion and of points.
 
-    NaN in all entries: not determined. The inliers leave some of the parameters free (F of a plane,
-    F and E without a translation, points of a line), fewer than three degrees of freedom are left,
-    or it is not known what the model minimizes: there is no polishing (#POLISHING_NONE) or a
-    Polisher of your own without Polisher::support. Not covered: a wrong model, wrong matches that
-    agree with each other, errors of calibration and lenses, matches that are not independent (each
-    repetition counts as a measurement). Of F and E it is too small if wrong matches are among the
-    inliers (a third of them wrong, forward motion, planes), of all models if there are few matches
-    with noise as wide as the threshold: doc/measurements/covariance.md. */
+    All entries are NaN if the covariance is not determined: if the inliers leave some of the
+    parameters free (F of a plane, F and E without a translation, points of a line), if fewer than
+    three degrees of freedom are left, or if it is unknown what the model minimizes, because there
+    is no polishing (#POLISHING_NONE) or a Polisher of your own without Polisher::support. The
+    covariance does not cover a wrong model, wrong matches that agree with each other, errors of the
+    calibration, and matches that are not independent (each repetition counts as a measurement). For
+    F and E it is too small if wrong matches are among the inliers (for example with a third of all
+    matches wrong, forward motion or planes); for all models, if there are few matches with noise as
+    wide as the threshold. See doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
-    points of the last array: a model that maps everything to one place then has all points as
+    points of the last array. A model that maps all points to a single point then has all points as
     inliers, and the number of inliers means nothing. The threshold is probably in the wrong unit,
     for example in pixels with points of the normalized image plane. */
     CV_PROP_RW bool wideThreshold;
     //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 /
     //! threshold^2, 1).
     CV_PROP_RW double cost;
-    //! Milliseconds before the search: reading and ordering points, #THRESHOLD_ESTIMATED's samples.
+    //! Milliseconds before the search: reading and ordering the points, and the samples of
+    //! #THRESHOLD_ESTIMATED.
     CV_PROP_RW double setupMs;
     //! Milliseconds in the hypothesize-and-verify loop without the local optimization.
     CV_PROP_RW double searchMs;

@@ -19,7 +19,7 @@ namespace usacv20 {
 stream and k.
 
 The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has
-its own stream, so samples do not depend on the number of threads or on what was drawn elsewhere.
+its own stream, so its sample does not depend on the number of threads or on other draws.
 */
 class Rng
 {

@@ -24,58 +24,57 @@ enum TwoViewConfiguration {
     TWO_VIEW_UNCALIBRATED = 3,  //!< fundamental matrix: the focal lengths are unknown or wrong
     TWO_VIEW_PLANAR = 4,        //!< plane seen by calibrated cameras with a baseline
     TWO_VIEW_PANORAMIC = 5,     //!< pure rotation of a calibrated camera
-    TWO_VIEW_PLANAR_OR_PANORAMIC = 6,  //!< one of these two, with unknown focal lengths
+    TWO_VIEW_PLANAR_OR_PANORAMIC = 6,  //!< plane or pure rotation, with unknown focal lengths
     TWO_VIEW_WATERMARK = 7  //!< most inliers are at the borders of both images, with a common shift
 };
 
-//! The rules of #estimateTwoViewGeometry in addition to the options of a search. The defaults are
-//! COLMAP's, except for `inlierRatio`.
+//! The rules by which #estimateTwoViewGeometry accepts models and chooses a configuration. The
+//! defaults are those of COLMAP, except for `inlierRatio`.
 struct CV_EXPORTS_W_SIMPLE TwoViewRules
 {
     CV_WRAP TwoViewRules();
 
     //! Minimum number of inliers of an accepted model; >= 1. Default 15.
     CV_PROP_RW int minInliers;
-    //! Smallest expected inlier ratio, 0..1: the number of samples is limited to what finds the
-    //! model of a pair with this ratio with probability Params::confidence. Models of pairs with a
-    //! smaller ratio may be found, too, but less reliably. Default 0.25.
+    //! Smallest expected inlier ratio, 0..1. The maximum number of samples is chosen so that the
+    //! model of a pair with this ratio is found with probability Params::confidence. Models of
+    //! pairs with a smaller ratio may be found, too, but less reliably. Default 0.25.
     CV_PROP_RW double inlierRatio;
-    /** Inlier ratios of some pairs of the same collection, each above 0 and at most 1:
-    Params::confidence is then met on average over the correct pairs of this collection, see
-    #samples. Default none: not known. */
+    /** Inlier ratios of some image pairs of the same collection, each above 0 and at most 1.
+    Params::confidence is then the average probability of success over the correct pairs of this
+    collection, see #samples. Default none: the ratios are unknown. */
     CV_PROP_RW std::vector<double> ratios;
     //! The pair is planar or panoramic if a homography has more than this fraction of the inliers;
     //! 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
-    //! The focal lengths are considered wrong if E has fewer inliers than this fraction of those of
-    //! F; 0..1. Default 0.95.
+    //! The focal lengths are considered wrong if the number of inliers of E is less than this
+    //! fraction of the number of inliers of F; 0..1. Default 0.95.
     CV_PROP_RW double calibrationRatio;
 
-    /** @brief Number of samples needed to find a pair that is worth keeping, regardless of
+    /** @brief Number of samples needed to find the model of an acceptable pair, regardless of
     Params::maxIterations.
-    @param params options; used are `confidence`, and whether the local optimization is that of
+    @param params options; only `confidence` is used, and whether the local optimization is that of
     `USACV20`
-    @param sampleSize points of a sample: 5 for E, 7 for F, 4 for H
+    @param sampleSize number of points in a sample: 5 for E, 7 for F, 4 for H
     @param matches number of matches of the pair
     @return the number of samples, an integer of at least 500.
 
     Samples are drawn without replacement: with I inliers among N matches, a sample of m points
     consists of inliers with probability C(I, m) / C(N, m). I is `inlierRatio` times N, but at least
-    `minInliers`. With `ratios`, the confidence is met on average over these k pairs and one more,
-    whose ratio is uniformly distributed between `inlierRatio` and the smallest of `ratios`: a pair
-    is worse than all of k others with probability 1 / (k + 1). For E with the local optimization of
-    `USACV20`, a sample counts as up to four samples, because this optimization also succeeds from
-    samples with one outlier. */
+    `minInliers`. With `ratios`, the confidence is met on average over these k pairs and one more
+    pair, whose ratio is uniformly distributed between `inlierRatio` and the smallest of `ratios`.
+    The additional pair has the weight 1 / (k + 1), which is the probability that a new pair has a
+    smaller ratio than k others. For E with the local optimization of `USACV20`, a sample counts as
+    up to four samples, because this optimization also succeeds from samples with one outlier. */
     CV_WRAP double samples(const Params& params, int sampleSize, int matches) const;
-    //! Probability that at least one of samples() samples, or of Params::maxIterations if these are
-    //! fewer, consists of inliers if the inlier ratio is `inlierRatio`; 0..1.
+    //! Probability, 0..1, that at least one of the samples consists of inliers if the inlier ratio
+    //! is `inlierRatio`. The number of samples is samples(), but at most Params::maxIterations.
     CV_WRAP double reached(const Params& params, int sampleSize, int matches) const;
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;
 };
 
-//! Matches of two images, and what is known about their cameras: the input of
-//! #estimateTwoViewGeometry.
+//! The input of #estimateTwoViewGeometry: the matches of two images and, if known, their cameras.
 struct CV_EXPORTS_W_SIMPLE TwoViewPair
 {
     CV_WRAP TwoViewPair();
@@ -89,45 +88,46 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     CV_PROP_RW Mat points2;
     //! 3x3, any depth. Empty: the focal length of image 1 is unknown.
     CV_PROP_RW Mat cameraMatrix1;
-    //! The same for image 2; required even if it is the same camera.
+    //! The same for image 2. It is not copied from image 1, even if the camera is the same.
     CV_PROP_RW Mat cameraMatrix2;
     //! 4, 5, 8, 12 or 14 distortion coefficients of camera 1, which require `cameraMatrix1`; empty:
     //! no distortion.
     CV_PROP_RW Mat distCoeffs1;
-    //! The same of image 2.
+    //! The same for image 2.
     CV_PROP_RW Mat distCoeffs2;
-    //! Size of image 1 in pixels. (0, 0): unknown, and no watermark is looked for.
+    //! Size of image 1 in pixels. (0, 0): the size is unknown, and watermarks are not detected.
     CV_PROP_RW Size imageSize1;
     //! Size of image 2 in pixels.
     CV_PROP_RW Size imageSize2;
-    //! Original (distorted) points of image 1 if `points1` are undistorted, for the detection of
-    //! watermarks; empty: `points1`.
+    //! Original (distorted) points of image 1, if `points1` have been undistorted. They are used
+    //! for the detection of watermarks; empty: `points1` are used.
     CV_PROP_RW Mat taken1;
-    //! The same of image 2.
+    //! The same for image 2.
     CV_PROP_RW Mat taken2;
     //! N scores of the matches, used instead of Params::scores, so that pairs can share their
     //! Params. Empty: Params::scores.
     CV_PROP_RW std::vector<float> scores;
 };
 
-//! The result for a pair. Matrices are CV_64F, and empty if unknown; pixels are undistorted.
+//! The result for a pair. Matrices are CV_64F, and empty if they were not determined. They refer to
+//! undistorted pixels.
 struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 {
     CV_WRAP TwoViewGeometry();
 
     //! @ref TwoViewConfiguration.
     CV_PROP_RW int configuration;
-    //! N x 1, CV_8U, 1 for inliers: of E if it is the model, else of F, else of H.
+    //! N x 1, CV_8U, 1 for inliers of the accepted model: E, F or H.
     CV_PROP_RW Mat mask;
     //! Number of inliers in the mask.
     CV_PROP_RW int inliers;
     //! 3x3, x2^T F x1 = 0 in pixels, unit Frobenius norm.
     CV_PROP_RW Mat F;
-    //! 3x3, for normalized image planes, singular values (1, 1, 0)/sqrt(2); set if the inliers are
-    //! those of E.
+    //! 3x3, for normalized image planes, singular values (1, 1, 0)/sqrt(2); set if `mask` marks the
+    //! inliers of E.
     CV_PROP_RW Mat E;
     //! 3x3, maps pixels of image 1 to image 2, h33 = 1; set if at least `minInliers` of the inliers
-    //! agree with it.
+    //! in `mask` are inliers of H.
     CV_PROP_RW Mat H;
     //! 3x3, X2 = R X1 + t; set if the configuration is #TWO_VIEW_CALIBRATED, #TWO_VIEW_PLANAR (one
     //! of the two motions compatible with a plane, unless matches off the plane decide),
@@ -140,11 +140,11 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     CV_PROP_RW Mat rotations;
     //! Report on the search for the model of the mask, or for the best rejected model.
     CV_PROP_RW Report report;
-    //! Number of samples drawn, except for H among the inliers of E or F.
+    //! Number of samples drawn, without those for H among the inliers of E or F.
     CV_PROP_RW int iterations;
     //! Elapsed time in milliseconds.
     CV_PROP_RW double milliseconds;
-    //! Why there are no inliers, one line without a period; empty if there are inliers.
+    //! The reason why there are no inliers, one line without a period; empty if there are inliers.
     CV_PROP_RW String reason;
     //! Only from #estimateTwoViewGeometries: message of the cv::Exception that this pair raised,
     //! else empty.
@@ -156,19 +156,20 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 @param pair matches, cameras, image sizes
 @param params options of each search. `threshold` is the Sampson distance of E and F in undistorted
 pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
-to each model separately. `initialModel` must be empty. #THRESHOLD_ESTIMATED: the first model that
-is accepted sets the threshold of the pair, Report::threshold (H alone: divided by 1.77)
-@param rules the other rules
+to each model separately. `initialModel` must be empty. With #THRESHOLD_ESTIMATED, the threshold of
+the pair is Report::threshold of the first accepted model (divided by 1.77 if this model is H)
+@param rules rules by which models are accepted and the configuration is chosen
 @return the configuration with its models, inliers and pose.
 
 If both focal lengths are known, an essential matrix E is estimated, and then a fundamental matrix F
 starting from E; otherwise only F. If E is rejected, F is searched for with 500 samples and its
 Report::chance may be at most the square of `significance`. If F shows that the focal lengths are
 wrong, E is estimated once more, starting from F. H is estimated from the inliers of E or F or, if
-both were rejected, from all matches. CALIBRATED: E has at least `calibrationRatio` of the inliers
-of F, not counting what F gains by chance, or most inliers are on a plane. The rules are COLMAP's,
-with differences listed in doc/collections.md; the threshold of H is larger than that of E because
-the error of H has two coordinates.
+both were rejected, from all matches. The focal lengths are accepted if E has at least
+`calibrationRatio` of the inliers of F, not counting the inliers that F gains by chance, or if most
+inliers are on a plane. These are the rules of COLMAP, with differences listed in
+doc/collections.md. The threshold of H is larger than that of E because the error of H has two
+coordinates.
 
 Raises cv::Exception for lists of different lengths, points of the wrong shape, invalid cameras,
 distortion without a camera, and invalid options. */
