@@ -91,7 +91,7 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
                  const Report& report, double widestReach)
 {
     Params params;
-    params.widestReach = widestReach;  // with a growing reach a right model may have no inliers
+    params.widestReach = widestReach;  // if the reach may grow, a correct model may have no inliers
     params.threshold = pixels;
     EXPECT_EQ("", brokenResult(callOf(scene, params), model, mask, report));
     if (scene.problem == HOMOGRAPHY && !model.empty())
@@ -131,8 +131,8 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
 
 namespace {
 
-//! The find functions with a flag, in all forms; some problems have none; the answer must be that
-//! of the estimate function.
+//! Calls the find functions with a flag, in all their forms. Their answer must equal that of the
+//! estimate function. Problems without flags are skipped.
 void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, InputArray points2,
                const Params& params, const Matx33d& K, const Mat& model, const Mat& mask)
 {
