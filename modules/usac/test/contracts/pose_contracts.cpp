@@ -32,7 +32,7 @@ Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report&
 
 namespace {
 
-//! cv::solvePnPRansac with the flag of a preset; its answer must be this pose.
+//! Runs cv::solvePnPRansac with the flag of a preset; its result must be that of the preset.
 void checkFlag(const PoseScene& scene, UsacV20Method flag, const Params& params, const Mat& pose,
                const Mat& mask)
 {
