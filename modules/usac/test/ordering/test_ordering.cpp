@@ -119,7 +119,7 @@ TEST(Usac_Priors, inputOrder)
     }
 }
 
-//! Matches that are the same as an earlier one go to the end, in either order of the points.
+//! Matches that repeat an earlier one must come last, ordered by density or by scores.
 TEST(Usac_Priors, repeatedMatchesAreLast)
 {
     SceneOptions options;
