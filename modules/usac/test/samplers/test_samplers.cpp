@@ -28,7 +28,7 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
             }
 }
 
-//! Counts the calls.
+//! Counts the calls of sort(). `known_` says whether its order is informative.
 class CountingOrdering : public Ordering
 {
 public:
@@ -55,8 +55,8 @@ int sortings(ProblemType problem, int ordering, int outliers)
     return counting->calls;
 }
 
-//! Where the order is a guess, easy problems end before it is needed; one that is known serves from
-//! the first sample.
+//! If the order is a guess, easy problems must end before it is computed. A known order must be
+//! computed for the first sample.
 TEST(Usac_Samplers, pointsAreSortedOnceAndOnlyIfNeeded)
 {
     for (int problem = FUNDAMENTAL; problem <= ESSENTIAL; ++problem)
