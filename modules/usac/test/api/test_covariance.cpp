@@ -157,7 +157,7 @@ TEST(Usac_Covariance, parameters_of_maps_are_entries)
                           0, 0, 0, 0, 0, 0, 1);
     EXPECT_LT(cv::norm(tangentOfModel(SIMILARITY, modelOf(SIMILARITY)), expected), 1e-7);
     const Mat H = modelOf(HOMOGRAPHY), T = tangentOfModel(HOMOGRAPHY, H);
-    EXPECT_EQ(0, cv::norm(T.row(8), NORM_INF));  // h33 = 1
+    EXPECT_EQ(0, cv::norm(T.row(8), NORM_INF));  // h33 is always 1
     // T must become an orthonormal basis for H of unit norm
     const double size = cv::norm(H);
     const Mat unit = Mat(H / size).reshape(1, 9);

@@ -98,7 +98,7 @@ TEST(Usac_Params, messages)
     expectException(check, "threshold: a positive number of pixels is expected, not nan");
 }
 
-//! Options that contradict each other raise an exception that names the field and says why.
+//! Contradictory options must raise an exception that names the field and says why.
 TEST(Usac_Params, impossible_combinations)
 {
     Check check;

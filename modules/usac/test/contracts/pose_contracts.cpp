@@ -71,7 +71,7 @@ std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels, int maxIte
         const int threads = params.threads;
         for (int run = 0; run < (threads == 1 ? 3 : 1); ++run)
         {
-            params.threads = threads == 1 ? 1 + 3 * run / 2 : threads;  // 1, 2, 4
+            params.threads = threads == 1 ? 1 + 3 * run / 2 : threads;  // 1, 2 and 4 threads
             const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K,
                                                   scene.distortion, params, other);
             EXPECT_TRUE(sameBits(poses[i], pose)) << params.threads << " threads";

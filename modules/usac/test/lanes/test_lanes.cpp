@@ -54,7 +54,7 @@ struct Samples
             int* const own = &indices[i * MAX_SAMPLE_SIZE];
             Rng(2, i).distinct(points().size, size, own);
             if (i % 9 == 0)
-                own[1] = own[0];  // a repeated point
+                own[1] = own[0];  // degenerate: a repeated point
             if (i % 31 == 0)
                 std::fill(own, own + size, own[0]);
             all.push_back(own);

@@ -88,9 +88,9 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
         points1.push_back(Point2d(0.3 * i, 0.1 * i * i));
         points2.push_back(Point2d(1 + 0.2 * i, 0.3 * i));
     }
-    points1[4] = points1[3];  // the same match
+    points1[4] = points1[3];  // the same match twice
     points2[4] = points2[3];
-    points2[5] = points2[0];  // two matches of one point
+    points2[5] = points2[0];  // two matches share a point of image 2
     const OwnPoints points(HOMOGRAPHY, points1, points2);
     Components parts;
     parts.minimalSolver = createUsac(sceneOf(HOMOGRAPHY, 20, 5), Params())

@@ -390,7 +390,7 @@ TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
             counts[r] += usac->components().neighborhood->members(context, 0, i, members);
         }
     }
-    EXPECT_GT(counts[0], scene.size());  // more than the points themselves
+    EXPECT_GT(counts[0], scene.size());  // more members than the points themselves
     EXPECT_NEAR(counts[0], counts[1], 2);
 }
 

@@ -185,7 +185,7 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
         const Parameterization::Basis tangent = here.tangent();
         ASSERT_EQ(here.dimension(), tangent.cols());
         Eigen::JacobiSVD<Eigen::MatrixXd> svd((Eigen::MatrixXd(tangent)));
-        EXPECT_GT(svd.singularValues()[here.dimension() - 1], 1e-3);  // independent directions
+        EXPECT_GT(svd.singularValues()[here.dimension() - 1], 1e-3);  // linearly independent
         for (int k = 0; k < here.dimension(); ++k)
         {
             Parameterization::Step step = Parameterization::Step::Zero(here.dimension());

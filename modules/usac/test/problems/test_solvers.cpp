@@ -125,7 +125,7 @@ TEST_P(Usac_Solvers_Problem, exactWithoutNoise)
     EXPECT_LE(result.missed, 6);
     EXPECT_LE(quantile(result.constraint, 1), 1e-8);
     EXPECT_LE(quantile(result.constraint, 0.9), 1e-12);
-    // E: 98.5 % only, as its polynomial is ill-conditioned near a double root
+    // E: only 98.5 %, because its polynomial is ill-conditioned near double roots
     EXPECT_LE(quantile(result.manifold, problem == ESSENTIAL ? 0.985 : 1), 1e-8);
     EXPECT_LE(quantile(result.manifold, 0.9), 1e-11);
 }
@@ -167,7 +167,7 @@ int countFundamental(const Correspondences& p)
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 9; ++i)
             F[k].val[i] = svd.matrixV()(i, 7 + k);
-    // det(x F0 + F1) from four values
+    // coefficients of det(x F0 + F1) from four of its values
     const double d = determinant(F[1]), plus = determinant(F[0] + F[1]),
                  minus = determinant(F[1] - F[0]);
     const double a = determinant(F[0]), b = (plus + minus) / 2 - d, c = (plus - minus) / 2 - a;
@@ -365,7 +365,7 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
         for (int i = 0; i < 8; ++i)
         {
             points1.push_back(integerPoint(rng, -2, 3));
-            // also without any parallax
+            // in every third sample without any parallax
             points2.push_back(repeat % 3 ? integerPoint(rng, -2, 3) : points1.back());
         }
         const OwnPoints points(problem, points1, points2);

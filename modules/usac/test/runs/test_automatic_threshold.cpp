@@ -181,7 +181,7 @@ TEST_P(UsacAutomaticThreshold, randomMatches)
 TEST_P(UsacAutomaticThreshold, tooFewPoints)
 {
     Scene scene = sceneOf(GetParam(), 0.5, 1, 8, 1);
-    std::reverse(scene.points2.begin(), scene.points2.end());  // wrong matches
+    std::reverse(scene.points2.begin(), scene.points2.end());  // makes all matches wrong
     Params params = widest(6);
     params.significance = 1;
     Report report;
@@ -460,7 +460,7 @@ TEST(Usac_InlierNoise, ofBadlyLocatedInliers)
         sigmas.push_back(noise.sigma / 0.4);
         thresholds.push_back(noise.threshold / 0.4);
     }
-    // 2 / 3 exp(-x^2 / 2) + 1 / 3 exp(-x^2 / 18) = 0.05
+    // threshold x in sigmas: 2 / 3 exp(-x^2 / 2) + 1 / 3 exp(-x^2 / 18) = 0.05
     EXPECT_NEAR(5.84, median(thresholds), 0.6);
     EXPECT_NEAR(1, median(sigmas), 0.1);
 }

@@ -75,7 +75,7 @@ TEST_P(Usac_WidestReach, bits)
 //! With coordinates and threshold in another unit the inliers must be the same.
 TEST_P(Usac_WidestReach, unit)
 {
-    if (GetParam() == ESSENTIAL)  // its unit is the focal length
+    if (GetParam() == ESSENTIAL)  // the unit of E is the focal length
         return;
     const Scene scene = makeScene((ProblemType)GetParam());
     Mat masks[2];

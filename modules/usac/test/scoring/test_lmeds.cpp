@@ -159,7 +159,7 @@ TEST_P(Usac_Lmeds_Problem, someUndefinedErrors)
         ASSERT_NEAR(COUNT * root / (root + 1), quality.cost, 1e-9 * COUNT) << trial;
         ASSERT_EQ(COUNT / 2 + 1, quality.inliers) << trial;
         const double constant = score->threshold(context, Matx33d::eye()) / root;
-        residual->given = sorted;  // no NaN
+        residual->given = sorted;  // NaN replaced by infinity
         ASSERT_NEAR(score->threshold(context, Matx33d::eye()) / root, constant, 1e-9) << trial;
     }
 }

@@ -58,7 +58,7 @@ bool sameBits(const Mat& a, const Mat& b)
 {
     if (a.empty() || b.empty())
         return a.empty() && b.empty();
-    const Mat x = a.clone(), y = b.clone();  // continuous
+    const Mat x = a.clone(), y = b.clone();  // so that they are continuous
     return x.type() == y.type() && x.size() == y.size() &&
            std::memcmp(x.data, y.data, x.total() * x.elemSize()) == 0;
 }
@@ -100,7 +100,7 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
         for (int i = 0; i < 3; ++i)
             rows.row(i) *= 1 / cvtest::norm(rows.row(i), NORM_INF);
         EXPECT_GT(std::abs(determinant(rows)),
-                  0);  // not that of the model, which may be too small for a double
+                  0);  // the determinant of the model itself may underflow
     }
 }
 

@@ -41,7 +41,7 @@ TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
     }
     EXPECT_NEAR(0, sum / RUNS, 0.04);
     EXPECT_NEAR(1, squares / RUNS, 0.05);
-    EXPECT_LE(beyond, 40);  // 1 in 1000, less for the first seven
+    EXPECT_LE(beyond, 40);  // 1 in 1000; fewer because the first seven inliers do not count
 }
 
 //! Compared with the definition: the number of pairs of an inlier and an outlier in which the

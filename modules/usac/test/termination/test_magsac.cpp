@@ -78,7 +78,7 @@ TEST_P(Usac_Magsac_Termination, againstItsFormula)
             EXPECT_NEAR(sum, termination->iterations(found.context, found.state),
                         1.001 + 1e-9 * sum)
                 << inlierThreshold;
-            // never before the standard criterion
+            // must not end before the standard criterion
             EXPECT_GE(termination->iterations(found.context, found.state),
                       createStandardTermination()->iterations(found.context, found.state));
         }
@@ -121,7 +121,7 @@ TEST_P(Usac_Magsac_Termination, estimates)
     const int wide = report.iterations;
     params.threshold = 4;  // fewer inliers at the finest scale
     estimate(scene, params, noArray(), &report);
-    if (sampleSizeOf(GetParam()) > 1)  // else the first batch of samples is enough
+    if (sampleSizeOf(GetParam()) > 1)  // otherwise the first batch of samples is enough
     {
         EXPECT_GT(report.iterations, wide);
     }

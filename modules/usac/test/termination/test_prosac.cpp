@@ -60,7 +60,7 @@ struct Case
             double p = kept;
             for (int i = 0; i < m; ++i)
                 p *= exact ? (double)(I - i) / (n - i) : (double)I / n;
-            double k = 1;  // by counting, where that does not take long
+            double k = 1;  // by counting if this does not take long
             if (p < 1 && std::log(1 - confidence) / std::log(1 - p) > 3000)
                 k = std::ceil(std::log(1 - confidence) / std::log(1 - p));
             else

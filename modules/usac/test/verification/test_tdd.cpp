@@ -175,7 +175,8 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                         better = 1;
                         for (int i = 0; i < m; ++i)
                             better *= (more - i) / (50 - i);
-                        for (int i = 0; i < d; ++i)  // fewer inliers than points of the test: 0
+                        // 0 if there are fewer inliers than test points
+                        for (int i = 0; i < d; ++i)
                             better *= std::max((more - i) / (50 - i), 0.);
                     }
                     const std::vector<Ptr<Termination>>& both = exact.usac->components()

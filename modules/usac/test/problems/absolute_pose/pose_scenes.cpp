@@ -128,9 +128,9 @@ private:
     Vec3d onLine(RNG& rng) const { return line[0] + (line[1] - line[0]) * rng.uniform(0., 1.); }
 
     PoseShape kind;
-    Vec3d normal[2];  //!< planes normal * X = 1
+    Vec3d normal[2];  //!< of the planes normal * X = 1
     Vec3d line[2];    //!< end points of the line
-    Vec3d center;     //!< of the cluster
+    Vec3d center;     //!< center of the cluster
 };
 
 //! Makes the matches of one scene.
