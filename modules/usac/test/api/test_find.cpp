@@ -114,8 +114,8 @@ TEST(Usac_Flags, other_ints_are_refused)
     }
 }
 
-//! A cast makes a flag of any number, for example of a flag of OpenCV. Such a value must raise an
-//! exception instead of running as USACV20.
+//! A cast can make a flag of any number, for example of a flag of OpenCV. Such a value must raise
+//! an exception instead of running as USACV20.
 TEST(Usac_Flags, casts_of_other_ints_are_refused)
 {
     const int others[] = {77, RANSAC, 0, -1, 0x3fff, (int)USACV20_AUTO + 1};

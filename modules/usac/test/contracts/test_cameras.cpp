@@ -5,7 +5,7 @@
 #include "support/contracts.hpp"
 
 // Tests of forms of cameras, distortion, homogeneous points and masks that are equivalent, and of
-// forms that have another meaning than it seems.
+// forms that look equivalent but have another meaning.
 
 namespace opencv_test {
 namespace {

@@ -5,7 +5,7 @@
 #include "contracts/expected_answer.hpp"
 #include "contracts/pose_contracts.hpp"
 
-// Any layout and depth of object points and image points must give the same result bit by bit.
+// Any layout and element type of object and image points must give the same result bit by bit.
 
 namespace opencv_test {
 namespace {

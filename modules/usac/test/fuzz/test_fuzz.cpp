@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! Inputs for which the fuzzer has found errors, and those of its inputs that reach the most code.
+//! Inputs for which the fuzzer has found errors, and the fuzzer's inputs that reach the most code.
 TEST(Usac_Fuzz, kept_inputs)
 {
     std::vector<cv::String> files;

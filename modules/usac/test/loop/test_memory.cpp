@@ -218,8 +218,8 @@ TEST_P(Usac_Memory, nothingInTheLoop)
     }
 }
 
-//! OpenCV itself allocates: its maximal flow a list for each cut, and its kd-tree a list for each
-//! point whose neighbors are searched. The number must not grow from run to run.
+//! OpenCV itself allocates memory: a list for each cut of the maximal flow, and a list for each
+//! point whose neighbors the kd-tree finds. The number of allocations must not grow with the runs.
 TEST_P(Usac_Memory, ofOpenCV)
 {
     if (!allocationsAreCounted())

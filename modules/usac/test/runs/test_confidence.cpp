@@ -11,8 +11,8 @@ namespace {
 const int RUNS = 1000;
 
 /** @brief Two homographies without noise, among wrong matches. The true one has a few more matches
-than the other, the decoy, which a criterion that fires too early returns. The rows are sorted, best
-first: each part is evenly distributed, with the true matches slightly earlier. */
+than the other, the decoy. A criterion that ends the search too early returns the decoy. The rows
+are sorted, best first: each part is evenly distributed, with the true matches slightly earlier. */
 struct Rivals
 {
     Rivals(int right, int decoys, int outliers)
@@ -27,7 +27,7 @@ struct Rivals
         options.seed = 7;
         const Scene other = makeScene(HOMOGRAPHY, options);
         scene = all;
-        std::vector<std::pair<double, std::pair<int, int>>> order;  // position, and part and row
+        std::vector<std::pair<double, std::pair<int, int>>> order;  // position, (scene, row)
         int seen[2] = {0, 0};
         for (int i = 0; i < all.size(); ++i)
         {
@@ -256,7 +256,8 @@ TEST(Usac_Confidence, prosac)
         for (int i = 0; i < RUNS; ++i)
             asComputed += runs.iterations[i] == samples[0] || runs.iterations[i] == samples[1];
         EXPECT_LE(runs.wrong, 0.1 * RUNS + 3.5 * std::sqrt(0.1 * 0.9 * RUNS));
-        if (sampler == SAMPLER_PROSAC)  // local samples find both models earlier than computed
+        // the local samples of P-NAPSAC find both models earlier than computed
+        if (sampler == SAMPLER_PROSAC)
         {
             EXPECT_GE(runs.wrong, 0.03 * RUNS);
         }

@@ -45,7 +45,7 @@ TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
     Params narrow = Params::magsacPlusPlus();
     narrow.widestReach = 1;
     EXPECT_GT(meanError(GetParam(), narrow, 0.1), 2 * usual);
-    narrow.widestReach = 5;  // half of what suits the noise
+    narrow.widestReach = 5;  // half of the value that suits the noise
     const double between = meanError(GetParam(), narrow, 0.1);
     EXPECT_GT(between, 1.1 * usual);
 }

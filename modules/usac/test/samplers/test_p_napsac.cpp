@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! Of the next samples, the fraction whose points are all in one cell of the coarsest layer.
+//! The fraction of the next samples whose points are all in one cell of the coarsest layer.
 double localFraction(Draw& draw, int samples)
 {
     Neighborhood& grid = *draw.usac->components().neighborhood;

@@ -255,7 +255,8 @@ TEST(Usac_ModelCovariance_, free_parameters)
             determined += !isNaN(report.covariance);
         }
     EXPECT_GE(models, 30);
-    EXPECT_LE(determined, models / 10);  // noise may look like a translation
+    // noise may look like a translation or like points off the plane
+    EXPECT_LE(determined, models / 10);
 }
 
 //! E of a plane is determined except for a second solution. There must be a covariance.

@@ -127,8 +127,8 @@ TEST(Usac_Termination, pNapsac)
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
 }
 
-//! Nothing must be relaxed if the best model may be one of a plane (`successProbability` below 1),
-//! and less if the inliers are few matches that are repeated.
+//! The number of samples must not be reduced if the best model may be one of a plane
+//! (`successProbability` below 1), and less reduced if the inliers are few, repeated matches.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
 {
     Params params;

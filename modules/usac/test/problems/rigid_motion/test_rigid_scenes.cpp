@@ -21,7 +21,7 @@ int countTrue(const RigidScene& scene)
     return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
 }
 
-//! Those of the points whose match is true (`right`), or whose match is wrong.
+//! Returns the points of the true matches if `right`, otherwise those of the wrong matches.
 std::vector<Point3d> select(const RigidScene& scene, const std::vector<Point3d>& points, bool right)
 {
     std::vector<Point3d> result;
