@@ -12,7 +12,7 @@ namespace {
 CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
 typedef TestBaseWithParam<tuple<Problem, int>> UsacGraphCut;
 
-//! The best model of a sample of right matches: what the local optimization starts from.
+//! The best model of a sample of true matches, as the start of a local optimization.
 Model modelOfSample(const PerfScene& scene, int stream)
 {
     const Context& context = scene.context;
@@ -41,7 +41,7 @@ Model modelOfSample(const PerfScene& scene, int stream)
     return best;
 }
 
-//! Full local optimizations of 20 models, each as of the first model of a run.
+//! Full local optimizations of 20 models, each like that of the first model of a run.
 PERF_TEST_P(UsacGraphCut, optimize_20models,
             testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
@@ -67,7 +67,7 @@ PERF_TEST_P(UsacGraphCut, optimize_20models,
     SANITY_CHECK_NOTHING();
 }
 
-//! The cut alone, 20 times, at the true model; the graph is there already.
+//! The graph cut alone, 20 times at the true model. The graph has been built before.
 PERF_TEST_P(UsacGraphCut, cut_20times,
             testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {

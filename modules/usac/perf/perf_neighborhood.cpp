@@ -12,8 +12,8 @@ namespace {
 
 typedef TestBaseWithParam<int> UsacSize;
 
-// What is done once a run, before the first sample. As many runs a call as make 1 000 000 points: a
-// millisecond of a call is a nanosecond of a point.
+// Work that is done once per run, before the first sample. One call makes as many runs as have 1
+// 000 000 points in total, so that a millisecond per call is a nanosecond per point.
 
 const int POINTS = 1000000;
 

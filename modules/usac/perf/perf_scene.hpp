@@ -10,7 +10,7 @@
 
 namespace opencv_test {
 
-/** A synthetic scene in which half of the matches are wrong, as the components see it. */
+/** A synthetic scene with 50 % outliers, in the form in which components use it. */
 struct PerfScene
 {
     PerfScene(ProblemType problem, int size, const Params& params_ = Params())
@@ -21,12 +21,12 @@ struct PerfScene
         usac->components().start(context);
     }
 
-    //! The i-th point is a right match.
+    //! Returns true if the i-th point is a true match.
     bool isRight(int i) const { return truth[usac->points().inputIndex[i]] != 0; }
 
     const Params params;
-    std::vector<uchar> truth;  //!< of the rows
-    Model model;               //!< the true one, in the coordinates of the components
+    std::vector<uchar> truth;  //!< for each row of the input; 1: a true match
+    Model model;               //!< the true model in internal coordinates
     const Ptr<Usac> usac;
     Arena arena;
     const Context context;

@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! How a model is rated: by the fused kernel, errors first and then the score, or a wrong model up
-//! to the cost of the right one.
+//! How a model is rated: by the fused kernel; by the errors and then the score; or, for a wrong
+//! model, with an early exit at the cost of the true model.
 enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
 
 enum { TRANSFER, SAMPSON };
@@ -19,7 +19,7 @@ CV_ENUM(ScoreKind, QUALITY_INLIERS, QUALITY_MSAC)
 CV_ENUM(RatingWay, FUSED, NOT_FUSED, EARLY_EXIT)
 typedef TestBaseWithParam<tuple<ResidualKind, ScoreKind, RatingWay, int>> UsacScore;
 
-//! A residual that no score has a fused kernel for.
+//! A residual for which no score has a fused kernel.
 class UnknownResidual : public Residual
 {
 public:
@@ -40,8 +40,8 @@ private:
     const Ptr<Residual> known;
 };
 
-//! As many models a call as make 1 000 000 points: a millisecond of a call is a nanosecond of a
-//! point.
+//! One call rates as many models as have 1 000 000 points in total, so that a millisecond per call
+//! is a nanosecond per point.
 PERF_TEST_P(UsacScore, rate_1000000points,
             testing::Combine(ResidualKind::all(), ScoreKind::all(), RatingWay::all(),
                              testing::Values(100, 1000, 10000, 100000)))

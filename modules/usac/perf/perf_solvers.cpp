@@ -13,8 +13,8 @@ namespace {
 CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
 typedef TestBaseWithParam<Problem> UsacSolver;
 
-//! 10 000 samples a call, as many at once as in a run. Half of the matches are wrong, so nearly all
-//! samples hold some, as in a real run.
+//! 10 000 samples per call, solved as many at once as in a run. With 50 % outliers, nearly all
+//! samples contain some, as in a real run.
 PERF_TEST_P(UsacSolver, minimal_10000samples, Problem::all())
 {
     const int samples = 10000;

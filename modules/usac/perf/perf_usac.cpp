@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-//! The module's flags as numbers, and OpenCV's flags and these in one list.
+//! This module's flags as numbers, so that they can be in one list with OpenCV's flags.
 enum {
     USACV20 = (int)cv::USACV20,
     USACV20_FAST = (int)cv::USACV20_FAST,
@@ -19,8 +19,7 @@ CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USA
         USACV20_ACCURATE)
 typedef TestBaseWithParam<Method> UsacMethod;
 
-//! A set of test_data/ of the project, repeated with offsets of a tenth of a pixel to `repeat`
-//! times its size.
+//! A set of test_data/, repeated with offsets of a tenth of a pixel to `repeat` times its size.
 struct PerfSet
 {
     PerfSet(const std::string& name, int repeat)

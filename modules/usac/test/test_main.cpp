@@ -22,7 +22,7 @@ bool runsVeryLong() { return veryLong; }
 
 }  // namespace cvtest
 
-//! The options of `ts` that the tests know, beside GoogleTest's.
+//! Beside GoogleTest's options, it reads those of `ts` that the tests use.
 int main(int argc, char** argv)
 {
     testing::InitGoogleTest(&argc, argv);

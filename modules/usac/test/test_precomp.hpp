@@ -14,8 +14,7 @@
 namespace opencv_test {
 using namespace cv::usacv20;
 
-//! A list as a matrix with one element a row. Mat(list) is that with OpenCV 4, and has one
-//! dimension with OpenCV 5.
+//! A list as a matrix with one element per row. Mat(list) would have one dimension with OpenCV 5.
 template <typename Element>
 Mat column(const std::vector<Element>& list)
 {

@@ -7,14 +7,15 @@
 
 #include <functional>
 
-// Messages of the functions of calib3d begin with the name that the argument has in its signature.
+// When an argument is wrong, the message of a function of calib3d must begin with the name that the
+// argument has in that function's signature, not with its name inside the module.
 
 namespace opencv_test {
 namespace {
 
 typedef std::function<void()> Call;
 
-//! @param begin of the message, up to the colon
+//! @param begin expected beginning of the message, up to the colon
 void expectBegin(const Call& call, const std::string& begin)
 {
     try
@@ -45,7 +46,7 @@ struct Lists
 
     const Scene s;
     const Mat a, b, few;
-    Mat solid;  //!< no list of points
+    Mat solid;  //!< three-dimensional array, invalid as a list of points
     std::vector<Point3d> space;
     const Params params;
 };
@@ -54,7 +55,7 @@ TEST(Usac_ArgumentNames, findHomography)
 {
     const Lists l;
     Mat mask;
-    Params wrong;  // a field keeps its name
+    Params wrong;  // the message names the field of Params
     wrong.threshold = -1;
     const int method = (int)USACV20;
     expectBegin([&] { findHomography(l.solid, l.b, USACV20); }, "srcPoints");
@@ -140,7 +141,8 @@ TEST(Usac_ArgumentNames, solvePnPRansac)
     expectBegin([&] { solve(l.b, K, 10, 8, 1.5); }, "confidence");
 }
 
-//! A pose calls the arguments of fits by other names, and the caller has given no matrix here.
+//! An absolute pose names the arguments of fits differently. With a focal length the caller has
+//! given no camera matrix, so that the message must name "focal, pp".
 TEST(Usac_ArgumentNames, fits_and_focal_lengths)
 {
     const Lists l;
@@ -161,7 +163,8 @@ TEST(Usac_ArgumentNames, fits_and_focal_lengths)
                     "focal, pp");
 }
 
-//! What a component of the caller's says need not begin with a list of names.
+//! Messages of components written by the caller may begin with any text. It is translated only if
+//! it is a list of known argument names.
 TEST(Usac_ArgumentNames, other_messages_stay)
 {
     const ArgumentName names[] = {{"points1", "from"}, {"threshold", "ransacReprojThreshold"}};

@@ -7,14 +7,14 @@
 #include "opencv2/usac/batch.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 
-// Many estimations in one call.
+// Estimations of many tasks in one call must equal those of single calls.
 
 namespace opencv_test {
 namespace {
 
 enum { COUNT = 12 };
 
-//! Scenes of different sizes; the options of each have its scores.
+//! Scenes of different sizes; the Params of each scene contain its scores.
 struct Scenes
 {
     explicit Scenes(ProblemType problem)
@@ -89,7 +89,8 @@ TEST(Usac_Batch, sameAsOneByOne)
 #include "problems/registry.inl.hpp"
 }
 
-//! A camera for each, one for all as a matrix or a list, a lens as a vector.
+//! Cameras and lenses may be given as one per pose, as one matrix for all poses, or as a list with
+//! a single element. Each form must give the results of single calls.
 TEST(Usac_Batch, poses)
 {
     std::vector<std::vector<Point3d>> object;
@@ -149,7 +150,8 @@ TEST(Usac_Batch, essentialMatrices)
     }
 }
 
-//! Problems mixed; a mistake, no points, and random ones between them.
+//! A batch mixes problems. Task 2 has lists of different length, task 5 a negative threshold and
+//! task 8 no camera matrix: they report errors. Task 6 has no points and thus no model.
 TEST(Usac_Batch, mixedAndWrongTasks)
 {
     const Scenes H(HOMOGRAPHY), F(FUNDAMENTAL);
@@ -197,7 +199,7 @@ TEST(Usac_Batch, wrongLists)
     EXPECT_TRUE(estimateHomographies(std::vector<Mat>(), std::vector<Mat>()).empty());
 }
 
-//! As many as there are threads at work, each task once.
+//! The default is as many threads as OpenCV has; their number must not change the results.
 TEST(Usac_Batch, anyNumberOfThreads)
 {
     const Scenes scenes(HOMOGRAPHY);

@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "problems/random_rotation.hpp"
 
-// What a covariance of parameters means for entries, for the motion between two cameras, and for
-// points: against differences, and against the scatter of many perturbed models.
+// Conversion of a covariance of parameters to that of model entries, relative poses and points. It
+// is compared with finite differences and with the scatter of many perturbed models.
 
 namespace opencv_test {
 namespace {
@@ -29,7 +29,7 @@ Matx33d cross(const Vec3d& t) { return Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -
 const Vec3d TRANSLATION(0.3, -0.5, 0.8);
 const Matx33d ROTATION = rotationOf(Vec3d(0.1, -0.2, 0.3));
 
-//! A model of each problem as it is returned.
+//! A valid model of each problem in the form in which the estimator returns it.
 Mat modelOf(ProblemType problem)
 {
     if (problem <= ESSENTIAL)
@@ -49,7 +49,8 @@ Mat modelOf(ProblemType problem)
 
 Mat moved(const Mat& model, const Mat& change) { return model + change.reshape(1, model.rows); }
 
-//! A covariance with correlations, so small that functions are linear over its errors.
+//! A covariance with correlations, so small that functions of the parameters are practically linear
+//! over its errors.
 Mat someCovariance(ProblemType problem, const Mat& model)
 {
     const int d = PARAMETERS[problem];
@@ -59,7 +60,8 @@ Mat someCovariance(ProblemType problem, const Mat& model)
     for (int i = 0; i < d; ++i)
         for (int k = 0; k <= i; ++k)
             L.at<double>(i, k) = (i == k ? 1 : 0.4 * rng.uniform(-1., 1.)) * 1e-5;
-    Mat scale(d, d, CV_64F, Scalar(0));  // entries of pixels: all relative errors are small
+    // makes relative errors small although entries have different units
+    Mat scale(d, d, CV_64F, Scalar(0));
     for (int i = 0; i < d; ++i)
     {
         double most = 0;
@@ -71,7 +73,7 @@ Mat someCovariance(ProblemType problem, const Mat& model)
     return scale * L * L.t() * scale;
 }
 
-//! Changes of the parameters with this covariance.
+//! Draws changes of the parameters with this covariance.
 class Errors
 {
 public:
@@ -104,12 +106,12 @@ private:
     RNG rng;
 };
 
-//! Vectors drawn; a variance estimated from them has a standard deviation of 2.2 %, of which the
-//! tolerance is five.
+//! Number of vectors that are drawn. A variance estimated from them has a relative standard
+//! deviation of 2.2 %; the tolerance is five times as large.
 enum { DRAWN = 4000 };
 const double TOLERANCE = 0.11;
 
-//! Compares a covariance with the scatter of vectors.
+//! Compares a covariance with the mean of v v^T over the vectors v.
 void expectScatter(const Mat& covariance, const std::vector<Mat>& vectors)
 {
     Mat scatter = Mat::zeros(covariance.size(), CV_64F);
@@ -155,15 +157,16 @@ TEST(Usac_Covariance, parameters_of_maps_are_entries)
                           0, 0, 0, 0, 0, 0, 1);
     EXPECT_LT(cv::norm(tangentOfModel(SIMILARITY, modelOf(SIMILARITY)), expected), 1e-7);
     const Mat H = modelOf(HOMOGRAPHY), T = tangentOfModel(HOMOGRAPHY, H);
-    EXPECT_EQ(0, cv::norm(T.row(8), NORM_INF));  // h33 = 1
-    const double size = cv::norm(H);             // an orthonormal basis for the matrix of unit norm
+    EXPECT_EQ(0, cv::norm(T.row(8), NORM_INF));  // h33 is always 1
+    // T must become an orthonormal basis for H of unit norm
+    const double size = cv::norm(H);
     const Mat unit = Mat(H / size).reshape(1, 9);
     const Mat changes = (T - unit * (unit.t() * T)) / size;
     EXPECT_LT(cv::norm(changes.t() * changes, Mat::eye(8, 8, CV_64F)), 1e-6);
 }
 
-//! F and E: an orthonormal basis of the changes that keep norm and constraints, the same for any
-//! rounding, scale and sign of the model.
+//! For F and E the tangent space is an orthonormal basis of the changes that keep the norm and the
+//! constraints. It must not depend on rounding, scale or sign of the model.
 TEST(Usac_Covariance, basis_of_epipolar_models)
 {
     for (ProblemType problem : {FUNDAMENTAL, ESSENTIAL})
@@ -196,7 +199,7 @@ TEST(Usac_Covariance, basis_of_epipolar_models)
         const Mat scaled = tangentOfModel(problem, model * -5);
         EXPECT_LT(std::min(cv::norm(scaled, T), cv::norm(scaled, -T)), 1e-6);
     }
-    // ties of all kinds: no rotation
+    // no rotation: many candidates for the basis are equally large
     const Mat E = Mat(cross(Vec3d(1, 0, 0)) * std::sqrt(0.5));
     const Mat T = tangentOfModel(ESSENTIAL, E);
     EXPECT_LT(cv::norm(T.t() * T, Mat::eye(5, 5, CV_64F)), 1e-8);
@@ -248,7 +251,8 @@ TEST(Usac_Covariance, pose_of_essential_matrix)
     }
 }
 
-//! What a model says of the points, a column for each; independent of the library.
+//! Mapped points, one column of them per model, by formulas independent of the library; for F and E
+//! the signed distances of the second points from their epipolar lines.
 Mat predictionOf(ProblemType problem, const Mat& model, const Mat& first, const Mat& second)
 {
     Mat result;
@@ -315,7 +319,8 @@ TEST(Usac_Covariance, points)
 TEST(Usac_Covariance, points_that_are_nowhere)
 {
     const Mat pose = modelOf(ABSOLUTE_POSE), C = someCovariance(ABSOLUTE_POSE, pose);
-    const Mat center = -pose.colRange(0, 3).t() * pose.col(3);  // of the camera
+    // center of the camera, where no projection exists
+    const Mat center = -pose.colRange(0, 3).t() * pose.col(3);
     const Mat points = (Mat_<double>(2, 3) << center.at<double>(0), center.at<double>(1),
                         center.at<double>(2), NAN, 0, 0);
     const Mat found = pointCovariance(ABSOLUTE_POSE, pose, C, points, noArray(), K);
@@ -326,7 +331,7 @@ TEST(Usac_Covariance, points_that_are_nowhere)
     EXPECT_TRUE(pointCovariance(ABSOLUTE_POSE, pose, C, Mat(0, 3, CV_64F), noArray(), K).empty());
 }
 
-//! The message of the exception, up to the colon behind the argument's name.
+//! The message of the exception up to its first colon, which is the name of the argument.
 template <class Call>
 std::string blamed(const Call& call)
 {

@@ -6,7 +6,8 @@
 
 #include <functional>
 
-// The flags, and every overload of findHomography, findFundamentalMat and findEssentialMat.
+// Tests of the flags and of every overload of findHomography, findFundamentalMat and
+// findEssentialMat.
 
 namespace opencv_test {
 namespace {
@@ -17,7 +18,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(FLAG_PROBLEMS));
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
-//! So low and so few that they show in the answer.
+//! A confidence so low and a number of iterations so small that they change the result.
 const double LOW = 1e-15;
 const int FEW = 20;
 
@@ -41,17 +42,18 @@ Params paramsOf(UsacV20Method flag, double pixels, double confidence, int maxIte
     return params;
 }
 
-//! Few inliers, so that each argument matters; and few points, of which any model is returned.
+//! Few inliers, so that each argument changes the result. There are also few points, for which a
+//! model is returned whatever its Report::chance is.
 Scene hardScene(ProblemType problem)
 {
     SceneOptions options;
     options.inliers = 10;
-    options.outliers = problem == SIMILARITY ? 80 : 16;  // its samples are of two points
+    options.outliers = problem == SIMILARITY ? 80 : 16;  // two-point samples
     options.seed = 2;
     return makeScene(problem, options);
 }
 
-//! What a call has to give.
+//! The model and the mask that a call has to return.
 struct Wanted
 {
     Wanted(const Scene& scene, const Params& params)
@@ -112,7 +114,8 @@ TEST(Usac_Flags, other_ints_are_refused)
     }
 }
 
-//! A cast makes a flag of any number, of one of OpenCV's, say, which must not run as USACV20.
+//! A cast can make a flag of any number, for example of a flag of OpenCV. Such a value must raise
+//! an exception instead of running as USACV20.
 TEST(Usac_Flags, casts_of_other_ints_are_refused)
 {
     const int others[] = {77, RANSAC, 0, -1, 0x3fff, (int)USACV20_AUTO + 1};
@@ -179,7 +182,8 @@ TEST_P(UsacFlags, each_is_its_preset)
     }
 }
 
-//! Without this, the tests of the overloads could not see a lost argument.
+//! The tests of the overloads could not detect an argument that is ignored unless each argument
+//! changes the model of their scene.
 TEST_P(UsacFlags, arguments_matter_in_the_scene_of_these_tests)
 {
     const Scene scene = hardScene(problem());
@@ -196,7 +200,7 @@ TEST(Usac_Flags, every_overload_of_findHomography)
     const Scene s = hardScene(HOMOGRAPHY);
     const UsacV20Method flag = USACV20_ACCURATE;
     Mat mask;
-    // defaults: 3 px, 2000 iterations, 0.995
+    // defaults: 3 pixels, 2000 iterations, confidence 0.995
     Wanted(s, paramsOf(flag, 3, 0.995, 2000))
         .same("flag", findHomography(s.points1, s.points2, flag));
     Wanted(s, paramsOf(flag, 2, 0.995, 2000))
@@ -223,7 +227,7 @@ TEST(Usac_Flags, every_overload_of_findFundamentalMat)
     const Scene s = hardScene(FUNDAMENTAL);
     const UsacV20Method flag = USACV20_ACCURATE;
     Mat mask;
-    // defaults: 3 px, 0.99; OpenCV's 1000 iterations
+    // defaults: 3 pixels, confidence 0.99; OpenCV's 1000 iterations
     const Wanted plain(s, paramsOf(flag, 3, 0.99, 1000)), coarse(s, paramsOf(flag, 2, 0.99, 1000)),
         low(s, paramsOf(flag, 2, LOW, 1000)), few(s, paramsOf(flag, 2, 0.98, FEW));
     plain.same("flag", findFundamentalMat(s.points1, s.points2, flag));
@@ -252,7 +256,7 @@ TEST(Usac_Flags, every_overload_of_findEssentialMat)
     const Point2d pp(s.K(0, 2), s.K(1, 2));
     const double focal = s.K(0, 0);
     Mat mask;
-    // defaults: 0.999, 1 px, 1000 iterations
+    // defaults: confidence 0.999, 1 pixel, 1000 iterations
     const Wanted plain(s, paramsOf(flag, 1, 0.999, 1000)), low(s, paramsOf(flag, 1, LOW, 1000)),
         coarse(s, paramsOf(flag, 2, LOW, 1000)), few(s, paramsOf(flag, 2, 0.98, FEW));
     plain.same("flag", findEssentialMat(s.points1, s.points2, s.K, flag));
@@ -282,8 +286,8 @@ TEST(Usac_Flags, every_overload_of_findEssentialMat)
     Wanted(s, params).same("params", f, mask);
 }
 
-//! calib3d takes K1, dist1, K2, dist2 with a flag and K1, K2, dist1, dist2 with parameters: so do
-//! we.
+//! calib3d has the order K1, dist1, K2, dist2 with a flag, but K1, K2, dist1, dist2 with
+//! parameters. The overloads of this module must have the same orders.
 TEST(Usac_Flags, order_of_two_cameras)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -304,7 +308,8 @@ TEST(Usac_Flags, order_of_two_cameras)
         E, findEssentialMat(s.points1, s.points2, s.K, d2, K2, d1, USACV20, 0.999, 2, other)));
 }
 
-//! OpenCV's functions by their own types: what a call with an int reached before this module.
+//! OpenCV's functions, selected by their types: those that a call with an int reaches without this
+//! module.
 typedef Mat (*OldHomography)(InputArray, InputArray, int, double, OutputArray, const int,
                              const double);
 typedef Mat (*OldFundamental)(InputArray, InputArray, int, double, double, int, OutputArray);
@@ -320,8 +325,8 @@ TEST(Usac_Flags, old_homography_calls_reach_calib3d)
     Mat mask, old;
     const int methods[] = {
         0,         LMEDS,         RANSAC,      RHO,        USAC_DEFAULT,
-        USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};  // USAC_PARALLEL differs from call to
-                                                              // call
+        USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};  // without USAC_PARALLEL, which is not
+                                                              // deterministic
     for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
@@ -336,7 +341,8 @@ TEST(Usac_Flags, old_homography_calls_reach_calib3d)
     EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, mask)));
     EXPECT_TRUE(
         sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
-                 cv::findHomography(s.points1, s.points2, RANSAC)));  // the enumerator itself
+                 // cv::RANSAC as an enumerator, without conversion to int
+                 cv::findHomography(s.points1, s.points2, RANSAC)));
     cv::UsacParams params;
     params.threshold = 2;
     const Mat withParams = cv::findHomography(s.points1, s.points2, mask, params);
@@ -380,7 +386,7 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
     const Point2d pp(s.K(0, 2), s.K(1, 2));
     const double focal = s.K(0, 0);
     Mat mask, old;
-    const int methods[] = {LMEDS, RANSAC};  // calib3d's USAC for E differs from call to call
+    const int methods[] = {LMEDS, RANSAC};  // calib3d's USAC is not deterministic for E
     for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
     {
         SCOPED_TRACE(cv::format("method %d", methods[i]));
@@ -390,7 +396,7 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
         EXPECT_TRUE(sameBits(old, mask));
         EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i],
                                                      0.99, 2, 1000, mask)));
-#if CV_VERSION_MAJOR < 5  // which has no forms without maxIters
+#if CV_VERSION_MAJOR < 5  // OpenCV 5 has no forms without maxIters
         EXPECT_TRUE(sameBits(
             E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
         EXPECT_TRUE(sameBits(

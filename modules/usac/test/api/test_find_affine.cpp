@@ -4,8 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// Every form of estimateAffine2D and estimateAffinePartial2D: with a flag that is known when the
-// program is compiled, with the int of any flag, with Params; what is OpenCV's goes to calib3d.
+// Tests of every form of estimateAffine2D and estimateAffinePartial2D: with a flag known at compile
+// time, with the int of any flag, and with Params. Calls with OpenCV's flags must go to calib3d.
 
 namespace opencv_test {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 
-//! The functions of one problem, by one name each. OpenCV's by its own type: what a call with an
-//! int reached before.
+//! The functions of one problem under common names. `calib3d` is OpenCV's function, selected by its
+//! type: the one that a call with an int reaches without this module.
 struct Functions
 {
     typedef Mat (*Old)(InputArray, InputArray, OutputArray, int, double, size_t, double, size_t);
@@ -34,7 +34,7 @@ Functions functionsOf(ProblemType problem)
     return problem == AFFINITY ? affine : partial;
 }
 
-//! Few inliers, so that each argument matters.
+//! Few inliers, so that each argument changes the result.
 Scene hardScene(ProblemType problem)
 {
     SceneOptions options;
@@ -96,8 +96,8 @@ TEST_P(Usac_FindAffine, eachArgument)
     }
 }
 
-//! Without this, the test above could not see a lost argument: each one matters to some of the
-//! flags.
+//! The test above could not detect an argument that is ignored unless each argument changes the
+//! model with at least one of the flags.
 TEST_P(Usac_FindAffine, argumentsMatter)
 {
     const Scene s = hardScene(problem());
@@ -165,7 +165,7 @@ TEST_P(Usac_FindAffine, whatIsOpenCVs)
     const Scene s = makeScene(problem());
     const Functions call = functionsOf(problem());
     int models = 0;
-    // without USAC_PARALLEL, which differs from call to call
+    // without USAC_PARALLEL, which is not deterministic
     for (int method : {0, (int)LMEDS, (int)RANSAC, (int)RHO, (int)USAC_DEFAULT, (int)USAC_FAST,
                        (int)USAC_ACCURATE, (int)USAC_PROSAC, (int)USAC_MAGSAC, 63})
     {
@@ -233,8 +233,8 @@ TEST_P(Usac_FindAffine, wrongArguments)
     EXPECT_NO_THROW(call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, INT_MAX));
 }
 
-//! The model without the polish is another one, and as good where the threshold suits the noise:
-//! local optimization has fitted it.
+//! Without polishing (refineIters 0) the model must differ, but be about as accurate if the
+//! threshold suits the noise, because local optimization has already fitted it.
 TEST_P(Usac_FindAffine, refineIters)
 {
     const Functions call = functionsOf(problem());

@@ -6,10 +6,10 @@
 #include "support/contracts.hpp"
 #include "support/params_fields.hpp"
 
-// A flag that is known only at run time: usacv20::findHomography, findFundamentalMat and
-// findEssentialMat with an int, which is one of the module or one of OpenCV. Ours must give the
-// bits of the overloads with a UsacV20Method, OpenCV's those of calib3d. What must not compile is
-// in misc/consumer.
+// Tests of a flag that is known only at run time: usacv20::findHomography, findFundamentalMat and
+// findEssentialMat with an int, which is a flag of this module or of OpenCV. Results must equal,
+// bit by bit, those of the overloads with a UsacV20Method or those of calib3d. Calls that must not
+// compile are tested in misc/consumer.
 
 namespace opencv_test {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 const UsacV20Method OURS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 const int OUR_COUNT = 6;
-//! OpenCV's flags without USAC_PARALLEL, which differs from call to call.
+//! OpenCV's flags without USAC_PARALLEL, which is not deterministic.
 const int THEIRS[] = {0,         FM_7POINT,     FM_8POINT,    LMEDS,
                       RANSAC,    RHO,           USAC_DEFAULT, USAC_FM_8PTS,
                       USAC_FAST, USAC_ACCURATE, USAC_PROSAC,  USAC_MAGSAC};
@@ -48,14 +48,15 @@ struct Answer
     std::string error;
 };
 
-//! Answers of a pair of forms for every flag.
+//! For every flag, compares the answer of the form with an int with that of the typed form (this
+//! module's flags) or of calib3d (OpenCV's flags).
 template <class AtRunTime, class Typed, class Calib3d>
 void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed,
                const Calib3d& calib3d)
 {
     SCOPED_TRACE(form.c_str());
     const bool forE = form.find("findEssentialMat") ==
-                      0;  // calib3d's USAC for E differs from call to call
+                      0;  // calib3d's USAC is not deterministic for E
     int models = 0, theirCount = 0;
     for (int i = 0; i < OUR_COUNT; ++i)
     {
@@ -80,8 +81,8 @@ void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed&
     EXPECT_GT(models, theirCount / 2) << "models, not only equal exceptions";
 }
 
-//! What the forms of cv::findEssentialMat without `maxIters` give, which OpenCV 5 does not have:
-//! those with its default.
+//! Replacements for the forms of cv::findEssentialMat without `maxIters`, which OpenCV 5 does not
+//! have. They pass the default of `maxIters`.
 Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vector<Point2d>& b,
                                  const Matx33d& K, int method, double prob, double threshold,
                                  Mat& mask)
@@ -96,7 +97,7 @@ Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vecto
     return cv::findEssentialMat(a, b, focal, pp, method, prob, threshold, 1000, mask);
 }
 
-//! One form of a call, given by its arguments, in which `method` is the flag and `mask` the mask.
+//! Checks one form of a call. In its arguments, `method` is the flag and `mask` the mask.
 #define CHECK_FORM(function, ...) CHECK_FORM_LIKE(cv::function, function, __VA_ARGS__)
 #define CHECK_FORM_LIKE(theirs, function, ...)                                                     \
     checkForm(                                                                                     \
@@ -168,8 +169,8 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
     CHECK_FORM(findEssentialMat, a, b, K, noArray(), K, noArray(), method, 0.9, 2, mask);
 }
 
-//! calib3d's USAC for E differs from call to call, so only that it is reached: none of ours, and
-//! not its RANSAC or LMedS.
+//! calib3d's USAC is not deterministic for E. Therefore the test checks only that the model is none
+//! of this module's, and none of calib3d's RANSAC or LMedS.
 TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -196,8 +197,8 @@ TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
     }
 }
 
-//! Where programs keep a flag: a variable, a struct of settings, a map, a default argument, a
-//! ternary, a file.
+//! A flag must survive where programs store it: in a variable, a struct of settings, a map, a
+//! default argument, a conditional expression or a file.
 Mat byDefaultArgument(const Scene& s, Mat& mask, int method = (int)USACV20)
 {
     return usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99, mask);
@@ -266,8 +267,8 @@ TEST(Usac_FlagsAtRunTime, without_a_flag)
                          usacv20::findEssentialMat(e.points1, e.points2)));
 }
 
-//! The same functions with the flag itself; unqualified below both using-directives, too, as
-//! everywhere in these tests.
+//! The same functions also take a UsacV20Method. An unqualified call is not ambiguous if both
+//! namespaces, cv and cv::usacv20, are visible by using-directives.
 TEST(Usac_FlagsAtRunTime, the_flag_itself)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);

@@ -6,7 +6,7 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "support/contracts.hpp"
 
-// cv::solvePnPRansac with the flags of the module.
+// Tests of cv::solvePnPRansac with the flags of this module.
 
 namespace opencv_test {
 namespace {
@@ -103,7 +103,8 @@ TEST(Usac_FindPose, failure_leaves_the_vectors)
     EXPECT_TRUE(inliers.empty());
 }
 
-//! With so few samples no good one is drawn: the pose can only come from the guess.
+//! With 5 % inliers, 10 samples hardly contain an all-inlier one, so that a correct pose can only
+//! come from the initial guess. A wrong guess must not lead to it.
 TEST(Usac_FindPose, guess_is_a_hypothesis)
 {
     PoseSceneOptions options;

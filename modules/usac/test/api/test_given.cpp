@@ -6,12 +6,12 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// What needs no search: fitModel, refineModel, modelErrors.
+// Tests of the functions without a search: fitModel, refineModel and modelErrors.
 
 namespace opencv_test {
 namespace {
 
-//! Matches of any problem, the right ones among them, and the cameras.
+//! Matches of any problem with the true inliers and the cameras.
 struct Matches
 {
     explicit Matches(ProblemType problem_, double noise = 0, double inlierRatio = 1,
@@ -102,8 +102,8 @@ public:
 };
 INSTANTIATE_TEST_CASE_P(/**/, UsacGiven, testing::ValuesIn(ALL_PROBLEMS));
 
-//! estimateModel() is the function of the problem, with the argument names of any problem in its
-//! messages.
+//! estimateModel() must give the result of the problem's own function. Its messages use the
+//! argument names points1 and points2 for all problems.
 TEST_P(UsacGiven, estimateModel)
 {
     const Matches matches(problem(), 1, 0.6);
@@ -127,7 +127,8 @@ TEST_P(UsacGiven, estimateModel)
     }
 }
 
-//! Numbers are stored in files: the rows of the table are in their order.
+//! The numbers of problems are stored in files, so that the table must list the problems in the
+//! order of their numbers.
 TEST(Usac_Given, problemsAreNumberedInTheOrderOfTheTable)
 {
     for (size_t i = 0; i < sizeof(ALL_PROBLEMS) / sizeof(ALL_PROBLEMS[0]); ++i)
@@ -157,7 +158,8 @@ TEST_P(UsacGiven, exact_points)
     }
 }
 
-//! The mask is 1 exactly where the error is at most the threshold, of run(), fit() and refine().
+//! For run(), fit() and refine(), the mask must be 1 exactly where the error is at most the
+//! threshold.
 TEST_P(UsacGiven, errors_are_those_of_the_mask)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -177,7 +179,7 @@ TEST_P(UsacGiven, errors_are_those_of_the_mask)
             ASSERT_EQ(mask.rows, errors.rows);
             for (int i = 0; i < mask.rows; ++i)
                 EXPECT_EQ(mask.at<uchar>(i) != 0, errors.at<double>(i) <= report.threshold) << i;
-            // with a threshold that is one of the errors
+            // the threshold equals one of the errors, so that rounding could decide
             std::vector<double> sorted(errors.begin<double>(), errors.end<double>());
             std::sort(sorted.begin(), sorted.end());
             Matches same(matches);
@@ -191,7 +193,8 @@ TEST_P(UsacGiven, errors_are_those_of_the_mask)
     }
 }
 
-//! No other model near the fit has a smaller sum of squares, and none that a search finds.
+//! The fit must have the least sum of squares: no model nearby and no model found by a search may
+//! have a smaller one.
 TEST_P(UsacGiven, fit_is_least_squares)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -210,7 +213,7 @@ TEST_P(UsacGiven, fit_is_least_squares)
             Mat moved = fitted.clone();
             const int column = rng.uniform(0, moved.cols), row = rng.uniform(0, moved.rows);
             moved.at<double>(row, column) *= 1 + rng.uniform(-1e-4, 1e-4);
-            // what is refined without a step has the constraints of the problem
+            // refining without fits only restores the constraints of the problem
             Matches none(matches);
             none.params.polishing = POLISHING_NONE;
             const Mat other = none.refine(moved, report);
@@ -220,7 +223,8 @@ TEST_P(UsacGiven, fit_is_least_squares)
     }
 }
 
-//! A weight of 0 takes a point out, as `chosen` does; a weight of 2 is the point twice.
+//! A point of weight 0 must have no effect, like a point that is not in `chosen`. A weight of 2
+//! must have the effect of two copies of the point.
 TEST_P(UsacGiven, weights_and_chosen_points)
 {
     Matches matches(problem(), 1, 0.7);
@@ -238,7 +242,7 @@ TEST_P(UsacGiven, weights_and_chosen_points)
               chosen = matches.fit(report, noArray(), matches.truth);
     ASSERT_FALSE(weighted.empty());
     EXPECT_EQ(0, cv::norm(weighted, chosen, NORM_INF));
-#ifdef CV_Bool  // of OpenCV 5
+#ifdef CV_Bool  // exists since OpenCV 5
     Mat truth;
     column(matches.truth).convertTo(truth, CV_Bool);
     EXPECT_EQ(0, cv::norm(matches.fit(report, noArray(), truth), chosen, NORM_INF));
@@ -307,7 +311,7 @@ TEST_P(UsacGiven, too_few_points)
     }
 }
 
-//! An equal point for all determines nothing.
+//! Copies of one match determine no model; a fit must either fail or return finite numbers.
 TEST_P(UsacGiven, degenerate_points)
 {
     Matches matches(problem());
@@ -357,7 +361,8 @@ TEST_P(UsacGiven, mistakes)
     expectMistake([&] { matches.errors(infinite); }, "model");
 }
 
-//! OpenCV's method 0: H by least squares of the same error.
+//! OpenCV's method 0 minimizes the same error over all points, so that both sums of squares must be
+//! nearly equal. That of fitModel() must not be larger.
 TEST(Usac_Given, homography_of_OpenCV)
 {
     for (uint64 seed = 1; seed <= 20; ++seed)

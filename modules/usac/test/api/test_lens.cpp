@@ -5,7 +5,7 @@
 #include "support/lens_oracle.hpp"
 #include "support/contracts.hpp"
 
-// The removal of a lens's distortion from points of an image.
+// Tests of removeDistortion(), which removes the distortion of a lens from image points.
 
 namespace opencv_test {
 namespace {
@@ -19,7 +19,7 @@ Mat lens(int coefficients)
     return Mat(1, coefficients, CV_64F, (void*)c).clone();
 }
 
-//! Pixels without distortion, all over the image, and as the lens takes them.
+//! Pixels without distortion, all over the image, and the same pixels distorted by the lens.
 void makePoints(const Mat& distortion, std::vector<Point2d>& ideal, std::vector<Point2d>& taken)
 {
     std::vector<Point3d> rays;
@@ -31,7 +31,7 @@ void makePoints(const Mat& distortion, std::vector<Point2d>& ideal, std::vector<
             ideal.push_back(Point2d(x, y));
         }
     projectPoints(rays, Vec3d(), Vec3d(), Matx33d::eye(), distortion, taken);
-    for (Point2d& p : taken)  // cv::projectPoints knows no skew
+    for (Point2d& p : taken)  // cv::projectPoints ignores the skew, so K is applied here
     {
         const Vec3d seen = K * Vec3d(p.x, p.y, 1);
         p = Point2d(seen[0], seen[1]);
@@ -53,8 +53,8 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
     }
 }
 
-//! What the contracts of E are checked with has a bound that holds, and that five steps of
-//! cv::undistortPoints leave.
+//! LensOracle is used to check results for E. Its error bounds must hold, and they must be so tight
+//! that the five steps of cv::undistortPoints often exceed them.
 TEST(Usac_Lens, oracle)
 {
     const int counts[] = {4, 5, 8, 12, 14};
@@ -104,7 +104,8 @@ TEST(Usac_Lens, layouts)
     EXPECT_EQ(0, removeDistortion(std::vector<Point2d>(), K, distortion).rows);
 }
 
-//! r (1 - 0.25 r^2) turns back at r^2 = 4 / 3, where 0.77 is seen.
+//! r (1 - 0.25 r^2) has its maximum, 0.77, at r^2 = 4 / 3. Points with a larger distorted radius
+//! are not seen by the lens and must become NaN.
 TEST(Usac_Lens, what_is_not_seen_is_not_a_number)
 {
     const Matx33d camera(1000, 0, 0, 0, 1000, 0, 0, 0, 1);

@@ -5,7 +5,8 @@
 #include "support/contracts.hpp"
 #include "support/params_fields.hpp"
 
-// Params: ranges, presets, conversion, storage. What each field does is in test_params_effects.cpp.
+// Tests of the ranges, combinations and storage of the fields of Params. The effect of each field
+// is tested in test_params_effects.cpp and test_params_components.cpp.
 
 namespace opencv_test {
 namespace {
@@ -16,7 +17,7 @@ struct Check
     Params params;
 };
 
-//! Right values of other fields, so that no value of the field contradicts them.
+//! Sets other fields so that no value of `field` in its range contradicts them.
 void permitAll(const std::string& field, Params& params)
 {
     if (field == "verification")
@@ -88,7 +89,7 @@ TEST(Usac_Params, messages)
     check.params.neighborRadius = -2;
     expectException(check, "neighborRadius: a positive number of pixels is expected, not -2");
     check.params.quality = 7;
-    expectException(check, "neighborRadius");  // the first of several
+    expectException(check, "neighborRadius");  // the message names the first wrong field
     check.params.neighborRadius = 1;
     expectException(check, "quality: 0 .. 5 is expected, not 7");
     check.params.confidence = 1;
@@ -97,7 +98,7 @@ TEST(Usac_Params, messages)
     expectException(check, "threshold: a positive number of pixels is expected, not nan");
 }
 
-//! Options that contradict each other raise an exception that names the field and says why.
+//! Contradictory options must raise an exception that names the field and says why.
 TEST(Usac_Params, impossible_combinations)
 {
     Check check;
@@ -184,8 +185,8 @@ TEST(Usac_Params, number_of_scores)
     EXPECT_NO_THROW(params.check(9));
 }
 
-//! Gives each field another value than its default, of the interval but for sums of flags and the
-//! scores.
+//! Gives each field a valid value that differs from its default. Sums of flags and scores may
+//! become invalid; unusual() sets such fields.
 struct Changer
 {
     Params& params;
@@ -199,7 +200,7 @@ struct Changer
         const double end = values.initial < 1    ? std::min(values.high, 1.)
                            : values.initial == 1 ? 2
                                                  : 0;
-        params.*member = (2 * values.initial + end) / 3;  // with no end in binary
+        params.*member = (2 * values.initial + end) / 3;  // not finite in binary digits
     }
     void operator()(const char*, std::vector<float> Params::*member, const FieldValues&)
     {
@@ -211,7 +212,7 @@ struct Changer
     }
 };
 
-//! All fields different from their defaults and right.
+//! Parameters with all fields valid and different from their defaults.
 Params unusual()
 {
     Params p;
@@ -260,7 +261,7 @@ TEST(Usac_Params, storage_of_some_fields)
     EXPECT_EQ(4.5, params.threshold);
     EXPECT_EQ((size_t)2, params.scores.size());
     EXPECT_EQ("threshold scores ", Fields::difference(unusual(), params));
-    in["usac"] >> params;  // the others get their defaults
+    in["usac"] >> params;  // >> sets missing fields to their defaults
     EXPECT_EQ("threshold sampler scores ", Fields::difference(Params(), params));
     in["missing"] >> params;
     EXPECT_EQ("", Fields::difference(Params(), params));

@@ -5,8 +5,9 @@
 #include "support/contracts.hpp"
 #include "support/scene_geometry.hpp"
 
-// Each field of Params changed alone has an effect: verification, local optimization, termination,
-// degeneracy, polishing.
+// Each field of Params must have an effect when it alone is changed. This file has the fields of
+// verification, local optimization, termination, degeneracy and polishing; the others are in
+// test_params_effects.cpp.
 
 namespace opencv_test {
 namespace {
@@ -30,7 +31,7 @@ Report reportOf(const Scene& scene, const Params& params)
     return report;
 }
 
-//! Counts the points whose errors are asked for.
+//! Counts the points whose errors are computed.
 class CountingResidual : public Residual
 {
 public:
@@ -55,7 +56,7 @@ private:
     Ptr<Residual> residual;
 };
 
-//! Points looked at by a run without local optimization.
+//! Number of point errors computed by a run without local optimization.
 int64 pointsTested(const Scene& scene, int verification)
 {
     Params params;
@@ -80,11 +81,11 @@ TEST_P(UsacComponents, verification)
     EXPECT_LT(sprt, 0.75 * all);
 }
 
-//! Remembers the sizes of the sets that models were fitted to.
+//! Records the sizes of the point sets to which models are fitted.
 class FitRecorder : public NonMinimalSolver
 {
 public:
-    //! @param part of the way to the fit that the model goes
+    //! @param part_ fraction of the step from the old model to the fit that is taken; 1: the fit
     FitRecorder(const Ptr<NonMinimalSolver>& solver_, double part_) : solver(solver_), part(part_)
     {}
 
@@ -107,7 +108,8 @@ private:
     double part;
 };
 
-//! Sizes of the fits of a local optimization; the polishing, which fits too, is left out.
+//! Sizes of the fits of all local optimizations of a run, which has no polishing because that fits,
+//! too.
 std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0, double part = 1)
 {
     params.polishing = POLISHING_NONE;
@@ -137,7 +139,8 @@ TEST_P(UsacComponents, localOptimization)
     EXPECT_LT(with.cost, without.cost);
 }
 
-//! With a solver that goes a fifth of the way only, one round is not enough.
+//! With fits that take only a fifth of the step, one round does not converge, so that more than one
+//! round must be used if allowed.
 TEST_P(UsacComponents, localIterations)
 {
     size_t one = 0, ten = 0;
@@ -198,8 +201,7 @@ TEST_P(UsacComponents, spatialWeight)
 {
     const Scene scene = sceneOf(problem(), 200, 50);
     Params params;
-    params.threshold = 0.5;  // of the order of the noise: there are points that their neighbors can
-                             // turn
+    params.threshold = 0.5;  // about the noise, so that neighbors change the label of some points
     std::vector<int> before;
     const double weights[] = {0, 0.14, 5};
     for (int i = 0; i < 3; ++i)
@@ -230,7 +232,8 @@ TEST_P(UsacComponents, termination)
     params.termination = 7;
     params.maxIterations = 5000;
     const Report first = reportOf(scene, params);
-    if (sampleSizeOf(problem()) > 1)  // else all fire in the first batch of samples
+    // with samples of one point all criteria fire in the first batch of samples
+    if (sampleSizeOf(problem()) > 1)
     {
         EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the first that fires";
     }
@@ -325,7 +328,8 @@ TEST_P(UsacComponents, polishing)
     EXPECT_NE(with, reweighted);
 }
 
-//! A multiple of the samples of one, as long as the best model is found with them all.
+//! With persistence p, the number of samples must be about p times as large. The best model is
+//! found early enough in this scene that the criterion does not change.
 TEST_P(UsacComponents, persistence)
 {
     const Scene scene = sceneOf(problem(), 150, 150);
@@ -337,7 +341,7 @@ TEST_P(UsacComponents, persistence)
         params.sampler = SAMPLER_UNIFORM;
         params.maxIterations = 100000;
         params.persistence = several[i];
-        params.runnersUp = 0;  // no samples beside those of the criterion
+        params.runnersUp = 0;  // no samples but those that the criterion asks for
         const Report report = reportOf(scene, params);
         EXPECT_EQ((int)STOP_STANDARD, report.stop);
         iterations[i] = report.iterations;
@@ -348,7 +352,8 @@ TEST_P(UsacComponents, persistence)
     EXPECT_LE(iterations[2], 5 * iterations[0]);
 }
 
-//! Fits of the polishing alone: as many as asked for, or fewer where the fit has settled.
+//! The polishing must make at most as many fits as allowed, and fewer once its fits no longer
+//! change the model.
 TEST_P(UsacComponents, polishingSteps)
 {
     const Scene scene = sceneOf(problem(), 200, 100);

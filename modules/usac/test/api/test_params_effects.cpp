@@ -10,7 +10,8 @@
 #include <set>
 #include <thread>
 
-// Each field of Params changed alone has an effect.
+// Each field of Params must have an effect when it alone is changed. More fields are in
+// test_params_components.cpp.
 
 namespace opencv_test {
 namespace {
@@ -34,7 +35,8 @@ Report reportOf(const Scene& scene, const Params& params, OutputArray mask = noA
     return report;
 }
 
-//! Uniform sampling, no local optimization, as many samples as allowed.
+//! Parameters with uniform sampling, without local optimization, and with all `maxIterations`
+//! samples.
 Params plainParams()
 {
     Params params = Params::ransac();
@@ -63,7 +65,8 @@ TEST_P(UsacEffects, threshold)
 
 TEST_P(UsacEffects, confidence)
 {
-    const bool single = sampleSizeOf(problem()) == 1;  // few samples are enough
+    // few samples suffice, so the inlier ratio is lower
+    const bool single = sampleSizeOf(problem()) == 1;
     const Scene scene = sceneOf(problem(), single ? 15 : 150, 150);
     int before = 0;
     const double confidences[] = {0.1, 0.9, 0.999999};
@@ -95,7 +98,7 @@ TEST_P(UsacEffects, maxIterations)
     }
 }
 
-//! Keeps the samples that the default sampler draws.
+//! Records the samples of the default sampler as rows of the input.
 class SampleRecorder : public Sampler
 {
 public:
@@ -114,7 +117,7 @@ public:
     std::vector<int> drawn;
 };
 
-//! Rows of the first `maxIterations` samples.
+//! Rows of the input in the first `iterations` samples.
 std::vector<int> samplesOf(const Scene& scene, Params params, int iterations = 100)
 {
     params.maxIterations = iterations;
@@ -132,7 +135,7 @@ TEST_P(UsacEffects, seed)
     const Scene scene = sceneOf(problem(), 150, 150);
     Params params;
     params.scores.assign(scene.size(), 0.5f);
-    params.scoreOrder = SCORES_HIGHER_IS_BETTER;  // SAMPLER_IMPORTANCE needs them
+    params.scoreOrder = SCORES_HIGHER_IS_BETTER;  // required by SAMPLER_IMPORTANCE
     for (params.sampler = SAMPLER_UNIFORM; params.sampler <= SAMPLER_IMPORTANCE; ++params.sampler)
     {
         SCOPED_TRACE(cv::format("sampler %d", params.sampler));
@@ -148,8 +151,8 @@ TEST_P(UsacEffects, seed)
     }
 }
 
-//! A solver that knows which threads call it; it dallies until there are two, so that a fast one
-//! cannot do all the work.
+//! Records the threads that call the solver. Each of the first 500 calls takes 1 ms longer until
+//! there are two threads, so that a fast thread cannot do all the work alone.
 class ThreadRecorder : public MinimalSolver
 {
 public:
@@ -206,14 +209,14 @@ TEST_P(UsacEffects, threads)
         EXPECT_EQ((size_t)1, four) << "the samples are too cheap for threads";
         EXPECT_EQ((size_t)1, all);
     }
-    else if (parallel)  // else OpenCV was built without threads
+    else if (parallel)  // otherwise OpenCV was built without threads
     {
         EXPECT_GT(four, (size_t)1);
         EXPECT_GT(all, (size_t)1);
     }
 }
 
-//! The scene with its true matches first.
+//! The scene with its true matches first, without scores.
 Scene sorted(const Scene& scene)
 {
     Scene result = scene;
@@ -231,7 +234,7 @@ Scene sorted(const Scene& scene)
     return result;
 }
 
-//! How many of the rows are true matches.
+//! Fraction of the rows that are true matches.
 double goodPart(const Scene& scene, const std::vector<int>& rows)
 {
     double good = 0;
@@ -304,7 +307,8 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
         EXPECT_NE(0, rows[i] % 3) << "a match whose score is NaN is the worst";
 }
 
-//! Scores that are given are the order, also where a preset says that the points are sorted.
+//! If scores are given, they determine the order even for a preset whose ordering is
+//! ORDERING_INPUT_ORDER.
 TEST_P(UsacEffects, scores_beside_the_input_order)
 {
     const Scene scene = sceneOf(problem(), 60, 240);
@@ -313,7 +317,7 @@ TEST_P(UsacEffects, scores_beside_the_input_order)
     for (const Params& preset : presets)
     {
         Params params = preset;
-        params.degeneracy = Params().degeneracy;  // usac2013()'s is not one of all problems
+        params.degeneracy = Params().degeneracy;  // DEGENSAC of usac2013() is not for all problems
         params.orderedEvery = 1;
         EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering);
         EXPECT_LT(goodPart(scene, samplesOf(scene, params, 50)), 0.7) << "the rows are not sorted";
@@ -326,8 +330,9 @@ TEST_P(UsacEffects, scores_beside_the_input_order)
     }
 }
 
-//! Points in the order of the caller, true matches first: one sample in so many is of the first of
-//! them, the others are uniform, as are the first 8 samples unless all follow the order.
+//! The points are in the order of the caller, true matches first. One sample in `orderedEvery` must
+//! be from the first points, which are all true. The others must be uniform, as must the first 8
+//! samples unless all samples follow the order.
 TEST_P(UsacEffects, orderedEvery)
 {
     const Scene scene = sorted(sceneOf(problem(), 60, 240));
@@ -343,7 +348,7 @@ TEST_P(UsacEffects, orderedEvery)
             good += goodPart(scene, std::vector<int>(rows.begin() + i * m,
                                                      rows.begin() + (i + 1) * m)) == 1;
         const int ordered = (params.orderedEvery == 1 ? 40 : 32) / params.orderedEvery;
-        const double chance = m == 1 ? 0.2 : 0;  // of a uniform sample
+        const double chance = m == 1 ? 0.2 : 0;  // probability that a uniform sample is all-inlier
         EXPECT_NEAR(ordered + (40 - ordered) * chance, good, m == 1 ? 6 : 2);
     }
 }
@@ -370,13 +375,13 @@ TEST_P(UsacEffects, quality)
     EXPECT_GT(std::abs(report.cost - counted.cost), 0.01);
 }
 
-//! The mask is that of the threshold, whatever the reach; the model is another one.
+//! The mask must always use `threshold`, whatever the reach; the model must change with the reach.
 TEST_P(UsacEffects, reach)
 {
     const Scene scene = sceneOf(problem(), 200, 100);
     Params params = Params::magsacPlusPlus();
-    params.threshold = 1.3;  // times 4 and divided by it in some coordinates, it would be another
-                             // number
+    params.threshold = 1.3;  // not preserved by rounding if multiplied by 4 and divided again in
+                             // some coordinates
     Mat masks[2], models[2];
     for (int i = 0; i < 2; ++i)
     {

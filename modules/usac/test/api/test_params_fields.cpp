@@ -11,8 +11,8 @@
 #include <map>
 #include <regex>
 
-// The list of the fields of Params (visitFields) against the class as it is declared and documented
-// in params.hpp.
+// The list of the fields of Params (visitFields) must agree with their declarations and
+// documentation in params.hpp.
 
 namespace opencv_test {
 namespace {
@@ -27,10 +27,10 @@ std::string readHeader()
 
 struct Declaration
 {
-    std::string type, name, comment;  //!< the comment as one line
+    std::string type, name, comment;  //!< the comment without line breaks
 };
 
-//! The fields of the class, in the order of the header.
+//! The fields of the class in the order of their declaration.
 std::vector<Declaration> declarationsOf(const std::string& header)
 {
     std::istringstream lines(header.substr(header.find("struct CV_EXPORTS_W_SIMPLE Params")));
@@ -54,8 +54,8 @@ std::vector<Declaration> declarationsOf(const std::string& header)
     return result;
 }
 
-//! Values of the enumerators of the header, and of its enumerations the lowest, the highest and the
-//! sum.
+//! The values of all enumerators of the header, and for each enumeration the lowest value, the
+//! highest value and the sum of all values.
 struct Enumerations
 {
     struct Range
@@ -86,7 +86,8 @@ struct Enumerations
     }
 };
 
-//! What a comment says of the values. A field without a range may have all values.
+//! Kind, default and range of a field according to its comment. Without a documented range, all
+//! values of int are allowed.
 FieldValues documentedValues(const std::string& comment, const Enumerations& enumerations)
 {
     const std::regex type("^ *(Set of )?@ref (\\w+)"),
@@ -135,7 +136,7 @@ FieldValues documentedValues(const std::string& comment, const Enumerations& enu
     return result;
 }
 
-//! Goes along with visitFields.
+//! A visitor that compares each field of visitFields with its declaration and documentation.
 struct DocumentationReader
 {
     std::vector<Declaration> declarations;
@@ -163,8 +164,8 @@ struct DocumentationReader
     static const char* typeName(std::vector<double>*) { return "std::vector<double>"; }
 };
 
-//! A field that the list lacks, or that has another default or range than its comment says, fails
-//! here.
+//! Fails if visitFields lacks a field of the header, or if its default or range differs from the
+//! comment.
 TEST(Usac_ParamsFields, are_as_declared_and_documented)
 {
     const std::string header = readHeader();
@@ -175,7 +176,8 @@ TEST(Usac_ParamsFields, are_as_declared_and_documented)
         ADD_FAILURE() << "visitFields lacks " << reader.declarations[i].name;
 }
 
-//! Where the compiler puts a member that follows those before.
+//! A visitor that checks that each field directly follows the previous one in memory, apart from
+//! alignment.
 struct Layout
 {
     const Params& params;
@@ -195,8 +197,8 @@ struct Layout
     }
 };
 
-//! The fields of the list, one after the other, are the class: also what the header declares in
-//! another form is listed.
+//! The listed fields must fill the whole class without gaps, so that a field cannot be forgotten
+//! even if its declaration in the header has an unexpected form.
 TEST(Usac_ParamsFields, fill_the_class)
 {
     const Params params;

@@ -5,25 +5,25 @@
 #include "support/contracts.hpp"
 #include "support/params_fields.hpp"
 
-// Presets are what the papers they are named after describe; flags and calib3d's parameters select
-// them.
+// Presets must set what the papers after which they are named describe. Flags and the parameters of
+// calib3d must select the documented presets.
 
 namespace opencv_test {
 namespace {
 
-//! What a preset must set; the other fields are those of the preset it starts from.
+//! A preset and the fields in which it differs from the preset `from`.
 struct Expected
 {
     const char* name;
     Params preset, from;
-    const char* changed;  //!< in the order of visitFields
+    const char* changed;  //!< changed fields, as visitFields orders them
 };
 
 TEST(Usac_Presets, change_what_they_say)
 {
     const Params v20, ransac = Params::ransac(), lo = Params::loRansac();
     Params trusted = Params::trustedScores();
-    EXPECT_THROW(trusted.check(), cv::Exception);  // there is nothing to trust
+    EXPECT_THROW(trusted.check(), cv::Exception);  // it needs scores or sorted points
     trusted.scores.assign(10, 1.f);
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 
-// The motion of a camera between two views: estimateRelativePose.
+// Tests of estimateRelativePose, which returns the motion of a camera between two views.
 
 namespace opencv_test {
 namespace {
@@ -35,7 +35,7 @@ TEST(Usac_RelativePose, exact_points)
         Mat R, t, mask;
         RelativePose pose;
         Params params;
-        params.threshold = 0.01;  // no wrong match is an inlier
+        params.threshold = 0.01;  // so small that no wrong match is an inlier
         ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
                                          noArray(), noArray(), params, R, t, mask, pose));
         EXPECT_LT(angleOf(R, scene.R), 1e-4 * DEGREE) << seed;
@@ -54,7 +54,8 @@ TEST(Usac_RelativePose, exact_points)
     }
 }
 
-//! With noise and wrong matches the same of the four motions as cv::recoverPose.
+//! With noise and wrong matches, the choice among the four motions of E must be that of
+//! cv::recoverPose.
 TEST(Usac_RelativePose, as_recoverPose)
 {
     int differing = 0;
@@ -79,7 +80,7 @@ TEST(Usac_RelativePose, as_recoverPose)
     EXPECT_EQ(0, differing);
 }
 
-//! The distortion of both lenses is removed exactly: exact points give the exact pose.
+//! The distortion of both lenses must be removed exactly, so that exact points give the exact pose.
 TEST(Usac_RelativePose, two_cameras_with_lenses)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -110,7 +111,9 @@ TEST(Usac_RelativePose, two_cameras_with_lenses)
     }
 }
 
-//! Most points are on a plane: those off it choose, and the other motion is reported.
+//! 90 % of the true matches are on a plane, to which two motions fit. The points off the plane must
+//! select the correct motion, and the other motion of the plane must be reported in `otherR` and
+//! `otherT`.
 void checkPlanes(const Params& params)
 {
     int right = 0, other = 0, scenes = 0;
@@ -143,7 +146,8 @@ void checkPlanes(const Params& params)
 
 TEST(Usac_RelativePose, planes) { checkPlanes(Params()); }
 
-//! The plane is looked for with the threshold that was found.
+//! As above with an estimated threshold: the search for the plane must use that threshold instead
+//! of Params::threshold.
 TEST(Usac_RelativePose, planesWithEstimatedThreshold)
 {
     Params params = Params::automatic();
@@ -151,7 +155,8 @@ TEST(Usac_RelativePose, planesWithEstimatedThreshold)
     checkPlanes(params);
 }
 
-//! All points on the plane: the right motion is one of the two.
+//! All true matches are on one plane, so that either of its two motions may be returned. The
+//! correct motion must be among both.
 TEST(Usac_RelativePose, nothing_but_a_plane)
 {
     int either = 0;
@@ -176,7 +181,8 @@ TEST(Usac_RelativePose, nothing_but_a_plane)
     EXPECT_EQ(40, either);
 }
 
-//! A match on its line whose point would be behind a camera is no inlier.
+//! A match on its epipolar line whose point would be behind a camera must not be an inlier. Such
+//! matches are made from the points X = -4 x1, which have a negative depth.
 TEST(Usac_RelativePose, points_behind)
 {
     SceneOptions options;
@@ -185,7 +191,7 @@ TEST(Usac_RelativePose, points_behind)
     Scene scene = makeScene(ESSENTIAL, options);
     const int behind = 10;
     const Matx33d inverse = scene.K.inv();
-    for (int i = 0; i < behind; ++i)  // X = -d x1 is seen by the other camera on the same line
+    for (int i = 0; i < behind; ++i)  // a point behind camera 1 is on the same epipolar line
     {
         const Vec3d x1 = inverse * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
         const Vec3d x2 = scene.K * (scene.R * (x1 * -4.) + scene.t);
@@ -204,7 +210,8 @@ TEST(Usac_RelativePose, points_behind)
     EXPECT_EQ(scene.size() - behind, pose.report.inliers);
 }
 
-//! Points so far away that they have no parallax but noise are in front.
+//! Half of the points are at infinity, so that noise decides the sign of their depth. They must
+//! count as points in front of the cameras.
 TEST(Usac_RelativePose, points_at_infinity)
 {
     SceneOptions options;

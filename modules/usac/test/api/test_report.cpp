@@ -4,7 +4,7 @@
 
 #include "support/contracts.hpp"
 
-// What a report says of a call whose result means nothing.
+// Tests of what a report says about a call whose result is meaningless.
 
 namespace opencv_test {
 namespace {
@@ -27,8 +27,9 @@ const char* const CHANCE = "no better than chance";
 typedef UsacProblem UsacReport;
 INSTANTIATE_TEST_CASE_P(/**/, UsacReport, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Points of the normalized image plane and a threshold in pixels: any model has all of them as
-//! inliers.
+//! The points are on the normalized image plane, but the threshold is in pixels, so that any model
+//! has all points as inliers. The report must say that the threshold is too wide. With the
+//! threshold in the unit of the points it must not.
 TEST_P(UsacReport, threshold_in_another_unit)
 {
     const double focals[] = {350, 800, 2000};  // fields of view of 85 to 18 degrees
@@ -60,7 +61,7 @@ TEST_P(UsacReport, threshold_in_another_unit)
     }
 }
 
-//! The same of poses and of motions of space, whose threshold is in the unit of the points.
+//! The same test for poses and 3-D motions, whose threshold is in the unit of the points.
 TEST(UsacReport_Space, threshold_in_another_unit)
 {
     RNG rng(3);
@@ -88,7 +89,8 @@ TEST(UsacReport_Space, threshold_in_another_unit)
     }
 }
 
-//! Half of the longest side is the limit; one point far away does not make the others wide.
+//! A threshold is wide from half of the longest side of the points' extent on. One point far away
+//! must not enlarge the extent.
 TEST(UsacReport_Wide, half_of_the_longest_side)
 {
     std::vector<Point2d> points;
@@ -113,7 +115,8 @@ TEST(UsacReport_Wide, half_of_the_longest_side)
     EXPECT_FALSE(report.wideThreshold);
 }
 
-//! Random points: with significance 1 a model is returned, and the report says what it is worth.
+//! Matches of random points. With significance 1 a model must be returned, and the report must say
+//! that it is no better than chance; with the default no model must be returned.
 TEST(UsacReport_Chance, random_points)
 {
     RNG rng(1);

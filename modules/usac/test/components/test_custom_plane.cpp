@@ -6,8 +6,8 @@
 #include "support/run_context.hpp"
 #include "support/contracts.hpp"
 
-// A problem of one array of points: the plane n x + d = 0 of points of space, a model of four
-// numbers.
+// A custom problem with one array of points: the plane n x + d = 0 through points of space, a model
+// of four numbers.
 
 namespace opencv_test {
 namespace {
@@ -38,7 +38,8 @@ private:
     }
 };
 
-//! Through the mean, along the two largest axes of the scatter.
+//! The total least-squares plane, through the weighted mean and along the two largest principal
+//! axes. Returns false if the points are collinear.
 bool fitPlane(const Correspondences& p, const int* indices, int count, const double* weights,
               Model& plane)
 {
@@ -116,7 +117,7 @@ public:
     }
 };
 
-//! Planes with a normal of unit length: two parameters turn the normal, the third one moves the
+//! Planes with a normal of unit length. Two parameters rotate the normal, the third one moves the
 //! plane along it.
 class PlaneParameterization : public cv::usacv20::Parameterization
 {
@@ -160,7 +161,7 @@ private:
     }
 };
 
-//! Has no fit of its own, but says how planes vary.
+//! This problem has no solver for fits of its own, but a parameterization of planes.
 class VaryingPlaneProblem : public PlaneProblem
 {
 public:
@@ -220,7 +221,8 @@ TEST(Usac_CustomPlane, everyPreset)
     }
 }
 
-//! The module's fits take the place of a problem's own, if it says how its models vary.
+//! A problem with a parameterization and no solver for fits must get the fits of the module, with
+//! results as good as with its own solver.
 TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
 {
     const PlaneParameterization planes;
@@ -243,7 +245,8 @@ TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
     }
 }
 
-//! Random points have planes within the threshold of several, which the report tells.
+//! Among 300 random points some plane has several inliers by chance. The reported chance must be
+//! large.
 TEST(Usac_CustomPlane, chanceOfRandomPoints)
 {
     Params params;
@@ -277,7 +280,8 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
         }
 }
 
-//! Of points of space, against all distances.
+//! In three dimensions the neighbors must be those with the smallest distances, found by exhaustive
+//! search.
 TEST(Usac_CustomPlane, nearestNeighbors)
 {
     Params params;
@@ -324,7 +328,8 @@ TEST(Usac_CustomPlane, layoutsOfPoints)
         << "a second array";
 }
 
-//! A solver that writes numbers into a model of no size.
+//! A wrong solver that leaves the number of rows and columns of its model 0. The run must raise an
+//! exception.
 class ShapelessSolver : public PlaneSolver
 {
 public:

@@ -6,7 +6,8 @@
 #include "support/contracts.hpp"
 #include "../../../../samples/affine_problem.hpp"
 
-// A problem that the library does not know: the affine map of samples/custom_problem.cpp.
+// Estimation of a problem that the module does not contain: the affine map of
+// samples/custom_problem.cpp.
 
 namespace opencv_test {
 namespace {
@@ -34,7 +35,7 @@ struct AffineScene
             ->run(mask, report);
     }
 
-    //! Largest error of a corner of the image, pixels.
+    //! Largest error of the four corners of the image in pixels.
     static double error(const Mat& model)
     {
         double largest = 0;
@@ -50,7 +51,8 @@ struct AffineScene
     std::vector<Point2d> points1, points2;
 };
 
-//! Every preset finds it: samplers, scores, verification, local optimizations, criteria, polishing.
+//! Every preset must find the affine map of a scene with half outliers. Together the presets use
+//! all samplers, scores, verifications, local optimizations, terminations and polishings.
 TEST(Usac_CustomProblem, everyPreset)
 {
     const AffineScene scene(200, 200, 0.5);
@@ -61,7 +63,7 @@ TEST(Usac_CustomProblem, everyPreset)
         params.threshold = 2;
         params.maxIterations = 5000;
         if (params.quality == QUALITY_LMEDS)
-            continue;  // half of the points are wrong
+            continue;  // half of the points are outliers
         Mat mask;
         Report report;
         const Mat A = scene.estimate(params, mask, &report);
@@ -84,7 +86,7 @@ TEST(Usac_CustomProblem, anyNumberOfThreads)
         EXPECT_EQ(0, cv::norm(one, scene.estimate(params), NORM_INF));
 }
 
-//! A custom component beside a custom problem: confidence holds with its sample size.
+//! The standard termination must use the sample size of the custom problem.
 TEST(Usac_CustomProblem, endsWhereTheConfidenceSays)
 {
     const AffineScene scene(100, 100, 0.5);
@@ -93,13 +95,14 @@ TEST(Usac_CustomProblem, endsWhereTheConfidenceSays)
     Report report;
     EXPECT_FALSE(scene.estimate(params, noArray(), &report).empty());
     EXPECT_EQ((int)STOP_STANDARD, report.stop);
-    // log(0.01) / log(1 - 0.5^3) = 34.5 samples for half of the points, more while the best model
-    // has less
+    // log(0.01) / log(1 - 0.5^3) = 34.5 samples for an inlier ratio of 0.5; more samples are drawn
+    // before a model with all inliers is found
     EXPECT_GE(report.iterations, 30);
     EXPECT_LE(report.iterations, 300);
 }
 
-//! Numbers of a problem that do not fit each other.
+//! A problem with one of six mistakes, for example a wrong dimension. Usac::create() must raise an
+//! exception that names the problem. `mistake` 6 means none.
 class WrongProblem : public custom::AffineProblem
 {
 public:

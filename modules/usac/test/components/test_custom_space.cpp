@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "support/contracts.hpp"
 
-// A problem whose errors have three dimensions: the translation of points of space, a model of
-// three numbers.
+// A custom problem whose errors have three dimensions: the translation of points of space, a model
+// of three numbers.
 
 namespace opencv_test {
 namespace {
@@ -141,7 +141,8 @@ TEST(Usac_CustomSpace, everyPreset)
     }
 }
 
-//! Errors of four dimensions, or of three where points have two.
+//! Errors of more than three dimensions, of none, or of more dimensions than the points must be
+//! refused.
 TEST(Usac_CustomSpace, dimensionsThatCannotBe)
 {
     const Mat space = Mat::eye(10, 3, CV_64F), plane = Mat::eye(10, 2, CV_64F);

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 
-// What the loop does with components of a caller.
+// Tests of how the main loop treats components that the caller has replaced.
 
 namespace opencv_test {
 namespace {
@@ -17,7 +17,8 @@ Params allOf(int iterations)
     return params;
 }
 
-//! One model for the first sample, or none for any.
+//! A solver that returns one wrong model for the first sample and none for the others, or none at
+//! all.
 class FirstSample : public MinimalSolver
 {
 public:
@@ -34,8 +35,9 @@ private:
     mutable int models;
 };
 
-//! After a million samples without a model a criterion gives up. Without a criterion, or after a
-//! model, the limit holds.
+//! A run with a termination criterion must end after a million samples without any model. Without a
+//! criterion, or if there has been a model, it must end after maxIterations. The model has no
+//! inliers, so that none is returned.
 TEST(Usac_Parts, hopeless)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -56,7 +58,7 @@ TEST(Usac_Parts, hopeless)
         }
 }
 
-//! Drops every model that comes from a sample, or from the local optimization.
+//! A degeneracy check that rejects all models of samples, or all models of the local optimization.
 class Refusal : public Degeneracy
 {
 public:
@@ -87,7 +89,8 @@ TEST(Usac_Parts, refusedModelsAreDropped)
         }
 }
 
-//! Takes a worse model for a better one.
+//! A local optimizer that returns a worse model but reports an improvement. It must have no effect
+//! on the result.
 class Worsener : public LocalOptimizer
 {
 public:

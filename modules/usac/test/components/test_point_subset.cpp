@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Inliers and cost against those of the points without the subset, but for one of its inliers on
-//! average.
+//! countOnce() must count the inliers of a subset of the points as one (`kept` 1) or none. The
+//! number of inliers and the cost are compared with those of the other points.
 TEST(Usac_CountedOnce, asIfOthersWereNotThere)
 {
     SceneOptions options;

@@ -10,7 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! Points of an image, for independentInliers.
+//! Matches and a mask for independentInliers(). It divides each image into square cells with the
+//! threshold as side and returns the smaller number of cells with inliers of both images.
 struct Points
 {
     void add(double a1, double b1, double a2, double b2, bool inlier = true)
@@ -81,7 +82,8 @@ TEST(Usac_Repetitions, independentInliersAgainstASet)
     }
 }
 
-//! Of the inliers of a cell all are marked but the one that the order has first.
+//! Of the inliers in a cell of side 2, markRepeated() must mark all but the first in the given
+//! order.
 TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
 {
     RNG rng(2);
@@ -96,7 +98,7 @@ TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
         order[i] = (i * 7 + 3) % N;
         mask[i] = i % 4 != 1;
     }
-    repeated[5] = 1;  // of the other image
+    repeated[5] = 1;  // already marked, as for the other image
     Arena arena;
     const double* const columns[] = {x.data(), y.data()};
     const int sum = markRepeated(columns, 2, order.data(), mask.data(), N, 2, repeated.data(),

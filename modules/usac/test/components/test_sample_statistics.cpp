@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-//! P(Binomial(n, p) = k) for all k, by adding one point after the other.
+//! P(Binomial(n, p) = k) for k = 0 .. n, computed by adding one trial after the other.
 std::vector<long double> distribution(int n, double p)
 {
     std::vector<long double> all(1, 1.L);
@@ -62,7 +62,8 @@ TEST(Usac_NonRandomness, chanceAtTheLimits)
     EXPECT_EQ(1, chanceOf(8, 1000000, 7, 0.9));
 }
 
-//! Sums of 1e6 points by another way: logarithms of factorials in long double.
+//! For a million points the tail probability is compared with a sum of terms computed differently:
+//! by log-factorials in long double.
 TEST(Usac_NonRandomness, chanceOfAMillionPoints)
 {
     const int n = 1000000, m = 4;
@@ -85,7 +86,8 @@ TEST(Usac_NonRandomness, chanceOfAMillionPoints)
     }
 }
 
-//! More inliers are less likely by chance, more points or a higher ratio make them more likely.
+//! More inliers must be less probable by chance; more points or a higher ratio must make them more
+//! probable.
 TEST(Usac_NonRandomness, chanceIsMonotone)
 {
     for (int n = 20; n < 3000; n *= 3)

@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Nobody meets the numbers of somebody else, however many iterations there are, nor those of a
-//! sample.
+//! The streams of random numbers must not overlap each other or those of the samples, for any
+//! number of iterations.
 TEST(Usac_Streams, doNotMeet)
 {
     uint64 end = INT_MAX;

@@ -5,13 +5,13 @@
 #ifndef OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 #define OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 
-// What test_input.cpp, test_layouts.cpp and test_pose_layouts.cpp share.
+// Shared by test_input.cpp, test_layouts.cpp and test_pose_layouts.cpp.
 
 #include "support/contracts.hpp"
 
 namespace opencv_test {
 
-//! The answer that every other form of the same points has to repeat to the bit.
+//! The result for some points. Every other form of the same points must give the same bits.
 struct ExpectedAnswer
 {
     ExpectedAnswer(ProblemType problem_, const Mat& points1, const Mat& points2,
@@ -39,7 +39,7 @@ struct ExpectedAnswer
     Mat model, mask;
 };
 
-//! A part of a larger matrix.
+//! The points as a part of a larger matrix, so that they are not continuous.
 inline Mat partOfLarger(const Mat& points)
 {
     Mat larger(points.rows + 2, points.cols + 3, points.type(), Scalar::all(-11));
@@ -48,14 +48,14 @@ inline Mat partOfLarger(const Mat& points)
     return part;
 }
 
-//! A matrix of two dimensions as one of three.
+//! A two-dimensional matrix as a three-dimensional one.
 inline Mat threeDimensional(const Mat& points, int first, int second)
 {
     const int sizes[] = {first, second, points.cols};
     return points.clone().reshape(1, 3, sizes).clone();
 }
 
-//! Every depth that holds the integers 0 .. 127; OpenCV 5 has more than OpenCV 4.
+//! Every depth that can represent the integers 0 .. 127; OpenCV 5 has more of them than OpenCV 4.
 inline std::vector<int> depthsOfIntegers()
 {
     std::vector<int> depths = {CV_8U, CV_8S, CV_16U, CV_16S, CV_32S, CV_32F, CV_64F, CV_16F};
@@ -65,8 +65,8 @@ inline std::vector<int> depthsOfIntegers()
     return depths;
 }
 
-//! A scene whose coordinates are integers 0 .. 127, so that every depth holds them; Nx2, CV_64F. K
-//! is scaled with them.
+//! The points of a scene, scaled and rounded to integers 0 .. 127, so that every depth can
+//! represent them. They are Nx2 matrices of type CV_64F, and K is scaled in the same way.
 inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
 {
     const double scale = 0.19;

@@ -32,7 +32,7 @@ Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report&
 
 namespace {
 
-//! cv::solvePnPRansac with the flag of a preset; its answer must be this pose.
+//! Runs cv::solvePnPRansac with the flag of a preset; its result must be that of the preset.
 void checkFlag(const PoseScene& scene, UsacV20Method flag, const Params& params, const Mat& pose,
                const Mat& mask)
 {
@@ -71,7 +71,7 @@ std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels, int maxIte
         const int threads = params.threads;
         for (int run = 0; run < (threads == 1 ? 3 : 1); ++run)
         {
-            params.threads = threads == 1 ? 1 + 3 * run / 2 : threads;  // 1, 2, 4
+            params.threads = threads == 1 ? 1 + 3 * run / 2 : threads;  // 1, 2 and 4 threads
             const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K,
                                                   scene.distortion, params, other);
             EXPECT_TRUE(sameBits(poses[i], pose)) << params.threads << " threads";

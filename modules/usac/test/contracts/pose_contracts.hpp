@@ -10,14 +10,15 @@
 
 namespace opencv_test {
 
-//! An estimation of the scene, for the oracle.
+//! The scene and the parameters as a call that the oracle brokenResult takes.
 EstimatorCall callOf(const PoseScene& scene, const Params& params);
 
-//! One estimation, of which the oracle must have nothing to say.
+//! Runs one estimation; the oracle brokenResult must find no error, and the input must not change.
 Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report& report);
 
-/** Every preset and every flag on the scene: no exception, what is promised of the result, the same
-bits again and with any number of threads, input as it was. @return the poses of the presets */
+/** Runs every preset and every flag on the scene. Expects no exception, a result that keeps all
+promises, the same bits when repeated and with any number of threads, and unchanged input. @return
+the poses of the presets */
 std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels = 2, int maxIterations = 100);
 
 }  // namespace opencv_test

@@ -57,7 +57,7 @@ std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double
         const int threads = params.threads;
         for (int run = 0; run < (threads == 1 ? 3 : 1); ++run)
         {
-            params.threads = threads == 1 ? 1 + 3 * run / 2 : threads;  // 1, 2, 4
+            params.threads = threads == 1 ? 1 + 3 * run / 2 : threads;  // 1, 2 and 4 threads
             const Estimate other = estimate(type, scene, params);
             EXPECT_TRUE(sameBits(found.model, other.model)) << params.threads << " threads";
             EXPECT_TRUE(sameBits(found.mask, other.mask)) << params.threads << " threads";

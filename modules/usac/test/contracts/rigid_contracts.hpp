@@ -10,7 +10,7 @@
 
 namespace opencv_test {
 
-//! What an estimation gives.
+//! The result of an estimation.
 struct Estimate
 {
     Mat model, mask;
@@ -19,19 +19,20 @@ struct Estimate
     Matx34d motion() const { return Matx34d(model); }
 };
 
-//! By the public function of the problem.
+//! Calls the public function of the problem.
 Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, const Params& params,
                    OutputArray mask, Report& report);
 Estimate estimate(ProblemType type, const RigidScene& scene, const Params& params);
 
-//! An estimation of the scene, for the oracle.
+//! The scene and the parameters as a call that the oracle brokenResult takes.
 EstimatorCall callOf(ProblemType type, const RigidScene& scene, const Params& params);
 
-//! One estimation, of which the oracle must have nothing to say.
+//! Runs one estimation; the oracle brokenResult must find no error, and the input must not change.
 Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& params);
 
-/** Every preset on the scene: no exception, what is promised of the result, the same bits again and
-with any number of threads, input as it was. @return the motions of the presets */
+/** Runs every preset on the scene with the threshold `limit`. Expects no exception, a result that
+keeps all promises, the same bits when repeated and with any number of threads, and unchanged input.
+@return the motions of the presets */
 std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit,
                                int maxIterations = 100);
 

@@ -4,7 +4,7 @@
 
 #include "support/contracts.hpp"
 
-// A caller's mistakes raise a cv::Exception that names the argument.
+// Wrong arguments must raise a cv::Exception that names the argument.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::ValuesIn(TWO_VIEW_PROBLEMS
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 const double INFINITE = std::numeric_limits<double>::infinity();
 
-//! What calib3d's function calls an argument.
+//! The name that an argument has in calib3d's function for the problem.
 std::string nameIn(ProblemType problem, const std::string& name)
 {
     const bool map = problem == AFFINITY || problem == SIMILARITY;
@@ -39,7 +39,7 @@ std::string inWordsOf(ProblemType problem, const std::string& words)
     return result;
 }
 
-//! One call with something wrong in it, through the estimate or the find function of the problem.
+//! A call with a wrong argument, by the estimate function or (`viaFlag`) the find function.
 struct WrongCall
 {
     WrongCall(ProblemType problem_, const Mat& points1_, const Mat& points2_)
@@ -69,8 +69,8 @@ struct WrongCall
                              params.maxIterations, mask);
     }
 
-    //! Both ways raise an exception with the words, of which the names of arguments are those of
-    //! calib3d's function where that is called.
+    //! Both functions must raise an exception whose message contains the words. In those of the
+    //! find function, arguments have the names that calib3d uses.
     void expect(const std::string& words)
     {
         for (int i = 0; i < (hasFlags(problem) ? 2 : 1); ++i)
@@ -317,7 +317,8 @@ TEST(Usac_Arguments, arrays_of_three_dimensions)
         "distCoeffs1");
 }
 
-//! Affinities and similarities know no dominant plane; the default set stands for what they have.
+//! Affinities and similarities have no check for a dominant plane, so that DEGENSAC must be
+//! refused. Only the default, all bits, is accepted and means all checks that the problem has.
 TEST(Usac_Arguments, degeneracies_of_maps_of_points)
 {
     const int right[] = {0, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED,

@@ -4,13 +4,13 @@
 
 #include "support/contracts.hpp"
 
-// Forms of cameras, distortion, homogeneous points and masks that mean the same, or something else
-// than they seem to.
+// Tests of forms of cameras, distortion, homogeneous points and masks that are equivalent, and of
+// forms that look equivalent but have another meaning.
 
 namespace opencv_test {
 namespace {
 
-//! An essential matrix of the scene with some camera and distortion for both images.
+//! An essential matrix of the scene, with the same camera matrix and distortion for both images.
 Mat essentialOf(const Scene& scene, InputArray K, InputArray distortion, Mat& mask)
 {
     Report report;
@@ -21,7 +21,7 @@ Mat essentialOf(const Scene& scene, InputArray K, InputArray distortion, Mat& ma
 TEST(Usac_Cameras, a_multiple_is_the_same_camera)
 {
     const Scene scene = makeScene(ESSENTIAL);
-    const double factors[] = {2, 0.25, -1, 1024};  // exact
+    const double factors[] = {2, 0.25, -1, 1024};  // multiplication by these is exact
     Mat mask, other;
     const Mat E = essentialOf(scene, scene.K, noArray(), mask);
     ASSERT_FALSE(E.empty());
@@ -33,7 +33,8 @@ TEST(Usac_Cameras, a_multiple_is_the_same_camera)
     }
 }
 
-//! Others write points as rows: their camera matrix would turn each match into an inlier.
+//! The camera matrix of a convention with points as row vectors is the transpose. It must be
+//! refused, because with it almost every match would be an inlier.
 TEST(Usac_Cameras, transposed)
 {
     const Scene scene = makeScene(ESSENTIAL);
@@ -51,7 +52,8 @@ TEST(Usac_Cameras, transposed)
                     "cameraMatrix: ");
 }
 
-//! The same rays through cameras with skew, with distortion so weak that it changes nothing else.
+//! The same rays are seen by a camera with skew, with and without distortion. The distortion is so
+//! weak that the results must nearly agree.
 TEST(Usac_Cameras, skew_and_distortion)
 {
     const Scene scene = makeScene(ESSENTIAL);
@@ -98,7 +100,7 @@ TEST(Usac_Cameras, every_form_of_distortion)
     expectException([&]() { essentialOf(scene, scene.K, channels, other); }, "distCoeffs1");
 }
 
-//! The points of a scene as a lens of such coefficients takes them.
+//! The points of a scene as a lens with these coefficients shows them.
 std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
                            const Mat& distortion)
 {
@@ -113,8 +115,8 @@ std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
     return result;
 }
 
-//! Exact matches are inliers up to a hundredth of a pixel, in the corners of the image, too: an
-//! undistortion of five steps leaves several of these there.
+//! Exact matches must be inliers with a threshold of 1e-4 pixels, also in the corners of the image.
+//! The five steps of cv::undistortPoints would leave larger errors there.
 TEST(Usac_Cameras, distortion_is_removed_exactly)
 {
     SceneOptions options;
@@ -138,8 +140,8 @@ TEST(Usac_Cameras, distortion_is_removed_exactly)
     }
 }
 
-//! r (1 - 0.25 r^2) is at most 0.77: what is seen further out no point is mapped to, and it is
-//! never an inlier.
+//! r (1 - 0.25 r^2) is at most 0.77, so that no point is mapped to a larger radius. A match with
+//! such an image point must never be an inlier.
 TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
 {
     Scene scene = makeScene(ESSENTIAL);
@@ -177,7 +179,7 @@ TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
 typedef UsacProblem UsacForms;
 INSTANTIATE_TEST_CASE_P(/**/, UsacForms, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! (x, y, 0) is no finite point, also not (x, y).
+//! (x, y, 0) is a point at infinity and must not be read as the point (x, y).
 TEST_P(UsacForms, points_at_infinity_are_never_inliers)
 {
     const Scene scene = makeScene(problem());
@@ -212,7 +214,8 @@ TEST_P(UsacForms, masks_of_no_points)
     EXPECT_TRUE(mat.empty() && umat.empty() && bytes.empty() && chars.empty());
 }
 
-//! A mask that is a part of a matrix is filled in its place, and nothing beside it.
+//! If the mask is part of a matrix, its elements must be written in place and the rest of the
+//! matrix must not change.
 TEST_P(UsacForms, mask_in_a_part_of_a_matrix)
 {
     const Scene scene = makeScene(problem());

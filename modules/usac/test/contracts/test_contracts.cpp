@@ -50,7 +50,7 @@ TEST_P(UsacContracts, true_matches_are_found)
         Mat mask;
         const Mat model = estimate(scene, Params(), mask);
         EXPECT_LT(modelError(scene, model), 0.6) << "seed " << seed;
-        int found = 0, within = 0;  // the threshold, under the true model
+        int found = 0, within = 0;  // errors at most the threshold under the true model
         for (int i = 0; i < scene.size(); ++i)
         {
             found += scene.truth[i] && mask.at<uchar>(i);
@@ -77,7 +77,7 @@ TEST_P(UsacContracts, input_is_not_modified)
 
 TEST(Usac_Contracts, homography_with_h33_zero)
 {
-    // x1 = 0 goes to infinity: a valid homography whose h33 is 0
+    // x1 = 0, y1 = 0 is mapped to infinity: a valid homography whose h33 is 0
     const Matx33d H(200, 30, 1e5, -20, 250, 8e4, 1, 0.2, 0);
     RNG rng(3);
     std::vector<Point2d> points1, points2;

@@ -4,7 +4,7 @@
 
 #include "support/contracts.hpp"
 
-// Parameters at the ends of their ranges, with every preset and flag.
+// Parameters at the limits of their ranges must not break any preset or flag.
 
 namespace opencv_test {
 namespace {
@@ -12,7 +12,8 @@ namespace {
 typedef UsacProblem UsacExtremes;
 INSTANTIATE_TEST_CASE_P(/**/, UsacExtremes, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Squares of the first and the last ones are no float, of some no double.
+//! The squares of the smallest and largest thresholds leave the range of float, some also that of
+//! double.
 TEST_P(UsacExtremes, thresholds)
 {
     const double thresholds[] = {1e-320, 1e-300, 1e-160, 1e-25, 1e-9,
@@ -29,7 +30,7 @@ TEST_P(UsacExtremes, thresholds)
             Matx33d K = scene.K;
             if (exact)
             {
-                // focal lengths below 1, which make a threshold larger
+                // focal lengths below 1 make the normalized threshold larger than the given one
                 const double scale = 1e-3;
                 K = Matx33d(scale * K(0, 0), 0, scale * K(0, 2), 0, scale * K(1, 1),
                             scale * K(1, 2), 0, 0, 1);
@@ -62,7 +63,8 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
             Report report;
             const Mat model = estimate(scene, params, mask, &report);
             checkResult(scene, report.threshold, model, mask, report);
-            // an estimated threshold comes with an initial model
+            // if the threshold is estimated, there is an initial model, and 0 iterations are
+            // possible
             EXPECT_TRUE(report.iterations >= (findsThreshold(params) ? 0 : 1) &&
                         report.iterations <= 100)
                 << report.iterations;
@@ -70,9 +72,9 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
     checkEveryWay(problem(), scene.points1, scene.points2, 1.5, 1);
 }
 
-/** With maxIterations = INT_MAX a criterion that waits for ever does not keep the run alive: it
-ends when no sample is left, and when no sample gives a model. What remains is what confidence asks
-for. */
+/** With maxIterations = INT_MAX a run must not go on forever if its termination criterion cannot
+fire. It must end when all possible samples have been drawn, or when none of the first million
+yields a model. */
 TEST_P(UsacExtremes, all_iterations_without_a_model)
 {
     RNG rng(11);
@@ -83,7 +85,7 @@ TEST_P(UsacExtremes, all_iterations_without_a_model)
         points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
     }
     checkEveryWay(problem(), points1, points2, 1e-3, INT_MAX);
-    if (sampleSizeOf(problem()) == 1)  // equal matches determine a translation
+    if (sampleSizeOf(problem()) == 1)  // identical matches determine a translation
         return;
     const std::vector<Point2d> same(1000, Point2d(3, 4));
     Params params = Params::prosac();

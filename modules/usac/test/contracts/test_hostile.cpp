@@ -4,8 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// Points that are made to break something: far out, tiny, on a line, all with one target; in every
-// number.
+// Tests of difficult points: far away, tiny, on a line or all with the same counterpart, and such
+// points in any number.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacHostile, testing::ValuesIn(TWO_VIEW_PROBLEMS))
 
 Point2d randomPixel(RNG& rng) { return uniformPoint(rng, 0., 640., 0., 480.); }
 
-//! The default scene with so many more rows, of which `value` takes the place of some coordinates.
+//! The default scene with `rows` additional matches, of which some coordinates are `value`.
 Scene withRows(ProblemType problem, double value, int rows)
 {
     Scene scene = makeScene(problem);
@@ -73,7 +73,7 @@ TEST_P(UsacHostile, denormals)
     checkEveryWay(problem(), tiny1, clean.points2);
 }
 
-//! Coordinates of many sizes, the threshold with them.
+//! Points and threshold are scaled by the same factor; models must be found at any scale.
 TEST_P(UsacHostile, scales)
 {
     const double scales[] = {1e-75, 1e-30, 1e-10, 1e10, 1e30, 1e75};
@@ -101,7 +101,7 @@ TEST_P(UsacHostile, scales)
     }
 }
 
-//! The singular values, in the coordinates in which the points have unit scale.
+//! The singular values of the model in normalized coordinates, in which the points have unit scale.
 Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
                      const std::vector<Point2d>& points2, const Mat& model)
 {
@@ -112,7 +112,8 @@ Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
     return w;
 }
 
-//! l2 l1^T fits all points of a line l1, but is no epipolar geometry.
+//! The matrix l2 l1^T of rank 1 is consistent with all points on the line l1, but is no fundamental
+//! matrix. Here most points are on such a line; no returned F may have rank 1.
 TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
 {
     const double lines[] = {0, 300, 1e6};
@@ -137,7 +138,8 @@ TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
     }
 }
 
-//! A matrix that maps the plane to one point has the most inliers here, but is no homography.
+//! The singular matrix that maps the plane to one point has the most inliers here, but is no
+//! homography.
 TEST(Usac_Hostile, most_matches_share_one_target)
 {
     Scene scene = makeScene(HOMOGRAPHY);
@@ -161,7 +163,8 @@ TEST(Usac_Hostile, most_matches_share_one_target)
         EXPECT_TRUE(none[i].empty()) << allPresets()[i].name;
 }
 
-//! Both epipoles at the origin of large coordinates: the terms of F cancel but for the smallest.
+//! Both epipoles are at the origin and the coordinates are large. In pixel units the small entries
+//! of F decide, so that rounding could spoil its rank.
 TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
 {
     const double scales[] = {1, 1e3, 1e6};
@@ -183,7 +186,8 @@ TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
     }
 }
 
-//! Whose determinant is 0 only up to the error of the root of a cubic.
+//! The determinant of an F from seven points is 0 only up to the error of the root of a cubic. The
+//! returned F must have rank 2 nevertheless.
 TEST(Usac_Hostile, rank_of_a_minimal_model)
 {
     Params params = Params::ransac();
@@ -201,7 +205,8 @@ TEST(Usac_Hostile, rank_of_a_minimal_model)
     }
 }
 
-//! h33 is compared with the weights of the points, not with the other entries.
+//! Whether H is scaled to h33 = 1 must depend on the projective weights of the points, not on the
+//! other entries of H, which depend on the scale of the points.
 TEST(Usac_Hostile, h33_is_one_at_any_scale)
 {
     const double scales[] = {1e-14, 1e-3, 1, 1e6, 1e14};
@@ -223,7 +228,8 @@ TEST(Usac_Hostile, h33_is_one_at_any_scale)
     }
 }
 
-//! Scales whose squares no double holds: perhaps no model, never a wrong statement about one.
+//! The squares of the coordinates leave the range of double. There may be no model, but if there is
+//! one, mask and report must be correct.
 TEST_P(UsacHostile, scales_near_the_ends_of_the_range)
 {
     const Scene scene = makeScene(problem());

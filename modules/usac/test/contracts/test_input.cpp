@@ -6,7 +6,7 @@
 #include "support/contracts.hpp"
 #include "contracts/expected_answer.hpp"
 
-// Any layout and depth of points, masks and camera matrices gives the identical answer.
+// Any layout and depth of points, masks and camera matrices must give the same result bit by bit.
 
 namespace opencv_test {
 namespace {
@@ -105,7 +105,7 @@ TEST_P(UsacInput, homogeneous_points)
     for (int i = 0; i < scene.size(); ++i)
     {
         const Point2d p = scene.points1[i], q = scene.points2[i];
-        const double w = 1 << (i % 4);  // a power of two: dividing by it is exact
+        const double w = 1 << (i % 4);  // division by a power of two is exact
         ones1.push_back(Point3d(p.x, p.y, 1));
         ones2.push_back(Point3d(q.x, q.y, 1));
         powers1.push_back(Point3d(w * p.x, w * p.y, w));
@@ -162,7 +162,7 @@ TEST_P(UsacInput, prefilled_mask_is_cleared_when_there_is_no_model)
     const std::vector<Point2d> few(1, Point2d(1, 2)), same(50, Point2d(10, 20));
     Mat mask(3, 1, CV_8U, Scalar(1)), wrong(80, 2, CV_32S, Scalar(1));
     Report report;
-    if (sampleSizeOf(problem()) == 1)  // one match, and equal ones, determine a translation
+    if (sampleSizeOf(problem()) == 1)  // one match, also repeated, determines a translation
         return;
     EXPECT_TRUE(estimatePoints(problem(), few, few, Params(), mask, report).empty());
     EXPECT_EQ(Size(1, 1), mask.size());
@@ -184,7 +184,7 @@ TEST(Usac_Input, every_camera_matrix)
     const Mat E = estimateEssential(scene.points1, scene.points2, K, Params(), mask, report);
     ASSERT_FALSE(E.empty());
     Mat single, wide(5, 6, CV_64F, Scalar(3)), singleWide(4, 7, CV_32F, Scalar(2)), integers;
-    K.convertTo(single, CV_32F);  // 600, 320, 240: exact
+    K.convertTo(single, CV_32F);  // 600, 320 and 240 are exact in float
     K.convertTo(integers, CV_32S);
     K.copyTo(wide(Rect(2, 1, 3, 3)));
     single.copyTo(singleWide(Rect(3, 0, 3, 3)));
@@ -214,7 +214,7 @@ TEST(Usac_Input, camera_matrix_with_skew)
     Matx33d skewed = scene.K;
     skewed(0, 1) = 40;
     std::vector<Point2d> points1, points2;
-    for (int i = 0; i < scene.size(); ++i)  // the same rays through the other camera
+    for (int i = 0; i < scene.size(); ++i)  // the same rays, seen by a camera with skew
     {
         const Matx33d change = skewed * scene.K.inv();
         const Vec3d a = change * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
@@ -252,7 +252,7 @@ TEST(Usac_Input, every_length_of_distortion)
     }
 }
 
-//! At most 16 edges a point.
+//! The neighborhood graph must have at most 16 edges per point.
 void expectSparseGraph(Usac& usac)
 {
     const Params params;
@@ -278,7 +278,7 @@ TEST_P(UsacInput, hundred_thousand_points)
 
 TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
 {
-    // 60 000 matches inside one pixel and a few far away: each is a neighbor of each
+    // 60 000 matches inside one pixel and a few far away: nearly all pairs of matches are neighbors
     SceneOptions options;
     options.inliers = 500;
     Scene scene = makeScene(problem(), options);

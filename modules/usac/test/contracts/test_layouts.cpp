@@ -4,8 +4,8 @@
 
 #include "contracts/expected_answer.hpp"
 
-// Whatever OpenCV's functions take for a list of points, with any of their flags, is taken, and
-// read in the same way.
+// Everything that OpenCV's functions accept as a list of points, with any of their flags, must be
+// accepted and read in the same way.
 
 namespace opencv_test {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 typedef UsacProblem UsacLayouts;
 INSTANTIATE_TEST_CASE_P(/**/, UsacLayouts, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Homogeneous coordinates with weights that cycle through `weights` powers of two, by which
-//! dividing is exact.
+//! Homogeneous coordinates. The absolute values of the weights cycle through `weights` powers of
+//! two, by which division is exact.
 Mat homogeneous(const Mat& points, int weights)
 {
     Mat result(points.rows, 3, CV_64F);
@@ -28,7 +28,7 @@ Mat homogeneous(const Mat& points, int weights)
     return result;
 }
 
-//! With two more columns that mean nothing.
+//! The points with two additional columns, which must be ignored.
 Mat withMore(const Mat& points)
 {
     Mat result, more(points.rows, 2, points.type());
@@ -133,8 +133,8 @@ TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
     expected.compare("6xN", withMore(more1).t(), more2);
 }
 
-//! Shapes of so few points that both readings are possible: the number of points is that of the
-//! mask.
+//! The arrays have so few points that rows as well as columns could be the points. The number of
+//! points must be as given in the table, or that of the rows of a square array.
 TEST_P(UsacLayouts, both_readings_possible)
 {
     const int shapes[][4] = {{1, 2, 1, 1}, {1, 3, 1, 1}, {2, 1, 1, 1}, {3, 1, 1, 1}, {2, 2, 1, 2},
@@ -154,7 +154,7 @@ TEST_P(UsacLayouts, both_readings_possible)
         EXPECT_EQ(Size(1, count), mask.size());
         EXPECT_EQ(enough ? count : 0, countNonZero(mask));
     }
-    SceneOptions options;  // squares: a point in each row
+    SceneOptions options;  // in square arrays each row is a point
     options.inliers = 10;
     options.outliers = 0;
     options.noise = 0;
@@ -204,13 +204,13 @@ int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int
     return model.empty() ? 0 : mask.rows;
 }
 
-/** Points of every small shape. Where OpenCV's function raises no exception, this one raises none,
-and where it finds a model, it has seen as many points. */
+/** Arrays of every small shape. If OpenCV's function raises no exception, this module must not
+either. If OpenCV's function finds a model, the number of points must be the same. */
 TEST_P(UsacLayouts, whatever_opencv_takes)
 {
     if (!hasFlags(problem()))
         return;
-    const bool similarity = problem() == SIMILARITY;  // of which OpenCV has no USAC
+    const bool similarity = problem() == SIMILARITY;  // OpenCV has no USAC for similarities
     const int flags[] = {cv::RANSAC, similarity ? (int)cv::LMEDS : (int)cv::USAC_DEFAULT},
               sides[] = {1, 2, 3, 4, 9};
     RNG rng(5);
@@ -227,7 +227,7 @@ TEST_P(UsacLayouts, whatever_opencv_takes)
         const int count = openCvTakes(problem(), points1, points2, flag);
         if (count < 0 ||
             (channels > 1 &&
-             rows * cols < channels))  // of these OpenCV takes the coordinates for points
+             rows * cols < channels))  // here OpenCV takes single coordinates for points
             continue;
         ++taken;
         SCOPED_TRACE(cv::format("%dx%d with %d channels, flag %d", rows, cols, channels, flag));

@@ -4,7 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// Hostile points are no error: no exception, no hang, and whatever comes back is what is promised.
+// Difficult points are not an error: there must be no exception and no endless loop, and every
+// result must keep all promises.
 
 namespace opencv_test {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 typedef UsacProblem UsacPoints;
 INSTANTIATE_TEST_CASE_P(/**/, UsacPoints, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! @return the model of Params::usacV20
+//! Checks every preset and flag. @return the model of Params::usacV20
 Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1,
               const std::vector<Point2d>& points2, double pixels = 1.5)
 {
@@ -249,9 +250,8 @@ TEST_P(UsacPoints, extreme_coordinates)
     EXPECT_LT(modelError(clean, model), 0.8);
 }
 
-/** The points and the threshold at another place and scale, and for E the camera with them: the
-same inliers, but where an error is within so little of the threshold that the rounding of the
-search decides. */
+/** Points, threshold and (for E) camera matrix are shifted and scaled. The inliers must be the
+same, except for a match whose error is so close to the threshold that rounding decides. */
 TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
 {
     const Scene scene = makeScene(problem());

@@ -4,7 +4,7 @@
 
 #include "contracts/pose_contracts.hpp"
 
-// Points, cameras and lenses that are made to break an absolute pose, and every option that it has.
+// Tests of absolute poses with difficult points, cameras and lenses, and with every option.
 
 namespace opencv_test {
 namespace {
@@ -19,7 +19,7 @@ PoseSceneOptions optionsOf(int coefficients)
     return options;
 }
 
-//! The scene with so many more rows, of which `value` takes the place of some coordinates.
+//! The scene with `rows` additional rows, in which some coordinates are `value`.
 PoseScene withRows(int coefficients, double value, int rows)
 {
     PoseScene scene = makePoseScene(optionsOf(coefficients));
@@ -102,7 +102,7 @@ TEST(Usac_PoseHostile, object_of_any_size)
         }
 }
 
-//! Pixels of another size, the threshold with them.
+//! Image coordinates, camera matrix and threshold have another unit; the pose must be found.
 TEST(Usac_PoseHostile, image_of_any_size)
 {
     for (double scale : {1e-30, 1e-10, 1e10, 1e30})
@@ -119,7 +119,8 @@ TEST(Usac_PoseHostile, image_of_any_size)
         }
 }
 
-//! Far from the origin of its coordinates, to the last digits.
+//! The object is so far from the origin that coordinates lose digits. Up to 1e9 units the pose must
+//! be found; beyond this the result must only be consistent.
 TEST(Usac_PoseHostile, object_far_from_its_origin)
 {
     for (double offset : {1e3, 1e6, 1e9, 1e12, 1e15})
@@ -148,7 +149,7 @@ TEST(Usac_PoseHostile, every_shape_with_every_preset)
         }
 }
 
-//! Sizes about that of a sample.
+//! Numbers of points from none to more than a minimal sample.
 TEST(Usac_PoseHostile, few_points)
 {
     for (int size = 0; size <= 8; ++size)
@@ -162,7 +163,8 @@ TEST(Usac_PoseHostile, few_points)
         }
 }
 
-//! Lenses that fold the image, that have poles or that show nothing; image points anywhere.
+//! Lenses that fold the image, have poles or show no point, with image points anywhere. The result
+//! must be consistent with the lens.
 TEST(Usac_PoseHostile, wild_lenses)
 {
     const int lengths[] = {4, 5, 8, 12, 14};
@@ -187,7 +189,8 @@ TEST(Usac_PoseHostile, wild_lenses)
     EXPECT_GT(found, 50);
 }
 
-//! Each value of each option beside the others of a preset, where Params::check() takes it.
+//! All pairs of values of two options, with the other options of the default. Combinations that
+//! Params::check() refuses are skipped.
 TEST(Usac_PoseHostile, every_option)
 {
     const struct
@@ -235,7 +238,8 @@ TEST(Usac_PoseHostile, every_option)
     EXPECT_GT(tried, 800);
 }
 
-//! The oracle notices what it is for.
+//! The oracle brokenResult must detect a wrong row of the mask and a wrong pose, or the tests with
+//! it would be worthless.
 TEST(Usac_PoseHostile, oracle_sees_what_is_wrong)
 {
     for (int coefficients : {0, 4, 8, 14})

@@ -5,18 +5,18 @@
 #include "contracts/expected_answer.hpp"
 #include "contracts/pose_contracts.hpp"
 
-// Points of space and of the image in every layout and type give the same bits.
+// Any layout and element type of object and image points must give the same result bit by bit.
 
 namespace opencv_test {
 namespace {
 
-//! Nx3 or Nx2, CV_64F.
+//! Points as Nx3 and Nx2 matrices of type CV_64F.
 struct PoseArrays
 {
     Mat object, image;
 };
 
-//! The answer that every other form of the same points has to repeat to the bit.
+//! The result for some points. Every other form of the same points must give the same bits.
 class ExpectedPose
 {
 public:
@@ -61,7 +61,7 @@ PoseArrays arraysOf(const PoseScene& scene)
     return arrays;
 }
 
-//! 1xNx3 or Nx1x3.
+//! The points as an Nx1x3 array, or as 1xNx3 if `across`.
 Mat solid(const Mat& points, bool across)
 {
     return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
@@ -107,14 +107,14 @@ TEST(Usac_PoseLayouts, every_shape)
     }
 }
 
-//! Coordinates that every type holds.
+//! The coordinates are integers 0 .. 127, which every depth can represent.
 TEST(Usac_PoseLayouts, every_depth)
 {
     PoseScene scene = sceneOf(0);
     PoseArrays a = arraysOf(scene);
     double least = 0;
     minMaxLoc(a.object, &least);
-    a.object = (a.object - least) * 10;  // another origin and unit
+    a.object = (a.object - least) * 10;  // shifted and scaled to positive integers
     a.object.convertTo(a.object, CV_8U);
     a.image.convertTo(a.image, CV_8U, 0.2);
     scene.K = scene.K * 0.2;

@@ -4,7 +4,7 @@
 
 #include "contracts/rigid_contracts.hpp"
 
-// Points that are made to break a motion of space, and every option that it has.
+// Tests of 3-D motions with difficult points and with every option.
 
 namespace opencv_test {
 namespace {
@@ -25,7 +25,7 @@ double& coordinateOf(RigidScene& scene, int row, int which)
     return which % 3 == 0 ? point.x : which % 3 == 1 ? point.y : point.z;
 }
 
-//! The scene with so many more rows, of which `value` takes the place of some coordinates.
+//! The scene with `rows` additional rows, in which some coordinates are `value`.
 RigidScene withRows(ProblemType type, double value, int rows)
 {
     RigidScene scene = makeRigidScene(optionsOf(type));
@@ -90,7 +90,8 @@ TEST_P(Usac_RigidHostile, all_rows_of_one_number)
         }
 }
 
-//! Both spaces or one of them.
+//! The unit of space 1, of space 2 or of both changes. In the third case, and with a free scale,
+//! the motion must be found if squares stay in the range of double.
 TEST_P(Usac_RigidHostile, any_unit)
 {
     for (double unit : {1e-290, 1e-150, 1e-75, 1e-30, 1e-10, 1e10, 1e30, 1e75, 1e150, 1e290})
@@ -112,7 +113,8 @@ TEST_P(Usac_RigidHostile, any_unit)
         }
 }
 
-//! Far from the origin of its coordinates, to the last digits.
+//! The points are so far from the origin that coordinates lose digits. Up to 1e9 units the motion
+//! must be found; beyond this the result must only be consistent.
 TEST_P(Usac_RigidHostile, far_from_the_origin)
 {
     for (double offset : {1e3, 1e6, 1e9, 1e12, 1e15})
@@ -143,7 +145,7 @@ TEST_P(Usac_RigidHostile, every_shape_with_every_preset)
         }
 }
 
-//! Sizes about that of a sample.
+//! Numbers of points from none to more than a minimal sample.
 TEST_P(Usac_RigidHostile, few_points)
 {
     for (int size = 0; size <= 8; ++size)
@@ -159,7 +161,7 @@ TEST_P(Usac_RigidHostile, few_points)
         }
 }
 
-//! From below the noise to above the scene.
+//! Thresholds from far below the noise to far above the size of the scene.
 TEST_P(Usac_RigidHostile, any_threshold)
 {
     const RigidScene scene = makeRigidScene(optionsOf(problem()));
@@ -170,7 +172,8 @@ TEST_P(Usac_RigidHostile, any_threshold)
     }
 }
 
-//! Each value of each option beside the others of a preset, where Params::check() takes it.
+//! All pairs of values of two options, with the other options of the default. Combinations that
+//! Params::check() refuses are skipped.
 TEST_P(Usac_RigidHostile, every_option)
 {
     const struct
@@ -215,7 +218,8 @@ TEST_P(Usac_RigidHostile, every_option)
     EXPECT_GT(tried, 400);
 }
 
-//! The oracle notices what it is for.
+//! The oracle brokenResult must detect a wrong row of the mask and a wrong motion, or the tests
+//! with it would be worthless.
 TEST_P(Usac_RigidHostile, oracle_sees_what_is_wrong)
 {
     const RigidScene scene = makeRigidScene(optionsOf(problem()));

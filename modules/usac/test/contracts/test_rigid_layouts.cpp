@@ -5,13 +5,13 @@
 #include "contracts/expected_answer.hpp"
 #include "contracts/rigid_contracts.hpp"
 
-// Points of both spaces in every layout and type give the same bits; what is no list of points is
-// refused.
+// Any layout and depth of the points of both spaces must give the same result bit by bit. Arrays
+// that are no list of 3-D points must be refused.
 
 namespace opencv_test {
 namespace {
 
-//! Nx3, CV_64F.
+//! Points as Nx3 matrices of type CV_64F.
 struct SpaceArrays
 {
     Mat points1, points2;
@@ -24,7 +24,7 @@ SpaceArrays arraysOf(const RigidScene& scene)
     return arrays;
 }
 
-//! The answer that every other form of the same points has to repeat to the bit.
+//! The result for some points. Every other form of the same points must give the same bits.
 class ExpectedMotion
 {
 public:
@@ -56,7 +56,7 @@ private:
     Mat motion, mask;
 };
 
-//! 1xNx3 or Nx1x3.
+//! The points as an Nx1x3 array, or as 1xNx3 if `across`.
 Mat solid(const Mat& points, bool across)
 {
     return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
@@ -103,7 +103,7 @@ TEST_P(Usac_RigidLayouts, every_shape)
                      a.points2.colRange(0, 3));
 }
 
-//! Coordinates that every type holds.
+//! The coordinates are integers 0 .. 127, which every depth can represent.
 TEST_P(Usac_RigidLayouts, every_depth)
 {
     RigidSceneOptions options;

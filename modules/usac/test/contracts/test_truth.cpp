@@ -4,7 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// The answer belongs to the points, not to their order, and the caller's arrays stay as they are.
+// The result must depend on the points but not on their order, and the caller's arrays must not
+// change.
 
 namespace opencv_test {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 typedef UsacProblem UsacTruth;
 INSTANTIATE_TEST_CASE_P(/**/, UsacTruth, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! The scene with its rows in another order; row i was order[i].
+//! The scene with shuffled rows; row i was row order[i].
 Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
 {
     Scene result = scene;
@@ -31,10 +32,11 @@ Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
     return result;
 }
 
-/** Samples are drawn by position in a pseudo-random order that depends on the number of points
-alone. Other points come together then, so the model of noisy points differs within their noise, and
-the masks where an error is about the threshold. Where all good samples agree, on exact points, the
-mask moves with the points. */
+/** Samples are drawn by position in a pseudo-random order that depends only on the number of
+points. After a permutation other points form the samples. With noise, the model then differs within
+the noise, and so does the mask where an error is near the threshold. With exact points all
+all-inlier samples agree, so that the mask must be permuted like the points. @return number of rows
+with another mask */
 int rowsThatDiffer(const Scene& scene, Params params, uint64 seed)
 {
     std::vector<int> order;
@@ -66,7 +68,8 @@ TEST_P(UsacTruth, permuting_exact_points_permutes_the_mask)
         Params params = presets[i].params;
         params.threshold = 0.5;
         if (params.ordering ==
-            ORDERING_INPUT_ORDER)  // the order of the rows has a meaning: scores carry it along
+            // the order of the rows has a meaning, which scores preserve under permutations
+            ORDERING_INPUT_ORDER)
         {
             params.ordering = ORDERING_AUTO;
             params.scores = scene.scores;
@@ -84,7 +87,8 @@ TEST_P(UsacTruth, permuting_noisy_points_changes_few_rows)
         EXPECT_LE(rowsThatDiffer(scene, Params(), seed), 0.04 * scene.size()) << "seed " << seed;
 }
 
-//! A row's own answer depends on the model alone, wherever the row is.
+//! Whether a row is an inlier must depend only on the model and its coordinates, not on its
+//! position.
 TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
 {
     const Scene scene = makeScene(problem());
@@ -126,7 +130,7 @@ TEST_P(UsacTruth, mask_of_the_symmetric_residual)
     }
 }
 
-//! Every array of the caller, and what lies around it in memory.
+//! The caller's arrays and the elements next to them in memory must not change.
 TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
 {
     const Scene scene = makeScene(problem());

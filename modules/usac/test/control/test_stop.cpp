@@ -8,7 +8,7 @@
 #include "test_precomp.hpp"
 #include "opencv2/usac/batch.hpp"
 
-// A run that is stopped: Params::maxTime, ProgressScope.
+// Tests of runs that end early, by Params::maxTime or a ProgressScope.
 
 namespace opencv_test {
 namespace {
@@ -20,10 +20,10 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-//! Milliseconds that a machine with other work may take the processor away for.
+//! Milliseconds for which a busy machine may suspend the process.
 const double SLACK = 400;
 
-//! 5 % inliers and as many samples as there are numbers: F takes minutes.
+//! 5 % inliers. With endless(), F takes minutes.
 Scene hardScene(ProblemType problem, int size = 2000)
 {
     SceneOptions options;
@@ -38,7 +38,7 @@ Params endless(ProblemType problem)
     params.confidence = 1 - 1e-15;
     params.persistence = 100;
     if (problem != FUNDAMENTAL && problem != ESSENTIAL)
-        params.termination = 0;  // all samples
+        params.termination = 0;  // all samples are drawn
     return params;
 }
 
@@ -82,7 +82,7 @@ TEST_P(UsacStop, what_is_found_by_then_is_returned)
     options.setSize(1000, 0.7);
     const Scene scene = makeScene(problem(), options);
     Params params = endless(problem());
-    params.termination = 0;  // the criteria would end the search of so many right matches
+    params.termination = 0;  // the criteria would soon end the search with so many inliers
     params.maxTime = 100;
     Report report;
     const Mat model = estimate(scene, params, noArray(), &report);
@@ -143,11 +143,12 @@ TEST_P(UsacStop, exception_of_the_callback_comes_out)
     EXPECT_TRUE(sameResult(expectedMask, mask));
     Report report;
     const ProgressScope scope([](const Report&) { return false; });
-    EXPECT_NO_THROW(usac->run(mask, &report));  // the object that threw
+    EXPECT_NO_THROW(usac->run(mask, &report));  // the object whose run was ended by the exception
     EXPECT_EQ((int)STOP_CANCELLED, report.stop);
 }
 
-//! A limit that is not reached, and a function that says yes, are not seen in the result.
+//! A time limit that is not reached and a function that always returns true must not change any bit
+//! of the result.
 TEST_P(UsacStop, same_bits_when_it_goes_on)
 {
     for (int threads : {1, 3})
@@ -216,13 +217,13 @@ TEST(Usac_Stop, scopes_are_asked_the_innermost_first)
     EXPECT_EQ(std::vector<int>(expected, expected + 4), asked);
     Params params = endless(HOMOGRAPHY);
     params.maxIterations = 100;
-    estimate(scene, params);  // none is left
+    estimate(scene, params);  // both scopes have ended, so no function is called
     EXPECT_EQ(4u, asked.size());
     const Progress none;
     EXPECT_THROW(const ProgressScope empty(none), cv::Exception);
 }
 
-//! Steps that take all points are not begun when the time is over.
+//! When a run is canceled, no further step may begin that processes all points of a large scene.
 TEST(Usac_Stop, many_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
@@ -283,7 +284,8 @@ TEST(Usac_Stop, batches)
     }
 }
 
-//! Each is shorter than the time between two questions.
+//! Each task takes less time than passes between two calls of the function. A batch must
+//! nevertheless call it, and end after the third call.
 TEST(Usac_Stop, batches_of_short_tasks)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

@@ -6,13 +6,14 @@
 #include "test_precomp.hpp"
 #include "control/watch.hpp"
 
-// How late a run of a million points ends that has to, by Params::maxTime or a ProgressScope.
+// Tests of how long a run of a million points continues after Params::maxTime or after the function
+// of a ProgressScope has returned false.
 
 namespace opencv_test {
 namespace {
 
-//! Milliseconds of the processor: what other programs take does not count. A tenth of a second is
-//! promised; twice that may pass where others use the caches.
+//! Milliseconds of processor time, so that other programs hardly count. LATE is the longest delay
+//! allowed: 100 ms are documented, and the factor of 2 is for caches shared with other programs.
 double processorTime() { return 1e3 * std::clock() / CLOCKS_PER_SEC; }
 const double LATE = 200;
 
@@ -24,8 +25,8 @@ Params presetOfMany(int preset)
                          : Params::magsac();
 }
 
-//! The neighborhoods, the order, PROSAC's criterion, the chance and the independent inliers of a
-//! million points take up to seconds each.
+//! For a million points, the neighborhoods, the order, PROSAC's criterion, the chance and the
+//! independent inliers take up to seconds each. None of them may delay the end.
 TEST(Usac_StopLate, a_million_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
@@ -63,8 +64,8 @@ public:
     int calls;
 };
 
-//! A step that can be left out does not end a run that has time for others: the order of a million
-//! points takes 130 ms.
+//! Sorting a million points takes 130 ms. If there is less time, the order must be skipped, but the
+//! run must not end, because it has time for other steps.
 TEST(Usac_StopLate, no_time_for_the_order)
 {
     Correspondences points = Correspondences();
@@ -86,8 +87,8 @@ TEST(Usac_StopLate, no_time_for_the_order)
     }
 }
 
-//! The same from the moment at which a function says no: no clock can tell these steps to be left
-//! out before.
+//! The same test when a function returns false. The run cannot know this in advance, so that it
+//! cannot skip long steps as with a time limit.
 TEST(Usac_StopLate, a_million_points_cancelled)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL})

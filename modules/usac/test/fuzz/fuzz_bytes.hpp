@@ -13,7 +13,7 @@
 
 namespace opencv_test {
 
-//! The bytes one after the other, then zeros.
+//! Reads the bytes one after the other, then zeros.
 class Bytes
 {
 public:
@@ -34,7 +34,7 @@ public:
         return result;
     }
 
-    //! Numbers that programs trip over, round numbers, and any other.
+    //! A critical number such as NaN or DBL_MAX, a round number, or any other.
     double number()
     {
         static const double special[] = {0,
@@ -90,7 +90,8 @@ public:
                             : value<int>();
     }
 
-    //! Of a point; of one of six kinds, from small integers to any number.
+    //! A coordinate of a point. There are six kinds, from small integers (0) to number() (5 or
+    //! more).
     double coordinate(int kind)
     {
         switch (kind)

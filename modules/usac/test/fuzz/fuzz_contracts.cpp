@@ -26,7 +26,7 @@ struct Answer
     std::string exception;
 };
 
-//! By the function of the problem.
+//! Calls the public function of the problem.
 Mat callOf(const FuzzInput& input, const Params& params, Mat& mask, Report& report)
 {
 #define USACV20_IMAGES(NAME) estimate##NAME(input.points1, input.points2, params, mask, report)
@@ -49,7 +49,7 @@ Answer run(const FuzzInput& input, int threads)
 {
     Answer answer;
     Params params = input.params;
-    if (params.threads == 1)  // else what the input has
+    if (params.threads == 1)  // otherwise the number of the input is used
         params.threads = threads;
     try
     {
@@ -62,7 +62,8 @@ Answer run(const FuzzInput& input, int threads)
     return answer;
 }
 
-//! 1: a wrong camera, 0: a right one, -1: between.
+//! 1: the camera matrix is invalid, 0: it is valid, -1: nearly singular, so that either answer is
+//! allowed.
 int wrongCamera(const Mat& K)
 {
     if (K.empty())
@@ -76,12 +77,12 @@ int wrongCamera(const Mat& K)
 
 bool wrongDistortion(const Mat& d)
 {
-    return d.total() == 3 || !cv::checkRange(d);  // no other wrong length in a FuzzInput
+    return d.total() == 3 || !cv::checkRange(d);  // the only wrong length of a FuzzInput is 3
 }
 
 bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIMILARITY_3D; }
 
-//! 1: the call has to be refused, 0: it must not, -1: either.
+//! 1: the call has to raise an exception, 0: it must not, -1: both are allowed.
 int wrongArguments(const FuzzInput& input)
 {
     const bool space = isSpace(input.problem);

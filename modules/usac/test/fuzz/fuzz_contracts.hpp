@@ -10,10 +10,10 @@
 
 namespace opencv_test {
 
-/** Makes the call twice and says in words which promise is broken, "" if none is: a cv::Exception
-that names an argument exactly where an argument is wrong; input unchanged; no model, zero mask and
-a reason, or a finite model of the promised norm and rank with mask == (error <= threshold); the
-same bits both times. */
+/** Makes the call twice and says in words which promise is broken, "" if none is. There must be a
+cv::Exception that names an argument exactly if an argument is wrong. The input must not change.
+There must be either no model, a zero mask and a reason, or a finite model of the promised norm and
+rank with mask == (error <= threshold). Both calls must give the same bits. */
 std::string brokenContract(const FuzzInput& input);
 
 }  // namespace opencv_test

@@ -29,7 +29,7 @@ Params preset(int number)
     return presets[number % 16]();
 }
 
-//! A valid number of at most `most`; what is not valid stays.
+//! Reduces a valid value to at most about `most`; an invalid one does not change.
 void reduce(int& value, int low, int high, int most)
 {
     if (value >= low && value <= high && value > most)
@@ -93,7 +93,7 @@ Mat readDistortion(Bytes& bytes)
     return coefficients;
 }
 
-//! True and wrong matches of a scene.
+//! Matches of a scene, true and wrong ones.
 void readScene(Bytes& bytes, FuzzInput& input)
 {
     SceneOptions options;
@@ -109,7 +109,7 @@ void readScene(Bytes& bytes, FuzzInput& input)
     input.points2 = scene.points2;
 }
 
-//! One change of one row, or of all rows.
+//! One change of one row or of all rows.
 void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     if (points1.empty() || points2.empty())
@@ -164,7 +164,8 @@ FuzzInput readFuzzInput(const uchar* data, size_t size)
 {
     Bytes bytes(data, size);
     FuzzInput input;
-    const int problem = bytes.byte();  // so, and not modulo 8, for the sake of the kept inputs
+    // not modulo the number of problems, because stored inputs depend on this mapping
+    const int problem = bytes.byte();
     const bool space = problem == 6 || problem == 7 || (problem > 64 && problem < 89);
     input.problem = space ? (problem % 2 ? SIMILARITY_3D : RIGID_3D)
                     : problem == 5 || (problem > 96 && problem < 128) ? ABSOLUTE_POSE

@@ -11,13 +11,13 @@ namespace opencv_test {
 
 struct FuzzInput : EstimatorCall
 {
-    int otherThreads;  //!< of a second run, which has to give the same
+    int otherThreads;  //!< number of threads of the second run, which must give the same bits
 };
 
-/** Makes a call of any bytes. A small change of the bytes is mostly a small change of the call:
+/** Makes a call from any bytes. A small change of the bytes is mostly a small change of the call:
 first come problem, preset and changed fields, then cameras, the points, changes of them, and
-scores. Valid numbers of iterations, which cost time and nothing else, are reduced to small ones;
-all else is as wild as the bytes. */
+scores. Valid numbers of iterations and threads are reduced, because large ones only cost time.
+Everything else is arbitrary. */
 FuzzInput readFuzzInput(const uchar* data, size_t size);
 
 }  // namespace opencv_test

@@ -14,7 +14,7 @@ namespace opencv_test {
 
 namespace {
 
-//! True and wrong matches of a scene, seen without a lens.
+//! Matches of a scene without lens distortion, true and wrong ones.
 void readScene(Bytes& bytes, FuzzInput& input)
 {
     PoseSceneOptions options;
@@ -38,7 +38,7 @@ double& coordinateOf(Point3d& point, int which)
     return which == 0 ? point.x : which == 1 ? point.y : point.z;
 }
 
-//! One change of one row, or of all rows.
+//! One change of one row or of all rows.
 void edit(Bytes& bytes, std::vector<Point3d>& object, std::vector<Point2d>& image)
 {
     if (object.empty() || image.empty())

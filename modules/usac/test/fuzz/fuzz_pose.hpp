@@ -10,7 +10,8 @@
 
 namespace opencv_test {
 
-//! Points of space and of the image, with K1 and d1 of the input or without regard to them.
+//! Reads points of space and of the image, partly from a scene, which has another camera than the
+//! input.
 void readPosePoints(Bytes& bytes, FuzzInput& input);
 
 }  // namespace opencv_test

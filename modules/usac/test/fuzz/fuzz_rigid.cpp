@@ -36,7 +36,7 @@ double& coordinateOf(Point3d& point, int which)
     return which == 0 ? point.x : which == 1 ? point.y : point.z;
 }
 
-//! One change of one row, or of all rows.
+//! One change of one row or of all rows.
 void edit(Bytes& bytes, std::vector<Point3d>& points1, std::vector<Point3d>& points2)
 {
     if (points1.empty() || points2.empty())

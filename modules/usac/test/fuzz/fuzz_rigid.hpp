@@ -10,7 +10,7 @@
 
 namespace opencv_test {
 
-//! Points of both spaces.
+//! Reads pairs of 3-D points, partly from a scene.
 void readSpacePoints(Bytes& bytes, FuzzInput& input);
 
 }  // namespace opencv_test

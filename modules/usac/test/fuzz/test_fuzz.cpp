@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! What the fuzzer has found, and inputs of its own that reach the most code.
+//! Inputs for which the fuzzer has found errors, and the fuzzer's inputs that reach the most code.
 TEST(Usac_Fuzz, kept_inputs)
 {
     std::vector<cv::String> files;
@@ -28,7 +28,7 @@ TEST(Usac_Fuzz, kept_inputs)
     }
 }
 
-//! Inputs of random bytes, which a test without a fuzzer can make itself.
+//! Random bytes, which need no fuzzer. Most of them are invalid calls, but some give a model.
 TEST(Usac_Fuzz, random_bytes)
 {
     RNG rng(1);
@@ -54,7 +54,8 @@ TEST(Usac_Fuzz, random_bytes)
     EXPECT_GT(refused, 10);
 }
 
-//! The oracle notices what it is for.
+//! The oracle brokenResult must detect a wrong row of the mask, or the tests with it would be
+//! worthless.
 TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
 {
     FuzzInput input = readFuzzInput(0, 0);

@@ -4,15 +4,16 @@
 
 #include "test_precomp.hpp"
 
-// Two models of nearly the same cost: what the scores of the matches decide.
+// Tests of how the scores of the matches decide between two models of nearly the same cost.
 
 namespace opencv_test {
 namespace {
 
 enum { RUNS = 20 };
 
-//! F; 104 of the 200 right matches are on a plane. `others` of the wrong matches agree with the
-//! plane and another epipole, so that the F of this epipole has the matches of the plane, too.
+//! A scene for F. 104 of the 200 true matches are on a plane. `others` of the wrong matches are
+//! consistent with the homography of the plane and another epipole. A wrong F with this epipole
+//! therefore has them and the matches on the plane as inliers.
 Scene twoEpipoles(int others, uint64 seed)
 {
     SceneOptions options;
@@ -45,7 +46,7 @@ Scene twoEpipoles(int others, uint64 seed)
     return scene;
 }
 
-//! In how many of the scenes the model is the right one.
+//! Number of scenes in which the returned model is the correct one.
 int rightOnes(int others, bool scores)
 {
     int right = 0;
@@ -63,22 +64,23 @@ int rightOnes(int others, bool scores)
     return right;
 }
 
-//! The right F explains 96 matches beside those of the plane, the wrong one 90 and some of the
-//! others: it costs a little less. Without scores 2 of 20 are right, with scores 8; in the others
-//! the costs differ by more, or the right one was not met.
+//! The correct F has 96 inliers beside those on the plane. The wrong F has 90 and some uniform
+//! outliers, so that its cost is slightly lower. Without scores 2 of 20 models are correct, with
+//! scores 8. In the other scenes the costs differ by more, or the correct F was not found.
 TEST(Usac_Alternatives, good_scores_decide_between_models_of_nearly_the_same_cost)
 {
     EXPECT_GE(rightOnes(90, true), rightOnes(90, false) + 4);
 }
 
-//! The wrong F explains a third more matches than the right one.
+//! With 180 such matches the wrong F has many more inliers than the correct one, so that scores
+//! must not matter.
 TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
 {
     EXPECT_LE(rightOnes(180, true), 1);
 }
 
-//! In how many scenes the model is the right one, and not that of a tenth less matches of another
-//! motion, which have the best scores.
+//! Number of scenes in which the returned model is the correct one. The scenes have 200 true
+//! matches and 180 matches of another motion, which have the best scores.
 int rightMotions(ProblemType problem, bool scores, int scenes)
 {
     int right = 0;

@@ -14,7 +14,7 @@
 namespace opencv_test {
 namespace {
 
-//! K of a point: 1 on the model, 0 far away.
+//! K of a point as in Labeling: 1 for an error of 0, nearly 0 far away. NaN counts as far.
 double closeness(double squaredError, double inlierThreshold)
 {
     return squaredError == squaredError
@@ -22,7 +22,7 @@ double closeness(double squaredError, double inlierThreshold)
                : 0;
 }
 
-//! The energy as the header of Labeling writes it down.
+//! The energy as defined in the header of Labeling.
 double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda,
                 const std::vector<uchar>& inlier)
 {
@@ -49,7 +49,7 @@ std::vector<uchar> labelsOf(const std::vector<int>& inliers, size_t size)
     return labels;
 }
 
-//! A small labeling problem.
+//! A labeling problem so small that all labelings can be tried.
 struct Graph
 {
     Graph(int size_, double lambda, double inlierThreshold)
@@ -64,7 +64,8 @@ struct Graph
         residual->given.assign(size, 0.f);
     }
 
-    //! All pairs with this probability, no point with more than `degree` edges.
+    //! Adds each pair of points as an edge with this probability, unless one of them already has
+    //! `degree` edges.
     void addEdges(double probability, int degree, RNG& rng)
     {
         std::vector<int> edgesOf(size, 0);
@@ -89,7 +90,7 @@ struct Graph
     std::vector<uchar> cut()
     {
         Labeling labeling;
-        std::vector<int> inliers(size, 1);  // what was there is forgotten
+        std::vector<int> inliers(size, 1);  // previous contents must have no effect
         inliers.resize(labeling.cut(context, Matx33d::eye(), inliers.data()));
         return labelsOf(inliers, size);
     }
@@ -118,7 +119,7 @@ struct Graph
     const Context context;
 };
 
-//! Errors between 0 and `reach` thresholds, so that K covers what it can.
+//! Draws errors between 0 and `reach` thresholds, so that K has all its values.
 void drawErrors(Graph& graph, double reach, RNG& rng)
 {
     for (int i = 0; i < graph.size; ++i)
@@ -154,7 +155,8 @@ TEST(Usac_GraphCut, exactMinimum)
     EXPECT_LT(inliers, total * 4 / 5);
 }
 
-//! Also with points far from the model and errors that are not defined, at the default weight.
+//! The minimum must also be exact with points far from the model and undefined errors, at the
+//! default weight.
 TEST(Usac_GraphCut, exactMinimumWithOutliers)
 {
     RNG rng(2);
@@ -191,14 +193,14 @@ TEST(Usac_GraphCut, withoutEdgesOrWeight)
                 EXPECT_EQ(K[i] > 0.5, labels[i] != 0);
             }
     }
-    Graph far(20, 0.14, 1);  // no node at all
+    Graph far(20, 0.14, 1);  // all K are 0, so that the graph has no node
     far.residual->given.assign(20, 1e6f);
     far.addEdges(0.5, 6, rng);
     EXPECT_EQ(std::vector<uchar>(20, 0), far.cut());
 }
 
-//! In the graph of a whole scene no better labeling is one or a few flips away, and the plain
-//! inliers are none.
+//! In the graph of a whole scene, neither flipping one to three labels nor labeling by the
+//! threshold may give a lower energy.
 TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
 {
     SceneOptions options;
@@ -242,7 +244,7 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
     }
 }
 
-//! Each problem with each kind of local optimization.
+//! Parameters are a problem and a local optimization.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_LocalOptimization;
 
 TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
@@ -290,7 +292,8 @@ TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
     EXPECT_GT(improved, tried / 10);
 }
 
-//! From a rough model to one that is as good as the truth.
+//! Noise is added to the entries of the true model. Local optimization must lead back to a model
+//! that is about as good as the true one.
 TEST_P(Usac_LocalOptimization, improvesRoughModels)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());
@@ -305,8 +308,7 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         params.localOptimization = std::get<1>(GetParam());
         if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS &&
             params.localOptimization <=
-                LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)  // whose threshold is a bound of the
-                                                               // noise
+                LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)  // the threshold bounds their noise
         {
             params.threshold = 4;
             params.quality = QUALITY_MAGSAC_PLUS_PLUS;
@@ -325,8 +327,8 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         usac->components().localOptimizer->optimize(context, state, model, quality);
         good += quality.cost < truth.cost * 1.02;
     }
-    // GC-RANSAC looks at the inliers alone, not at what is within three thresholds, and often ends
-    // beside the best model
+    // GC-RANSAC uses only the inliers, not all points within three thresholds, and therefore often
+    // ends in a worse local minimum.
     EXPECT_GE(good,
               SCENES * (std::get<1>(GetParam()) == LOCAL_OPTIMIZATION_GC_RANSAC ? 1 : 8) / 10);
 }
@@ -336,7 +338,7 @@ INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization,
                                          testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT,
                                                         LOCAL_OPTIMIZATION_GC_RANSAC + 1)));
 
-//! Each `period`-th fit fails, or is wrong without saying so.
+//! Each `period`-th fit fails, or (`silent`) returns a wrong model as if it were correct.
 class UnreliableSolver : public NonMinimalSolver
 {
 public:
@@ -373,7 +375,8 @@ Mat withUnreliableFits(const Scene& scene, const Params& params, int period, boo
     return model;
 }
 
-//! Without any fit the model of the sample stays; with some, it does not become worse.
+//! If all fits fail, the model of the sample must be returned. If some fail, the model must not
+//! become worse.
 TEST(Usac_LocalOptimizers, fitsThatFail)
 {
     for (int problem = 0; problem < 3; ++problem)

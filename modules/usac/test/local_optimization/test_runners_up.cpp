@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "local_optimization/runners_up.hpp"
 
-// The best models of samples that were never the best of all: what is kept, and what becomes of
-// them.
+// Tests of RunnersUp, the list of good models of samples that were never the best model. When the
+// search is about to end, they are optimized, too.
 
 namespace opencv_test {
 namespace {
@@ -18,8 +18,8 @@ Candidate candidateOf(double cost)
     return Candidate(sample, Matx33d::eye(), Quality(cost, 10));
 }
 
-//! Points in rows, each of which is shifted by 10 pixels more than the one above it: the inliers of
-//! one shift are a row.
+//! Points in rows; row r is shifted by 10 r pixels. The inliers of a translation by such a shift
+//! are one row.
 struct Rows
 {
     Rows() : rows(20), each(10)
@@ -73,7 +73,8 @@ TEST(Usac_InlierBits, areThoseOfTheModel)
     }
 }
 
-//! Of models with equally many inliers of their own those with the lowest cost.
+//! Among models with equally many inliers that the best model does not have, those with the lowest
+//! cost must be kept.
 TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
 {
     const Rows scene;
@@ -85,7 +86,7 @@ TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
         RunnersUp kept(most, arena);
         for (int i = 0; i < 100; ++i)
         {
-            costs.push_back(rng.uniform(0, 60));  // also equal ones
+            costs.push_back(rng.uniform(0, 60));  // some costs are equal
             kept.add(candidateOf(costs.back()), scene.bitsOf(i % scene.rows));
         }
         std::sort(costs.begin(), costs.end());
@@ -94,8 +95,8 @@ TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
     }
 }
 
-//! A model that explains what the best one does not is kept, however many cheaper ones there are of
-//! what it does.
+//! A model whose inliers are outliers of the best model must be kept, even if there are many
+//! cheaper models with the inliers of the best model.
 TEST(Usac_RunnersUp, keepsWhatIsDifferent)
 {
     const Rows scene;
@@ -110,7 +111,8 @@ TEST(Usac_RunnersUp, keepsWhatIsDifferent)
     EXPECT_EQ(std::vector<double>(expected, expected + 3), costsOf(kept));
 }
 
-//! When another model is the best one, the order is that of what this one does not explain.
+//! When the best model changes, runners-up must be ranked by the number of inliers that the new
+//! best model does not have.
 TEST(Usac_RunnersUp, followTheBestModel)
 {
     const Rows scene;
@@ -121,7 +123,7 @@ TEST(Usac_RunnersUp, followTheBestModel)
     kept.setBest(scene.bitsOf(0));
     EXPECT_EQ(scene.each, kept.mostUnexplained());
     kept.add(candidateOf(9),
-             scene.bitsOf(3));  // in the place of the model that explains nothing new
+             scene.bitsOf(3));  // it replaces the model whose inliers the best model has
     const double expected[] = {1, 2, 9};
     EXPECT_EQ(std::vector<double>(expected, expected + 3), costsOf(kept));
     kept.clear();
@@ -153,7 +155,7 @@ TEST(Usac_RunnersUp, noneAreKeptIfNoneAreAskedFor)
     EXPECT_TRUE(costsOf(kept).empty());
 }
 
-//! Counts the optimizations and improves nothing.
+//! Counts the optimizations and improves no model.
 class IdleOptimizer : public LocalOptimizer
 {
 public:
@@ -201,8 +203,8 @@ TEST_P(Usac_RunnersUpOf, areOptimizedBesideTheBestModels)
     EXPECT_LE(calls[2], calls[0] + 10 * 20);
 }
 
-//! The same search, and a choice of more models: the cost is never higher, and on hard scenes often
-//! lower.
+//! With runners-up the search is the same, but more models are compared. The cost must therefore
+//! never be higher, and must be lower in some hard scene.
 TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
 {
     int lower = 0;
@@ -223,8 +225,8 @@ TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
     EXPECT_GE(lower, 1);
 }
 
-//! They are looked at when the search is about to end, never before, and the criteria are asked
-//! again.
+//! Runners-up are optimized when the search is about to end, and then the termination criteria are
+//! evaluated again. The search must therefore never be shorter than without them.
 TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 {
     for (uint64 seed = 1; seed <= 40; ++seed)
@@ -246,8 +248,8 @@ TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 INSTANTIATE_TEST_CASE_P(/**/, Usac_RunnersUpOf,
                         testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-/* Nearly all points on a plane: a plane has two motions, and most points agree with both. The one
- * with the lower cost is right. */
+/* 90 % of the true matches are on a plane, which has two motions that agree with them. The motion
+with the lower cost is correct, and runners-up must help to find it. */
 TEST(Usac_RunnersUp, tellTheTwoMotionsOfAPlane)
 {
     int wrong[2] = {0, 0};

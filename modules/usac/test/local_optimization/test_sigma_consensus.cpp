@@ -14,7 +14,7 @@
 namespace opencv_test {
 namespace {
 
-//! A scene with all that the optimizers need.
+//! A scene and a started run for the optimizers.
 struct Bench
 {
     explicit Bench(ProblemType problem, double inlierThreshold = 3,
@@ -33,7 +33,8 @@ struct Bench
 
     const Context& context() const { return *run; }
 
-    //! A model from a random minimal sample of true matches: the best of the solver's.
+    //! The best model of a random minimal sample of true matches. Returns false if it has no
+    //! inliers.
     bool minimalModel(int trial, Model& model, Quality& quality) const
     {
         const MinimalSolver& solver = *usac->components().minimalSolver;
@@ -71,7 +72,8 @@ struct Bench
     std::vector<int> inliers;
 };
 
-//! Integral of the density of an error r over sigma in from .. to, where r is within k sigma.
+//! Integral over sigma from `from` to `to` of the density of an error r, up to a constant factor.
+//! The density is 0 where r exceeds k sigma.
 double marginalDensity(int degrees, double r, double from, double to)
 {
     const int STEPS = 400;
@@ -87,8 +89,9 @@ double marginalDensity(int degrees, double r, double from, double to)
     return sum * std::max(to - begin, 0.) / STEPS;
 }
 
-/** The weights by their definition, with errors of at least 1/45 of the threshold: errors under the
-fits to the points of each part, densities integrated numerically. */
+/** The weights by their definition. For each part of the range of sigma, a model is fitted to the
+points near `start`, and the density of the errors under it is integrated numerically. Errors below
+1/45 of the threshold are raised to this value. */
 std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, int parts)
 {
     const Correspondences& p = bench.usac->points();
@@ -128,12 +131,12 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
     SigmaConsensus consensus;
     Rng rng;
     ASSERT_TRUE(consensus.fit(bench.context(), rng,
-                              model));  // so that even the smallest part determines its model well
+                              model));  // so that even the smallest part has enough points
     const std::vector<double> expected = bruteForceWeights(bench, model,
                                                            SigmaConsensus::PARTITIONS);
     Model fitted = model;
     ASSERT_TRUE(consensus.fit(bench.context(), rng, fitted));
-    // both up to a factor
+    // both are defined up to a factor
     std::vector<double> ratios;
     const double most = *std::max_element(expected.begin(), expected.end());
     std::vector<uchar> seen(expected.size(), 0);
@@ -151,8 +154,8 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
     EXPECT_NEAR(1, ratios.back() / ratios.front(), 0.01);
 }
 
-//! Five parts are near the limit of many: the models differ by less than what both miss the truth
-//! by.
+//! Five parts must approximate the limit of many parts: the models must differ by less than their
+//! distance from the true model.
 TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
 {
     const Bench bench((ProblemType)GetParam());
@@ -181,8 +184,8 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! Both optimizers never return a worse model, say what it is worth, and make noisy models much
-//! better.
+//! Both optimizers must never return a worse model, must return the correct quality of the model,
+//! and must improve most models of minimal samples.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
     const Bench bench((ProblemType)GetParam(), 5);
@@ -217,7 +220,7 @@ TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
     }
 }
 
-//! The number of fits follows Params::localIterations.
+//! More iterations (Params::localIterations) must give lower costs.
 TEST_P(Usac_Sigma_Consensus, iterationsHaveAnEffect)
 {
     Bench bench((ProblemType)GetParam(), 5);
@@ -242,7 +245,7 @@ TEST_P(Usac_Sigma_Consensus, iterationsHaveAnEffect)
     }
 }
 
-//! A model that no points are near stays as it is.
+//! A model without any point near it must not change.
 TEST_P(Usac_Sigma_Consensus, nothingNear)
 {
     const Bench bench((ProblemType)GetParam(), 1e-9);
@@ -258,7 +261,7 @@ TEST_P(Usac_Sigma_Consensus, nothingNear)
     EXPECT_EQ(before.cost, quality.cost);
 }
 
-//! Each step of re-weighted least squares lowers the loss that the weights belong to.
+//! Each step of re-weighted least squares must lower the loss from which the weights derive.
 TEST_P(Usac_Sigma_Consensus, reweightingDescends)
 {
     const Bench bench((ProblemType)GetParam(), 5);
@@ -284,7 +287,7 @@ TEST_P(Usac_Sigma_Consensus, reweightingDescends)
     }
 }
 
-//! A reduced fit sees the number of points it is told, each once.
+//! A reduced fit must use the requested number of points, each at most once.
 TEST_P(Usac_Sigma_Consensus, boundedFits)
 {
     SceneOptions options;
@@ -313,7 +316,7 @@ TEST_P(Usac_Sigma_Consensus, boundedFits)
     EXPECT_LT(bench.pixels(model), 0.3);
 }
 
-//! The polisher ends where another round changes nothing, at a lower loss than where it began.
+//! Polishing must lower the cost, and further polishing must hardly change the model.
 TEST_P(Usac_Sigma_Consensus, polisherConverges)
 {
     const Bench bench((ProblemType)GetParam(), 3);
@@ -332,7 +335,8 @@ TEST_P(Usac_Sigma_Consensus, polisherConverges)
     EXPECT_LT(modelDistance(once, twice), 0.1 * moved);
 }
 
-//! Each of the options, chosen by its parameter, takes part and gives a right model.
+//! Each combination of a sigma-consensus and a score must give a correct model, and re-weighted
+//! polishing must improve it.
 TEST_P(Usac_Sigma_Consensus, estimates)
 {
     const int types[] = {LOCAL_OPTIMIZATION_SIGMA_CONSENSUS,

@@ -11,7 +11,8 @@
 namespace opencv_test {
 namespace {
 
-//! Uniform samples, of which every second one is said not to count.
+//! Uniform samples. Every second one is marked as not counting for the termination criteria
+//! (State::counts).
 class HalfCounting : public Sampler
 {
 public:
@@ -41,7 +42,7 @@ Report reportOf(const Scene& scene, const Params& params, const Ptr<Sampler>& sa
     return report;
 }
 
-//! C(inliers, m) / C(n, m)
+//! Probability C(inliers, m) / C(n, m) that a sample without replacement is all-inlier.
 double subsets(double inliers, double n, int m)
 {
     double p = 1;
@@ -50,7 +51,7 @@ double subsets(double inliers, double n, int m)
     return p;
 }
 
-//! log(1 - confidence) / log(1 - C(I, m) / C(n, m)), of the default parameters.
+//! Number of samples log(1 - confidence) / log(1 - C(I, m) / C(n, m)) for the default confidence.
 double wantedSamples(double inliers, double n, int m)
 {
     return std::log(0.01) / std::log1p(-subsets(inliers, n, m));
@@ -87,9 +88,9 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
         points1.push_back(Point2d(0.3 * i, 0.1 * i * i));
         points2.push_back(Point2d(1 + 0.2 * i, 0.3 * i));
     }
-    points1[4] = points1[3];  // the same match
+    points1[4] = points1[3];  // the same match twice
     points2[4] = points2[3];
-    points2[5] = points2[0];  // two matches of one point
+    points2[5] = points2[0];  // two matches share a point of image 2
     const OwnPoints points(HOMOGRAPHY, points1, points2);
     Components parts;
     parts.minimalSolver = createUsac(sceneOf(HOMOGRAPHY, 20, 5), Params())
@@ -109,8 +110,9 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
     EXPECT_FALSE(repeated->mayBeGood(context, both));
 }
 
-//! 30 matches, each five times, 18 of them right: what is refused tells the criteria that they are
-//! 30, not 150.
+//! The counters are set as if the 150 matches were 30 different ones, each five times, 18 of them
+//! true. From the number of refused samples, the probability of a good sample must be that for 30
+//! matches instead of 150.
 TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -136,7 +138,8 @@ TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
     }
 }
 
-//! A wrong match that is a quarter of all: any H through it has that quarter.
+//! A wrong match occurs 100 times among 400 matches, so that any H that maps it has 100 inliers.
+//! The copies must count as one inlier only.
 TEST(Usac_CountedSamples, one_match_many_times_is_one)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -174,13 +177,13 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
     EXPECT_EQ(0, general);
 }
 
-//! The triples that look for the plane are not the points of the next sample, which has the stream
-//! of its number.
+//! The check for a dominant plane draws triples of points. Its random numbers must differ from
+//! those of the next sample, whose stream is the number of the iteration.
 TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
 {
     SceneOptions options;
-    options.planeFraction = 0.8;  // about what makes a plane dominant, so that some triples do not
-                                  // show it
+    options.planeFraction = 0.8;  // near the limit of a dominant plane, so that some triples do not
+                                  // find it
     options.noise = 1;
     const Scene scene = makeScene(ESSENTIAL, options);
     const Params params;

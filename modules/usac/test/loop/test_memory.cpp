@@ -7,15 +7,15 @@
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "support/contracts.hpp"
 
-// What a run allocates: the model that it returns, and nothing in the loop.
+// A run may allocate only the model that it returns, and nothing in the main loop.
 
 namespace opencv_test {
 namespace {
 
-//! By one run. `mask` and `report` are there already.
+//! Number of allocations of one run. `mask` and `report` have their memory before it.
 long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
 {
-    report.sample.reserve(MAX_SAMPLE_SIZE);  // which is the caller's
+    report.sample.reserve(MAX_SAMPLE_SIZE);  // memory of the caller
     const long before = allocationsSoFar();
     const Mat model = usac.run(mask, &report);
     const long after = allocationsSoFar();
@@ -23,16 +23,16 @@ long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
     return after - before;
 }
 
-//! Of the matrix that is returned.
+//! Number of allocations for the matrix that is returned.
 long allocationsOfModel()
 {
-    const Mat first(Matx33d::eye(), true);  // OpenCV's own tables are made
+    const Mat first(Matx33d::eye(), true);  // lets OpenCV allocate its tables
     const long before = allocationsSoFar();
     const Mat model(Matx33d::eye(), true);
     return allocationsSoFar() - before;
 }
 
-//! A variant of the parameters.
+//! Named parameters.
 struct Variant
 {
     std::string name;
@@ -64,7 +64,7 @@ void addVariants(std::vector<Variant>& variants, const Params& base, const char*
     }
 }
 
-//! The presets, and the default with another component.
+//! All presets, and the default parameters with one component changed, without and with scores.
 std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& scores)
 {
     const bool hasSymmetric = problem < ABSOLUTE_POSE;
@@ -99,7 +99,7 @@ std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& 
     for (size_t i = 0; i < variants.size(); ++i)
     {
         variants[i].params.threads = 1;
-        variants[i].params.spatialWeight = 0;  // see ofOpenCV
+        variants[i].params.spatialWeight = 0;  // OpenCV's graph cut allocates
         variants[i].params.neighborhood = NEIGHBORHOOD_GRID;
         variants[i].params.maxIterations = std::min(variants[i].params.maxIterations, 300);
     }
@@ -110,7 +110,7 @@ Scene sceneOf(ProblemType problem, int size, uint64 seed = 1)
 {
     SceneOptions options;
     options.setSize(size, 0.6);
-    options.planeFraction = 0.6;  // so that planes are looked for, too
+    options.planeFraction = 0.6;  // so that the checks for planes run
     options.copies = 1;
     options.duplicates = size / 20;
     options.seed = seed;
@@ -119,7 +119,7 @@ Scene sceneOf(ProblemType problem, int size, uint64 seed = 1)
 
 typedef testing::TestWithParam<int> Usac_Memory;
 
-//! The first run, and the second.
+//! Each of three runs may allocate only the returned model.
 TEST_P(Usac_Memory, nothingButTheModel)
 {
     if (!allocationsAreCounted())
@@ -130,7 +130,7 @@ TEST_P(Usac_Memory, nothingButTheModel)
     const Scene scene = sceneOf(problem, 400);
     const std::vector<Variant> variants = allVariants(problem, scene.scores);
     EXPECT_GE(variants.size(), 85u);
-    estimate(scene, Params());  // kernels are chosen once a process
+    estimate(scene, Params());  // chooses the kernels once per process
     int found = 0;
     for (size_t v = 0; v < variants.size(); ++v)
     {
@@ -150,7 +150,8 @@ TEST_P(Usac_Memory, nothingButTheModel)
     EXPECT_GT(found, 2 * (int)variants.size());
 }
 
-//! Other points, of the same number and fewer. std::vector<Point2f> are converted.
+//! As many or fewer other points must be read without any allocation, also points of type float,
+//! which are converted.
 TEST_P(Usac_Memory, otherPoints)
 {
     if (!allocationsAreCounted())
@@ -184,7 +185,7 @@ TEST_P(Usac_Memory, otherPoints)
         }
 }
 
-//! A hundred times as many samples allocate no more.
+//! A run with 20000 samples must not allocate more than one with 200.
 TEST_P(Usac_Memory, nothingInTheLoop)
 {
     if (!allocationsAreCounted())
@@ -217,8 +218,8 @@ TEST_P(Usac_Memory, nothingInTheLoop)
     }
 }
 
-//! What OpenCV allocates: its maximal flow a list for each cut, its kd-tree one for each point it
-//! looks around, and itself.
+//! OpenCV itself allocates memory: a list for each cut of the maximal flow, and a list for each
+//! point whose neighbors the kd-tree finds. The number of allocations must not grow with the runs.
 TEST_P(Usac_Memory, ofOpenCV)
 {
     if (!allocationsAreCounted())
@@ -250,7 +251,8 @@ TEST_P(Usac_Memory, ofOpenCV)
         }
 }
 
-//! The last polishing and the mask see the points through the lens; that allocates nothing, either.
+//! The same for absolute poses. The last polishing and the mask use points distorted by the lens,
+//! which must not allocate, either.
 TEST(Usac_Memory_Pose, nothingButTheModel)
 {
     if (!allocationsAreCounted())
@@ -263,7 +265,7 @@ TEST(Usac_Memory_Pose, nothingButTheModel)
         options.coefficients = coefficients;
         const PoseScene scene = makePoseScene(options);
         estimateAbsolutePose(scene.object, scene.image, scene.K,
-                             scene.distortion);  // kernels are chosen
+                             scene.distortion);  // chooses the kernels
         const std::vector<Variant> variants = allVariants(ABSOLUTE_POSE, scene.scores);
         EXPECT_GE(variants.size(), 83u);
         int found = 0;
@@ -287,7 +289,7 @@ TEST(Usac_Memory_Pose, nothingButTheModel)
     }
 }
 
-//! Motions of space, and other points of them.
+//! The same for 3-D motions, also when the points are replaced.
 TEST(Usac_Memory_Space, nothingButTheModel)
 {
     if (!allocationsAreCounted())
@@ -300,7 +302,7 @@ TEST(Usac_Memory_Space, nothingButTheModel)
         const RigidScene scene = makeRigidScene(options);
         options.size = 100;
         const RigidScene fewer = makeRigidScene(options);
-        estimateRigid3D(scene.points1, scene.points2);  // kernels are chosen
+        estimateRigid3D(scene.points1, scene.points2);  // chooses the kernels
         int found = 0, runs = 0;
         for (const Variant& variant : allVariants(problem, scene.scores))
         {

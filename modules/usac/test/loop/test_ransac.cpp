@@ -7,7 +7,7 @@
 namespace opencv_test {
 namespace {
 
-//! What an estimation returns.
+//! The result of an estimation.
 struct Answer
 {
     Mat model, mask;
@@ -89,7 +89,7 @@ TEST_P(Usac_Ransac, sameBitsWithAnyNumberOfThreads)
         }
 }
 
-//! The generator of the caller has no influence, and the seed has one.
+//! OpenCV's global random generator must not change the result, but the seed must.
 TEST_P(Usac_Ransac, repeatable)
 {
     const Scene scene = sceneOf((ProblemType)GetParam(), 0.4, 7);
@@ -133,13 +133,12 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_LE(r.rejectedSamples + r.degenerateSamples, r.iterations);
             EXPECT_LE(r.rejectedModels + r.refusedModels + r.droppedModels, r.models);
             if (params.verification == VERIFICATION_NONE ||
-                GetParam() <= ESSENTIAL)  // of small samples few are wrong
+                GetParam() <= ESSENTIAL)  // smaller samples rarely give wrong models
             {
                 EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
             }
             EXPECT_LE(r.localImprovements, r.localOptimizations);
-            // each model that was kept, the runners-up (once or twice), and again after an
-            // improvement
+            // at most one per kept model, two per runner-up, and one more per improvement
             EXPECT_LE(r.localOptimizations, r.models - r.rejectedModels - r.droppedModels +
                                                 2 * params.runnersUp + r.localImprovements);
             EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE,
@@ -205,8 +204,8 @@ TEST_P(Usac_Ransac, recoversTheModel)
     }
 }
 
-//! Without noise, and with a threshold that no outlier meets by chance, nothing but rounding is
-//! left.
+//! Without noise, and with a threshold so small that hardly any outlier is an inlier, only rounding
+//! errors may remain.
 TEST_P(Usac_Ransac, exactWithoutNoise)
 {
     for (uint64 seed = 1; seed <= 15; ++seed)
@@ -275,8 +274,8 @@ TEST(Usac_Ransac_Stop, withoutAModel)
     EXPECT_EQ(0, countNonZero(equal.mask));
 }
 
-//! The number of samples of the standard criterion for the inliers of the result, or more if it was
-//! found late.
+//! The number of samples must be that of the standard criterion for the final number of inliers, or
+//! larger if the best model was found late.
 TEST(Usac_Ransac_Stop, standardNumberOfSamples)
 {
     Params params = Params::ransac();
@@ -304,7 +303,8 @@ TEST(Usac_Ransac_Stop, standardNumberOfSamples)
     }
 }
 
-//! Random matches: what support there is can arise by chance. The same match many times is one.
+//! Models of random matches must have a large chance. Copies of a match must count as one
+//! independent inlier.
 TEST(Usac_Ransac_Report, nonRandomness)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -331,7 +331,7 @@ TEST(Usac_Ransac_Report, nonRandomness)
     }
 }
 
-//! LMedS finds its threshold; the mask belongs to it.
+//! LMedS estimates its threshold, and the mask must use this threshold.
 TEST(Usac_Ransac_Report, thresholdOfLmeds)
 {
     const Scene scene = sceneOf(HOMOGRAPHY, 0.7, 1);
@@ -347,7 +347,7 @@ TEST(Usac_Ransac_Report, thresholdOfLmeds)
                   found.mask.at<uchar>(i) != 0);
 }
 
-//! Whichever fires first: two criteria never need more samples than one of them.
+//! With two criteria the search must end when the first of them fires.
 TEST(Usac_Ransac_Stop, firstOfTwo)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -375,7 +375,7 @@ TEST(Usac_Ransac_Stop, custom)
 {
     const Scene scene = sceneOf(HOMOGRAPHY, 0.5, 1);
     Params params = stopBy(0);
-    params.runnersUp = 0;  // nothing is looked at beside the best model
+    params.runnersUp = 0;  // the search ends without optimizing runners-up
     Report report;
     const Ptr<Usac> usac = createUsac(scene, params);
     usac->components().terminations.push_back(makePtr<StopAt>(123));
@@ -384,7 +384,7 @@ TEST(Usac_Ransac_Stop, custom)
     EXPECT_EQ(123, report.iterations);
 }
 
-//! Only the required components: the plain loop.
+//! A run must also work if all optional components but one termination criterion are removed.
 TEST(Usac_Ransac_Parts, withoutOptionalComponents)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

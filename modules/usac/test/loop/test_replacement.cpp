@@ -6,12 +6,14 @@
 #include "components/sample_statistics.hpp"
 #include "../../../../samples/line_distance.hpp"
 
-// A component of a caller's does what it says, and what does not fit ends in a message.
+// A component that the caller has replaced must take effect everywhere. An unsuitable one must
+// raise an exception that names it.
 
 namespace opencv_test {
 namespace {
 
-//! The sample's distance in image 2 to the epipolar line, with its derivative or without.
+//! The residual of the sample program, the distance to the epipolar line in image 2. Its derivative
+//! is the analytic one, or (`derived` false) by finite differences.
 class LineDistance : public custom::LineDistance
 {
 public:
@@ -28,7 +30,7 @@ private:
     const bool derived;
 };
 
-//! Root of the mean squared distance of the marked matches to their lines in image 2, pixels.
+//! Root mean square distance in pixels of the marked matches to their epipolar lines in image 2.
 double lineError(const Scene& scene, const Mat& model, const Mat& mask)
 {
     const Matx33d F((const double*)model.ptr());
@@ -53,8 +55,8 @@ Scene zoomedScene()
     return makeScene(FUNDAMENTAL, options);
 }
 
-//! What is scored is fitted, and what the mask says: least squares over the mask cannot lower the
-//! error any more.
+//! A replaced residual must be used for scores, fits and the mask: the mask must agree with it, and
+//! no nearby F of rank 2 may have a smaller error over the mask.
 TEST(Usac_Replacement, residual)
 {
     const Scene scene = zoomedScene();
@@ -81,7 +83,7 @@ TEST(Usac_Replacement, residual)
                 << i;
         }
         RNG rng(5);
-        for (int i = 0; i < 200; ++i)  // other models of rank 2 beside it
+        for (int i = 0; i < 200; ++i)  // nearby models of rank 2
         {
             Matx33d other((const double*)models[derived].ptr());
             for (int k = 0; k < 9; ++k)
@@ -98,7 +100,7 @@ TEST(Usac_Replacement, residual)
     EXPECT_GT(cv::norm(models[0], sampson), 1e-5) << "another error has another minimum";
 }
 
-//! The fit follows the residual back, too.
+//! If the first residual is restored, the fits must use it again.
 TEST(Usac_Replacement, residualAndBack)
 {
     const Scene scene = zoomedScene();
@@ -114,7 +116,8 @@ TEST(Usac_Replacement, residualAndBack)
     EXPECT_GT(cv::norm(first, back), 1e-5);
 }
 
-//! The residual of one component of a caller's that has not written any derivative.
+//! The default of Residual::linearize(), by finite differences, must agree with the analytic
+//! derivative.
 TEST(Usac_Replacement, derivativeByDifferences)
 {
     RNG rng(3);
@@ -136,7 +139,7 @@ TEST(Usac_Replacement, derivativeByDifferences)
     }
 }
 
-//! Uniform whatever Params::sampler says; it may make mistakes.
+//! Draws uniform samples whatever Params::sampler says. `mistake` 1 to 3 makes invalid samples.
 class OwnSampler : public Sampler
 {
 public:
@@ -158,7 +161,7 @@ private:
     const int mistake;
 };
 
-//! The same as one of the module's scores, as a program would write it.
+//! The score of QUALITY_INLIERS, as a caller would write it.
 class InliersOnly : public Score
 {
 public:
@@ -174,7 +177,8 @@ public:
     bool countsInliers() const CV_OVERRIDE { return true; }
 };
 
-//! What the run does with a score follows from the score in use, not from Params::quality.
+//! How a run uses a score must depend on the score itself and not on Params::quality. The result
+//! must be that of QUALITY_INLIERS.
 TEST(Usac_Replacement, score)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -197,9 +201,9 @@ TEST(Usac_Replacement, score)
     }
 }
 
-//! With a caller's uniform sampler the standard criterion ends the run after the number of samples
-//! that theory requires; PROSAC's criterion, which takes no account of such samples, does not end
-//! it.
+//! With a caller's uniform sampler, the standard criterion must end the run after the number of
+//! samples that theory requires. PROSAC's criterion must not end it, because it does not apply to
+//! uniform samples.
 TEST(Usac_Replacement, uniformSampler)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -222,13 +226,13 @@ TEST(Usac_Replacement, uniformSampler)
             const double good = goodSampleProbability(report.inliers, scene.size(), 4);
             const int needed = samplesNeeded(good, std::log(1 - params.confidence));
             EXPECT_GE(report.iterations, needed);
-            asComputed += report.iterations == needed;  // else the best model came later
+            asComputed += report.iterations == needed;  // otherwise the best model was found later
         }
         EXPECT_GE(asComputed, 15);
     }
 }
 
-//! Says that it keeps so many of the good models only, so that more samples are needed.
+//! Claims to keep only this fraction of the good models, so that more samples are needed.
 class DroppingVerifier : public Verifier
 {
 public:
@@ -278,7 +282,7 @@ private:
     const int mistake;
 };
 
-//! The message of what a run throws.
+//! The message of the exception that a run raises, "" if none.
 std::string complaint(const Ptr<Usac>& usac)
 {
     try
@@ -345,7 +349,7 @@ TEST(Usac_Replacement, mistakesAreNamed)
     }
 }
 
-//! A problem without a fit for a residual, and no problem at all.
+//! A null problem must raise an exception.
 TEST(Usac_Replacement, problem)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "support/contracts.hpp"
 
-// An object that is run again gives what a new one gives.
+// An object that is run again must give the results of a new object.
 
 namespace opencv_test {
 namespace {
@@ -39,7 +39,7 @@ TEST_P(Usac_Rerun, givesTheSame)
     {
         Params params = presets[p].params;
         params.maxIterations = std::min(params.maxIterations, 500);
-        params.threshold = 0.3;  // below the noise, so that presets that may change it do
+        params.threshold = 0.3;  // below the noise, so that the reach of magsac() grows
         const Ptr<Usac> usac = createUsac(scene, params);
         Mat masks[3], models[3];
         Report reports[3];
@@ -50,7 +50,7 @@ TEST_P(Usac_Rerun, givesTheSame)
     }
 }
 
-//! Other points, more and fewer, none, and the first again.
+//! The points are replaced by more, fewer and very few others, and by the first ones again.
 TEST_P(Usac_Rerun, withOtherPoints)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -75,7 +75,7 @@ TEST_P(Usac_Rerun, withOtherPoints)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Rerun, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! After a mistake there are no points, and then others.
+//! After setPoints() with a mistake there must be no points, and valid points must work afterwards.
 TEST(Usac_RerunPoints, afterAMistake)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -90,8 +90,8 @@ TEST(Usac_RerunPoints, afterAMistake)
     EXPECT_EQ(0, cv::norm(usac->run(), estimate(scene, Params()), NORM_INF));
 }
 
-//! How often a component was started, with how many points the last time, and whether it was used
-//! as it should be.
+//! Counts the starts of a component and its uses since the last one. `size` is the number of points
+//! at the last start; `wrong` counts uses with another number.
 struct Life
 {
     Life() : starts(0), size(-1), uses(0), wrong(0) {}
@@ -103,7 +103,7 @@ struct Life
         uses = 0;
     }
 
-    //! A call that belongs to points of such a number.
+    //! Records a use with this number of points.
     void use(int points)
     {
         ++uses;
@@ -113,7 +113,8 @@ struct Life
     int starts, size, uses, wrong;
 };
 
-/* Components of a caller's that count, and else do what the library's do. */
+/* Components of a caller, which record how they are used. Otherwise they work like those of the
+library or have no effect. */
 
 class LivingSampler : public Sampler
 {
@@ -254,7 +255,7 @@ public:
     Life life;
 };
 
-//! Each of a caller's begins each run before it is used, and only then, also if there are too few
+//! Each component must be started once per run, before it is used, also if there are too few
 //! points.
 TEST(Usac_RerunComponents, beginOnceARun)
 {
@@ -291,7 +292,7 @@ TEST(Usac_RerunComponents, beginOnceARun)
         SceneOptions options;
         options.setSize(sizes[run], 0.7);
         const Scene scene = makeScene(HOMOGRAPHY, options);
-        if (run != 1)  // the same points again
+        if (run != 1)  // run 1 has the points of run 0
             usac->setPoints(scene.points1, scene.points2);
         parts.sampler = run == 2 ? (Ptr<Sampler>)sampler
                                  : createUsac(scene, params)->components().sampler;

@@ -11,11 +11,11 @@ namespace {
 
 enum { LAYERS = 4, LINKS = 8, WIDEST = 512 };
 
-//! Points, and the distances between them in pixels.
+//! Points and the distances between them in pixels.
 class Pixels
 {
 public:
-    //! Pixels are the units of the points.
+    //! The unit of the given points counts as a pixel.
     explicit Pixels(const OwnPoints& own) : around(own.view(), unitThreshold(own.view().threshold))
     {
         const Correspondences& p = own.view();
@@ -23,7 +23,7 @@ public:
             rows.push_back(Vec4d(p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i], p.exact[Y2][i]));
     }
 
-    //! Pixels are those of the images.
+    //! Distances are in pixels of the images of the scene.
     Pixels(const Scene& scene, const Params& params)
         : usac(createUsac(scene, params)), around(usac->points(), params)
     {
@@ -38,7 +38,7 @@ public:
     int size() const { return (int)rows.size(); }
     double distance(int i, int j) const { return cv::norm(rows[i] - rows[j]); }
 
-    //! Distances to all points, the nearest first.
+    //! Sorted distances to all points, including the point itself.
     std::vector<double> sorted(int point) const
     {
         std::vector<double> all;
@@ -63,7 +63,8 @@ private:
     std::vector<Vec4d> rows;
 };
 
-//! The members of a layer, which begin with the point and come nearest first.
+//! The members of a layer. The first one must be the point itself, and the others must be sorted by
+//! their distance.
 std::vector<int> listOf(const Pixels& pixels, Neighborhood& neighborhood, int layer, int point)
 {
     const int* members = 0;
@@ -91,7 +92,7 @@ void checkKnn(const Pixels& pixels, int k)
         {
             const int layer = point % 2
                                   ? step
-                                  : LAYERS - 1 - step;  // some points with the widest layer first
+                                  : LAYERS - 1 - step;  // widest layer first for even points
             const std::vector<int> list = listOf(pixels, *knn, layer, point);
             const int expected = std::min(pixels.size(),
                                           std::max(k, std::min<int>(k << layer, WIDEST)) + 1);
@@ -143,7 +144,7 @@ TEST(Usac_NeighborhoodFlann, clumsyPointsAgainstBruteForce)
     }
 }
 
-//! Distances are in pixels of the images whatever the coordinates of the estimator.
+//! Distances must be in pixels of the images, whatever the internal coordinates of the estimator.
 TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
 {
     for (int problem = 0; problem < 3; ++problem)
@@ -160,8 +161,8 @@ TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
     }
 }
 
-//! No more neighbors than #WIDEST are kept for a radius, and those are the nearest; more only if
-//! they are asked for.
+//! With a radius, at most WIDEST neighbors are kept, the nearest ones. With a number of neighbors
+//! there may be more if so many are asked for.
 TEST(Usac_NeighborhoodFlann, boundedMemory)
 {
     RNG rng(2);
@@ -199,7 +200,7 @@ void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
         EXPECT_LE(pixels.distance(i, j), std::max(reach[i], reach[j]));
     }
     int missing = 0;
-    for (int i = 0; i < pixels.size(); ++i)  // all that are certainly among the nearest
+    for (int i = 0; i < pixels.size(); ++i)  // members surely among the nearest must have an edge
     {
         const std::vector<int> members = listOf(pixels, neighborhood, 0, i);
         for (size_t k = 1; k < members.size() && (int)k <= links; ++k)
@@ -227,7 +228,8 @@ TEST(Usac_NeighborhoodFlann, edges)
     }
 }
 
-//! The edges of a radius join points within it only, and a lonely point has none.
+//! With a radius, edges must join only points within it, and a point without neighbors must have no
+//! edge.
 TEST(Usac_NeighborhoodFlann, edgesWithinTheRadius)
 {
     const Pixels pixels(makeScene(FUNDAMENTAL), Params());
@@ -271,7 +273,7 @@ TEST(Usac_NeighborhoodFlann, equalAndFarPoints)
     EXPECT_GE(edgesOf(*knn, around.context).size(), 37u * 5 / 2);
 }
 
-//! The same each time, and without OpenCV's random numbers.
+//! The result must be the same each time and must not use OpenCV's random generator.
 TEST(Usac_NeighborhoodFlann, reproducible)
 {
     const Pixels pixels(makeScene(FUNDAMENTAL), Params());
@@ -285,7 +287,7 @@ TEST(Usac_NeighborhoodFlann, reproducible)
         EXPECT_EQ(listOf(pixels, *first, 2, i), listOf(pixels, *second, 2, i));
 }
 
-//! Through Params: the right model of each problem, by P-NAPSAC and graph cut.
+//! With these neighborhoods, P-NAPSAC and graph cut must lead to correct models for each problem.
 TEST(Usac_NeighborhoodFlann, rightModels)
 {
     for (int problem = 0; problem < 3; ++problem)
@@ -307,8 +309,8 @@ TEST(Usac_NeighborhoodFlann, rightModels)
             }
 }
 
-//! In how many of twelve scenes another model is found, or on another way, with other values of a
-//! field.
+//! Number of scenes among twelve in which two sets of parameters lead to different models, or to
+//! different numbers of models or rejected samples.
 int changes(ProblemType problem, const Params& a, const Params& b)
 {
     int changed = 0;
@@ -331,7 +333,8 @@ int changes(ProblemType problem, const Params& a, const Params& b)
     return changed;
 }
 
-//! Sampling and graph cut see the number of neighbors, the radius and the kind of neighborhood.
+//! The number of neighbors, the radius and the kind of neighborhood must have an effect on P-NAPSAC
+//! and on graph cut.
 TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
 {
     Params sampling;
@@ -346,7 +349,7 @@ TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
     cut.neighbors = 8;
     cut.sampler = SAMPLER_UNIFORM;
     cut.spatialWeight = 0.5;
-    cut.threshold = 1;  // of the order of the noise: there are points that their neighbors can turn
+    cut.threshold = 1;  // about the noise, so that neighbors change the label of some points
     cut.maxIterations = 200;
     cut.polishing = POLISHING_NONE;
     for (int problem = 0; problem < 3; ++problem)
@@ -366,7 +369,8 @@ TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
         }
 }
 
-//! The radius is in pixels, whatever multiple of the threshold the search works with.
+//! The radius must be in pixels, whatever multiple of the threshold (Params::reach) the search
+//! uses.
 TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -386,7 +390,7 @@ TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
             counts[r] += usac->components().neighborhood->members(context, 0, i, members);
         }
     }
-    EXPECT_GT(counts[0], scene.size());  // more than the points themselves
+    EXPECT_GT(counts[0], scene.size());  // more members than the points themselves
     EXPECT_NEAR(counts[0], counts[1], 2);
 }
 

@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! Points of space have no pixels: the neighbors of a match are those of its image point, whatever
-//! the unit of space is.
+//! Points of space have no pixels. The neighbors of a match must be those of its image point,
+//! whatever the unit of space is.
 TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
 {
     for (double unit = 1e-3; unit < 2e3; unit *= 1e3)
@@ -38,7 +38,7 @@ TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
             std::sort(nearest.begin(), nearest.end());
             const std::set<int> found = membersOf(*knn, around.context, 0, i);
             ASSERT_EQ(7u, found.size());
-            for (int k = 0; k < 6; ++k)  // the last one may be as far as another
+            for (int k = 0; k < 6; ++k)  // the seventh may be as far away as another point
                 EXPECT_EQ(1u, found.count(nearest[k].second)) << unit << " " << i << " " << k;
             const std::set<int> close = membersOf(*within, around.context, 0, i);
             for (size_t k = 0; k < nearest.size(); ++k)

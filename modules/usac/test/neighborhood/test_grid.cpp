@@ -12,7 +12,7 @@
 namespace opencv_test {
 namespace {
 
-//! Cell of a point along each axis of a layer with `divisions` cells.
+//! Cell of a point in a layer with `divisions` cells along each of the four axes.
 Vec4i cellOf(const Correspondences& p, int point, int divisions)
 {
     const float* coordinates[4] = {p.column[X1], p.column[Y1], p.column[X2], p.column[Y2]};
@@ -58,7 +58,8 @@ TEST(Usac_Neighborhood, gridAgainstBruteForce)
     compareWithBruteForce(createUsac(makeScene(ESSENTIAL), Params())->points());
 }
 
-//! Points outside the range where nearly all lie belong to the outermost cells.
+//! If nearly all points, but not all, are within the given range, those outside must belong to the
+//! outermost cells.
 TEST(Usac_Neighborhood, gridOfANarrowRange)
 {
     RNG rng(2);
@@ -105,7 +106,7 @@ TEST(Usac_Neighborhood, equalPointsAreAllNeighbors)
     for (int layer = 0; layer < grid->layers(); ++layer)
         EXPECT_EQ(37u, membersOf(*grid, around.context, layer, layer).size());
     EXPECT_LE(edgesOf(*grid, around.context).size(), 4u * 37);
-    EXPECT_GE(edgesOf(*grid, around.context).size(), 36u);  // enough to link all of them
+    EXPECT_GE(edgesOf(*grid, around.context).size(), 36u);  // enough to connect all points
 }
 
 void checkEdges(const Correspondences& points, size_t least)
@@ -140,7 +141,7 @@ TEST(Usac_Neighborhood, edges)
     }
 }
 
-//! Points with at least one neighbor in their cell have at least one edge.
+//! A point must have an edge exactly if another point is in its cell.
 TEST(Usac_Neighborhood, noPointIsForgotten)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

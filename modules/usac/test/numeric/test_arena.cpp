@@ -4,12 +4,12 @@
 
 #include "test_precomp.hpp"
 
-// The memory of a run.
+// Tests of Arena, from which a run takes its memory.
 
 namespace opencv_test {
 namespace {
 
-//! Bytes that are there, and what they should be.
+//! A piece of memory, and the value that all its bytes should have.
 struct Piece
 {
     uchar* begin;
@@ -33,7 +33,8 @@ void expectIntact(const std::vector<Piece>& pieces)
         ASSERT_TRUE(pieces[i].intact()) << i;
 }
 
-//! Scopes in scopes, what is taken in them for themselves and for the run.
+//! Makes nested scopes. Pieces are taken from each scope and, for the whole run, from the arena. No
+//! piece may overlap another.
 void useScopes(Arena& arena, RNG& rng, int depth, size_t largest, std::vector<Piece>& kept)
 {
     const Arena::Scope untouched(arena);
@@ -92,7 +93,8 @@ TEST(Usac_Arena, theSameMemoryAgain)
     EXPECT_EQ(1, arena.blocks());
 }
 
-//! What the first block does not hold, the one of the next reset() does; it does not shrink.
+//! Memory that did not fit into the first block must fit into a single block after the next
+//! reset(). The capacity must not shrink.
 TEST(Usac_Arena, growsToOneBlock)
 {
     Arena arena;
@@ -114,7 +116,7 @@ TEST(Usac_Arena, growsToOneBlock)
     EXPECT_EQ(1, arena.blocks());
 }
 
-//! Large blocks stay as they are, so that no copy of all of them is needed.
+//! Large blocks must be kept by reset() instead of being replaced by one block of their total size.
 TEST(Usac_Arena, largeBlocksStay)
 {
     Arena arena;

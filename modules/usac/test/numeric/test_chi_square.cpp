@@ -34,7 +34,7 @@ double squaredDistance(const Matx33d& H, const Point2d& a, const Point2d& b)
     return (y[0] / y[2] - b.x) * (y[0] / y[2] - b.x) + (y[1] / y[2] - b.y) * (y[1] / y[2] - b.y);
 }
 
-//! Sampson's or the symmetric epipolar distance, squared.
+//! The squared Sampson distance or (`symmetric`) the squared symmetric epipolar distance.
 double squaredEpipolar(const Matx33d& F, const Point2d& a, const Point2d& b, bool symmetric)
 {
     const Vec3d l2 = F * Vec3d(a.x, a.y, 1), l1 = F.t() * Vec3d(b.x, b.y, 1);
@@ -43,7 +43,7 @@ double squaredEpipolar(const Matx33d& F, const Point2d& a, const Point2d& b, boo
     return symmetric ? N * N * (1 / n1 + 1 / n2) : N * N / (n1 + n2);
 }
 
-//! Squared errors of one exact match with `count` draws of noise in all four coordinates.
+//! Sorted squared errors of one exact match with `count` draws of noise in its four coordinates.
 std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int row, bool symmetric,
                                 int count, RNG& rng)
 {
@@ -62,9 +62,9 @@ std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int 
     return errors;
 }
 
-/** The choice of the degrees of freedom: the quantiles of the errors are those of chi-square, up to
-the scale. The ratio of the 0.9 to the 0.3 quantile is 18.2 for one degree, 6.5 for two, 4.4 for
-three and 3.5 for four. */
+/** Checks the degrees of freedom of the errors: quantiles of the squared errors must be those of a
+chi-squared distribution up to a scale. The ratio of the 0.9 quantile to the 0.3 quantile is 18.2
+for one degree, 6.5 for two, 4.4 for three and 3.5 for four. */
 TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -90,7 +90,8 @@ TEST(Usac_Statistics, degreesOfFreedomOfTheErrors)
     }
 }
 
-//! A motion of space, with noise in both spaces: three.
+//! Errors of a 3-D motion must have three degrees of freedom, with noise in space 2 only or in both
+//! spaces.
 TEST(Usac_Statistics, degreesOfFreedomInSpace)
 {
     RigidSceneOptions options;
@@ -123,8 +124,8 @@ TEST(Usac_Statistics, degreesOfFreedomInSpace)
                          .problem->errorDimension());
 }
 
-//! The scale of Sampson's distance is that of the noise in each coordinate: 99 in 100 inliers lie
-//! within k sigma.
+//! The standard deviation of Sampson's distance is that of the noise of a coordinate, so that 99 %
+//! of the inliers must be within thresholdInSigmas(1) standard deviations.
 TEST(Usac_Statistics, thresholdKeepsInliers)
 {
     SceneOptions options;
@@ -139,7 +140,8 @@ TEST(Usac_Statistics, thresholdKeepsInliers)
     EXPECT_NEAR(0.99, within / 20000., 0.003);
 }
 
-//! Satterthwaite's approximation: the sum of two squares with different variances.
+//! Satterthwaite's approximation: a weighted sum of two squared normal variables is nearly
+//! chi-squared with a fractional number of degrees of freedom.
 TEST(Usac_Statistics, chiSquareOfDifferentVariances)
 {
     RNG rng(1);

@@ -9,14 +9,14 @@
 namespace opencv_test {
 namespace {
 
-//! The integrand of the gamma functions, with t = s^2: smooth at 0 for a >= 1/2.
+//! The integrand of the gamma functions after the substitution t = s^2, smooth at 0 for a >= 1/2.
 struct GammaIntegrand
 {
     double a;
     double operator()(double s) const { return 2 * std::pow(s, 2 * a - 1) * std::exp(-s * s); }
 };
 
-//! With t = exp(s): for a = 0.
+//! The integrand for a = 0 after the substitution t = exp(s).
 struct ExponentialIntegrand
 {
     double operator()(double s) const { return std::exp(-std::exp(s)); }

@@ -101,7 +101,7 @@ TEST(Usac_Polynomial, clusters)
     expectProduct(three, 4, 1e-6);
 }
 
-//! Each root once, as exactly as a multiple root can be known.
+//! Each multiple root must be found once, with the accuracy that is possible for such a root.
 TEST(Usac_Polynomial, multipleRoots)
 {
     const double twice[] = {0.5, 0.5}, doubleZero[] = {0, 0, 0.25}, outside[] = {3, 3, -0.5};
@@ -118,7 +118,7 @@ TEST(Usac_Polynomial, multipleRoots)
     EXPECT_NEAR(3, found[1], 1e-5);
 }
 
-//! Sturm's sequence of these skips degrees.
+//! The Sturm sequences of x^n - a^n skip degrees.
 TEST(Usac_Polynomial, sparse)
 {
     for (int degree = 2; degree <= MAX_DEGREE; ++degree)
@@ -153,7 +153,7 @@ TEST(Usac_Polynomial, sparse)
     }
     const double quartic[] = {
         -0.05, 0.1, 0, 0,
-        1};  // one change of sign: one positive root; the same for the negative ones
+        1};  // one change of sign, so one positive root; likewise one negative root
     EXPECT_EQ(2u, findRoots(std::vector<double>(quartic, quartic + 5)).size());
 }
 
@@ -217,7 +217,7 @@ TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
         for (int i = 0; i <= degree; ++i)
             c[i] = rng.gaussian(1) * std::pow(10., rng.uniform(-1., 1.));
         const std::vector<std::complex<double>> all = companionRoots(c);
-        bool clear = true;  // no pair of roots close to where real pairs become complex ones
+        bool clear = true;  // no roots so close that rounding decides if they are real
         for (size_t i = 0; i < all.size(); ++i)
         {
             const double size = std::max(1e-3, std::abs(all[i]));

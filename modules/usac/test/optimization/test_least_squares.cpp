@@ -31,7 +31,7 @@ std::vector<double> randomWeights(int count, RNG& rng)
     return weights;
 }
 
-//! The three problems with the standard, then with the symmetric residual.
+//! Parameters 0 to 2 are H, F and E with the standard residual, 3 to 5 with the symmetric residual.
 ProblemType problemOf(int param) { return (ProblemType)(param % 3); }
 
 Formula::Kind kindOf(int param)
@@ -41,7 +41,7 @@ Formula::Kind kindOf(int param)
     return param < 3 ? Formula::SAMPSON : Formula::SYMMETRIC_EPIPOLAR;
 }
 
-//! Square roots of the weights times the residuals, written down independently of the solver.
+//! The residuals times the square roots of the weights, computed independently of the solver.
 Eigen::VectorXd residuals(Formula::Kind kind, const Correspondences& p,
                           const std::vector<int>& indices, const double* weights, const Matx33d& M)
 {
@@ -78,7 +78,7 @@ double costOf(Formula::Kind kind, const Correspondences& p, const std::vector<in
     return residuals(kind, p, indices, weights, M).squaredNorm();
 }
 
-//! A model near the truth.
+//! The model with noise in its entries, scaled to unit norm.
 Model perturbed(const Model& truth, double size, RNG& rng)
 {
     Matx33d result = truth;
@@ -135,7 +135,7 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
         EXPECT_LE((JtJ - sums.JtJ).norm(), 1e-6 * JtJ.norm());
         EXPECT_GT(Jtr.norm(),
                   1e-3 * J.norm() *
-                      r.norm());  // not a minimum, where any gradient would be small enough
+                      r.norm());  // not a minimum, where a wrong gradient would be small, too
     }
 }
 
@@ -185,7 +185,7 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
         const Parameterization::Basis tangent = here.tangent();
         ASSERT_EQ(here.dimension(), tangent.cols());
         Eigen::JacobiSVD<Eigen::MatrixXd> svd((Eigen::MatrixXd(tangent)));
-        EXPECT_GT(svd.singularValues()[here.dimension() - 1], 1e-3);  // independent directions
+        EXPECT_GT(svd.singularValues()[here.dimension() - 1], 1e-3);  // linearly independent
         for (int k = 0; k < here.dimension(); ++k)
         {
             Parameterization::Step step = Parameterization::Step::Zero(here.dimension());
@@ -201,7 +201,8 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
     }
 }
 
-//! The closest point: a step along the manifold leads away from the model.
+//! The model of a parameterization must be the closest one to the given matrix, so that a step
+//! along the manifold leads away from this matrix.
 TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
 {
     const ProblemType problem = problemOf(GetParam());
@@ -224,7 +225,8 @@ TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
     }
 }
 
-//! Largest correlation of the residuals with a direction of the manifold; 0 at a minimum.
+//! Largest absolute cosine between the residuals and their derivative along a direction of the
+//! manifold; 0 at a minimum.
 double slope(Formula::Kind kind, const Correspondences& points, const std::vector<int>& indices,
              const double* weights, const Model& model)
 {
@@ -291,7 +293,7 @@ TEST_P(Usac_LeastSquares, exactWithoutNoise)
     }
 }
 
-//! However bad the start.
+//! From any start, a fit must either not raise the cost, or fail and leave the model unchanged.
 TEST_P(Usac_LeastSquares, neverRaisesTheCost)
 {
     const ProblemType problem = problemOf(GetParam());

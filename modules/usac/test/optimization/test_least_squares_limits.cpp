@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "support/problem_objects.hpp"
 
-// Least squares where numbers end, or nothing is left to be done.
+// Tests of least squares at the limits of the range of double, and at a minimum.
 
 namespace opencv_test {
 namespace {
@@ -35,7 +35,8 @@ struct Matches
     std::vector<int> indices;
 };
 
-//! Errors, or derivatives alone, beyond the range of double.
+//! If errors, or only their derivatives, leave the range of double, the fit must fail and leave the
+//! model unchanged.
 TEST(Usac_LeastSquares_Limits, largeErrorsLeaveTheModel)
 {
     const double denominators[] = {0, 1e-170, 1e-150};
@@ -48,7 +49,8 @@ TEST(Usac_LeastSquares_Limits, largeErrorsLeaveTheModel)
     }
 }
 
-//! With the least number as all weights the equations are rounded to singular ones.
+//! If all weights are the smallest positive number, rounding makes the normal equations singular.
+//! The fit must fail and leave the model unchanged.
 TEST(Usac_LeastSquares_Limits, smallWeightsLeaveTheModel)
 {
     const std::vector<double> weights(12, std::numeric_limits<double>::denorm_min());
@@ -58,7 +60,7 @@ TEST(Usac_LeastSquares_Limits, smallWeightsLeaveTheModel)
     EXPECT_EQ(before, model);
 }
 
-//! More steps change nothing, however many are allowed.
+//! At the minimum, more iterations must not change the model.
 TEST(Usac_LeastSquares_Limits, minimumIsKept)
 {
     Model reached = Matx33d::eye();

@@ -39,11 +39,11 @@ private:
     mutable std::vector<double> errors;
 };
 
-//! Problem and residual.
+//! Parameters are a problem and a residual.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_LeastSquares_Minimum;
 
-//! The method of Nelder and Mead, which uses no derivatives, finds nothing better nearby, and gets
-//! there from a model that is off.
+//! The method of Nelder and Mead, which needs no derivatives, must find no smaller sum near the
+//! result of the fit. It must reach the same minimum from a start beside it.
 TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 {
     for (uint64 seed = 1; seed <= 3; ++seed)
@@ -70,7 +70,7 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
         const double reached = sum->calc(x.ptr<double>());
         for (int start = 0; start < 2; ++start)
         {
-            x = start == 0 ? 0. : 1e-4;  // at the minimum, and off it
+            x = start == 0 ? 0. : 1e-4;  // at the minimum and beside it
             const Mat step(1, sum->getDims(), CV_64F, Scalar(1e-4));
             const double generic = DownhillSolver::create(
                                        sum, step,

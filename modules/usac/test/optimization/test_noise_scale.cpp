@@ -9,13 +9,14 @@
 namespace opencv_test {
 namespace {
 
-//! Gaussian noise of known size among uniform outliers.
+//! The standard deviation of Gaussian noise among uniform outliers must be estimated within 20 %.
+//! Without enough defined errors, the threshold must count as the 0.99 quantile.
 TEST(Usac_Statistics, noiseScale)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)
         for (int k = 0; k < 4; ++k)
         {
-            const double sigma = 0.2 * (k + 1);  // in thresholds of 3 pixels
+            const double sigma = 0.2 * (k + 1);  // as a multiple of the threshold of 3 pixels
             RNG rng(1 + k);
             std::vector<float> errors;
             for (int i = 0; i < 400; ++i)
@@ -42,8 +43,8 @@ TEST(Usac_Statistics, noiseScale)
                   NoiseScale::estimate(nothing.data(), 100, 1, degrees));
 }
 
-//! Less noise than NoiseScale::leastSigma needs evidence: that next to nothing lies between it and
-//! the threshold, but for what the outliers explain.
+//! A standard deviation below NoiseScale::leastSigma() must be returned only if there are hardly
+//! any errors between it and the threshold, apart from those that outliers explain.
 TEST(Usac_Statistics, noiseScaleNeedsEvidence)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)

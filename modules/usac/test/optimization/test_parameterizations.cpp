@@ -12,7 +12,8 @@ namespace {
 
 typedef cv::usacv20::Parameterization Rule;
 
-//! Problems and models of all kinds; the entries of a random matrix are near a valid model of each.
+//! Calls `test` for each problem with random matrices, of which the parameterization makes valid
+//! models.
 void forEachProblem(const std::function<void(const Problem&, const Model&)>& test)
 {
     const Matx33d K(1.2, 0, 0.1, 0, 1.3, -0.2, 0, 0, 1);
@@ -40,7 +41,8 @@ TEST(Usac_Parameterization, builtInOnesFulfillTheLaws)
     });
 }
 
-//! A circle of radius 2 around the origin, with a fault.
+//! A circle of radius 2 around the origin. `fault` selects an error that checkParameterization()
+//! must find.
 class Circle : public Rule
 {
 public:
@@ -98,7 +100,8 @@ TEST(Usac_Parameterization, faultsAreFound)
     }
 }
 
-//! The solver for any parameterization finds the minimum of the one whose sizes the compiler knows.
+//! The solver for parameterizations of any size must find the same minimum as the solver whose
+//! sizes are known at compile time.
 TEST(Usac_Parameterization, sameMinimumAsTheBuiltInFit)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};

@@ -8,14 +8,14 @@
 namespace opencv_test {
 namespace {
 
-//! Errors of inliers with a standard deviation of 1 in each of `degrees` directions, others
-//! anywhere in a cube of side 400 of so many.
+//! Squared errors. Those of inliers have a standard deviation of 1 in each of `degrees` directions,
+//! outliers are uniform in a cube of side 400 with this dimension.
 std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
 {
     std::vector<float> errors;
     for (int i = 0; i < size; ++i)
     {
-        const bool inlier = i * 7 % size < inliers;  // in any order
+        const bool inlier = i * 7 % size < inliers;  // inliers are not consecutive
         const double x = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
         const double y = inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
         const double z = degrees < 3 ? 0 : inlier ? rng.gaussian(1) : rng.uniform(-200., 200.);
@@ -24,7 +24,7 @@ std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
     return errors;
 }
 
-//! About that of H, of F and of a motion of space.
+//! Size of a minimal sample: that of H for 2 degrees, of a 3-D motion for 3, about that of F for 1.
 int sampleSizeOf(int degrees) { return degrees == 3 ? 3 : 8 / degrees; }
 
 double scaleOf(const std::vector<float>& errors, int degrees, double unit)
@@ -37,7 +37,7 @@ double scaleOf(const std::vector<float>& errors, int degrees, double unit)
         .sigma;
 }
 
-//! Within 15 % of the noise, by whatever threshold, and the same within the width of a bin.
+//! The standard deviation must be estimated within 15 %, whatever the threshold `unit`.
 TEST(Usac_SignificantScale, isThatOfTheNoise)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)
@@ -54,8 +54,9 @@ TEST(Usac_SignificantScale, isThatOfTheNoise)
         }
 }
 
-//! Of a narrow core within the threshold and others beyond it that agree, too, the core's if no
-//! more is looked at.
+//! A third of the points form a narrow core; the others have a larger scale but agree with the
+//! model, too. The scale must be that of all points, or that of the core if no radius above the
+//! threshold is tried.
 TEST(Usac_SignificantScale, ofTheCore)
 {
     RNG rng(7);
@@ -78,7 +79,7 @@ TEST(Usac_SignificantScale, ofTheCore)
     EXPECT_LT(core.inliers, 400);
 }
 
-//! That of the narrow half, if there are two.
+//! If a third of the inliers have ten times the noise, the scale must be that of the others.
 TEST(Usac_SignificantScale, ofTwoSurfaces)
 {
     for (int degrees = 2; degrees <= 3; ++degrees)
@@ -107,8 +108,8 @@ TEST(Usac_SignificantScale, noneOfRandomErrors)
     EXPECT_EQ(0, SignificantScale::estimate(0, 0, 0, 0, 1, 0.1, 2, 4).sigma);
 }
 
-//! Points in clusters are near to most models: what points of other matches have, too, is no
-//! evidence.
+//! Clustered points are near many models. If random matches of the same points have as many small
+//! errors (third argument), the errors of the model are no evidence, and the scale must be 0.
 TEST(Usac_SignificantScale, noneOfWhatWrongMatchesHave)
 {
     RNG rng(5);

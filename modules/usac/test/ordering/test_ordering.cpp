@@ -49,7 +49,8 @@ TEST(Usac_Priors, densityPutsClusteredMatchesFirst)
                 first += scene.truth[usac->points().inputIndex[order[i]]];
                 last += scene.truth[usac->points().inputIndex[order[999 - i]]];
             }
-            EXPECT_GT(first, 60) << "problem " << problem << " seed " << seed;  // 40 by chance
+            // 40 are expected by chance
+            EXPECT_GT(first, 60) << "problem " << problem << " seed " << seed;
             EXPECT_LT(last, 40) << "problem " << problem << " seed " << seed;
         }
 }
@@ -64,7 +65,8 @@ TEST(Usac_Priors, densityOfClumsyPoints)
         sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, points1, points2).view());
     }
     const std::vector<Point2d> equal(70000,
-                                     Point2d(1, 2));  // more of them in one cell than 16 bits hold
+                                     // one cell has more points than fit in 16 bits
+                                     Point2d(1, 2));
     sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, equal, equal).view());
 }
 
@@ -119,7 +121,7 @@ TEST(Usac_Priors, inputOrder)
     }
 }
 
-//! Matches that are the same as an earlier one go to the end, in either order of the points.
+//! Matches that repeat an earlier one must come last, ordered by density or by scores.
 TEST(Usac_Priors, repeatedMatchesAreLast)
 {
     SceneOptions options;

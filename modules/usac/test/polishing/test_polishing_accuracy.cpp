@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "support/problem_objects.hpp"
 
-// What polishing reaches, against the best that is possible: least squares over the true matches.
+// The accuracy of polishing is compared with the best possible one, that of least squares over the
+// true matches.
 
 namespace opencv_test {
 namespace {
@@ -32,7 +33,7 @@ Scene trueMatches(const Scene& scene)
     return result;
 }
 
-//! Least squares over all matches.
+//! Least squares over all matches, started at the exact model.
 Mat leastSquares(const Scene& scene)
 {
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -47,7 +48,7 @@ Mat leastSquares(const Scene& scene)
     return Mat(toInput(points, model));
 }
 
-//! The exact model, polished.
+//! The result of polishing the exact model.
 Mat polished(const Scene& scene, const Params& params)
 {
     const Ptr<Usac> usac = createUsac(scene, params);
@@ -69,14 +70,13 @@ SceneOptions optionsOf(Motion motion, double noise, uint64 seed)
     return options;
 }
 
-//! Problem and motion.
+//! Parameters are a problem and a motion.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_Polishing_Accuracy;
 
-/** Ratio of two root mean square errors over scenes: that of polishing to that of least squares
-over the true matches. Polishing starts from the exact model, as a model from the search may fit a
-wrong match better than the true model does (mostly under forward motion), and polishing would stay
-there.
-*/
+/** The root mean square error of polishing over the scenes must be at most 1.1 times that of least
+squares over the true matches. Polishing starts from the exact model: a model from the search may
+fit an outlier better than the true model does (mostly under forward motion), and polishing would
+keep this outlier. */
 TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
 {
     const double noises[] = {THRESHOLD / 10, THRESHOLD / 3};
@@ -100,7 +100,7 @@ TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
     }
 }
 
-//! Nothing moves a model that is exact, with any preset.
+//! Without noise, each preset must return the exact model.
 TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
 {
     const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate()};
@@ -116,8 +116,9 @@ TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
         }
 }
 
-/** Few matches, coordinates below 1 in image 2 and the threshold left where it was: everything is
-an inlier of anything, and polishing has to go all the way. */
+/** For H and F, image 2 is scaled to coordinates below 1 but the threshold is not, so that any
+model has all matches as inliers. Polishing must nevertheless reach about the accuracy of least
+squares. */
 TEST_P(Usac_Polishing_Accuracy, thresholdFarAboveTheNoise)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());

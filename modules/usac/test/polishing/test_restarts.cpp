@@ -9,8 +9,8 @@
 namespace opencv_test {
 namespace {
 
-//! Matches of a translation with `wrong` others behind them; the first is far from the next ones,
-//! which lie in a strip.
+//! `right` matches of a translation, followed by `wrong` random ones. In image 1 the first point is
+//! far from the others, which lie in a narrow strip.
 void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point2d>& points1,
                  std::vector<Point2d>& points2)
 {
@@ -24,7 +24,8 @@ void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point
     }
 }
 
-//! What the restarts make of least squares over some rows of the caller.
+//! Fits a model by least squares to the caller's rows `first` to `end` - 1 and applies restarts to
+//! it.
 struct Restarted
 {
     Restarted(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
@@ -60,12 +61,12 @@ struct Restarted
     }
 
     Quality before, after;
-    int far;           //!< the match that is far from the others
-    double farBefore;  //!< its error, in thresholds
+    int far;           //!< index of the match that is far from the others
+    double farBefore;  //!< its error before the restarts, in thresholds
 };
 
-//! The model of nine points is wrong where the tenth is, by many thresholds, and one that has them
-//! all fits as well.
+//! The model of nine points in the strip misses the tenth match by many thresholds, although a
+//! model with all ten as inliers fits as well. Restarts must find such a model.
 TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
 {
     double most = 0;
@@ -81,7 +82,7 @@ TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
     EXPECT_GT(most, 10);
 }
 
-//! A wrong match is not taken in, though some H through it may have the others.
+//! If the far match is an outlier, restarts must not make it an inlier.
 TEST(Usac_Restarts, aWrongMatchIsNot)
 {
     int taken = 0;
@@ -96,8 +97,8 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
     EXPECT_LE(taken, 1);
 }
 
-//! More inliers than it looks at, below a threshold that tells: nothing is changed, and nothing is
-//! done.
+//! With more than 30 inliers and a threshold that is not wide there are no restarts, so that the
+//! model must not change.
 TEST(Usac_Restarts, manyInliersStay)
 {
     RNG rng(1);

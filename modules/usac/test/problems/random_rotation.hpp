@@ -9,7 +9,7 @@
 
 namespace opencv_test {
 
-//! Uniform among all rotations.
+//! A random rotation, uniformly distributed among all rotations.
 inline cv::Matx33d randomRotation(cv::RNG& rng)
 {
     cv::Vec4d q;

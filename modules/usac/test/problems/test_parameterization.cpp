@@ -8,8 +8,8 @@
 #include <numeric>
 #include <Eigen/SVD>
 
-// The directions of a parameterization at the models of special motions, where those of angles
-// coincide.
+// The tangents of a parameterization must be independent at the models of special motions, where
+// those of a parameterization by angles coincide.
 
 namespace opencv_test {
 namespace {
@@ -29,8 +29,8 @@ Scene sceneOf(ProblemType problem, Motion motion, double noise, double baseline 
     return makeScene(problem, options);
 }
 
-/** Least and largest singular value of the derivatives, by differences, at the parameters 0; the
-derivatives that the class gives are the same. */
+/** Least and largest singular value of the derivatives of plus() at the parameters 0, by
+differences. The derivatives of tangent() must be the same. */
 Vec2d conditionOf(const Parameterization& here)
 {
     const double h = 1e-5;
@@ -47,7 +47,7 @@ Vec2d conditionOf(const Parameterization& here)
     return Vec2d(svd.singularValues()[here.dimension() - 1], svd.singularValues()[0]);
 }
 
-//! Problem and motion.
+//! Parameters are a problem and a motion.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_Parameterization;
 
 TEST_P(Usac_Parameterization, isRegularAtSpecialMotions)
@@ -65,7 +65,7 @@ TEST_P(Usac_Parameterization, isRegularAtSpecialMotions)
     }
 }
 
-//! Gauss and Newton's steps reach the least squares at once, if no direction is missing.
+//! Three Gauss-Newton steps must reach the minimum, which is impossible if a direction is missing.
 TEST_P(Usac_Parameterization, leastSquaresInThreeSteps)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_CASE_P(All, Usac_Parameterization,
                         testing::Combine(testing::Range(0, 3),
                                          testing::Range((int)MOTION_GENERAL, (int)MOTION_CAR + 1)));
 
-//! From equal singular values to a ratio of a thousand.
+//! The ratio of the two singular values is between 1 and a thousandth.
 TEST(Usac_Parameterization_Fundamental, isRegularForAllSingularValues)
 {
     RNG rng(1);

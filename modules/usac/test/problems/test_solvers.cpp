@@ -26,7 +26,7 @@ std::vector<Model> solve(const MinimalSolver& solver, const Correspondences& poi
     EXPECT_GE(count, 0);
     EXPECT_LE(count, (int)MAX_MODELS);
     for (int i = 0; i < count; ++i)
-        EXPECT_NEAR(1, cv::norm(Matx33d(models[i])), 1e-9);  // also for NaN
+        EXPECT_NEAR(1, cv::norm(Matx33d(models[i])), 1e-9);  // fails for NaN, too
     return std::vector<Model>(models, models + count);
 }
 
@@ -36,7 +36,8 @@ std::vector<Model> solveFirst(const MinimalSolver& solver, const Correspondences
     return solve(solver, points, sample);
 }
 
-//! Largest algebraic error of the sample, with homogeneous points and the model of unit norm.
+//! Largest algebraic error over the sample, with homogeneous points and the model scaled to unit
+//! norm.
 double constraintError(const Correspondences& p, const int* sample, int count, const Model& model)
 {
     double largest = 0;
@@ -53,7 +54,8 @@ double constraintError(const Correspondences& p, const int* sample, int count, c
     return largest;
 }
 
-//! How far a model of unit norm is from rank 2, or from two equal singular values.
+//! Violation of the constraints by a model of unit norm: the determinant is not 0 (F, E), or the
+//! two singular values differ (E).
 double manifoldError(ProblemType problem, const Matx33d& M)
 {
     if (problem == HOMOGRAPHY)
@@ -123,7 +125,7 @@ TEST_P(Usac_Solvers_Problem, exactWithoutNoise)
     EXPECT_LE(result.missed, 6);
     EXPECT_LE(quantile(result.constraint, 1), 1e-8);
     EXPECT_LE(quantile(result.constraint, 0.9), 1e-12);
-    // E: 98.5 % only, as its polynomial is ill-conditioned near a double root
+    // E: only 98.5 %, because its polynomial is ill-conditioned near double roots
     EXPECT_LE(quantile(result.manifold, problem == ESSENTIAL ? 0.985 : 1), 1e-8);
     EXPECT_LE(quantile(result.manifold, 0.9), 1e-11);
 }
@@ -151,8 +153,8 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
     }
 }
 
-//! Real F with det F = 0 in the null space of the constraints, by SVD and discriminant; -1: too
-//! close to call.
+//! Number of real F with det F = 0 in the null space of the constraints, by SVD and the
+//! discriminant of the cubic. -1 if rounding could decide.
 int countFundamental(const Correspondences& p)
 {
     Eigen::Matrix<double, 7, 9> A;
@@ -165,7 +167,7 @@ int countFundamental(const Correspondences& p)
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 9; ++i)
             F[k].val[i] = svd.matrixV()(i, 7 + k);
-    // det(x F0 + F1) from four values
+    // coefficients of det(x F0 + F1) from four of its values
     const double d = determinant(F[1]), plus = determinant(F[0] + F[1]),
                  minus = determinant(F[1] - F[0]);
     const double a = determinant(F[0]), b = (plus + minus) / 2 - d, c = (plus - minus) / 2 - a;
@@ -201,8 +203,8 @@ TEST(Usac_Solvers, allFundamentalMatrices)
     EXPECT_GT(three, 100);
 }
 
-//! Those of calib3d's solver, which finds the roots of its polynomial by iteration in the complex
-//! plane.
+//! The essential matrices of calib3d's solver for five points, which finds the roots of its
+//! polynomial by iteration in the complex plane.
 std::vector<Matx33d> essentialByCalib3d(const std::vector<Point2d>& points1,
                                         const std::vector<Point2d>& points2)
 {
@@ -306,7 +308,8 @@ TEST(Usac_Solvers, homographyOfThreeCollinearPoints)
     }
 }
 
-//! Seven points of a plane leave a family of fundamental matrices.
+//! Seven points on a plane are consistent with a family of fundamental matrices, so that the solver
+//! must return none.
 TEST(Usac_Solvers, fundamentalOfAPlane)
 {
     Exactness result;
@@ -315,8 +318,8 @@ TEST(Usac_Solvers, fundamentalOfAPlane)
     EXPECT_EQ(result.samples, result.unsolved);
 }
 
-//! Four points on a line in image 1, the others on a line in image 2: the product of the lines has
-//! rank 1 and fits all seven.
+//! Four points are on a line l1 in image 1, the other three on a line l2 in image 2. The matrix l2
+//! l1^T of rank 1 satisfies all seven constraints, but must not be returned.
 TEST(Usac_Solvers, fundamentalOfALineInEachImage)
 {
     const Ptr<MinimalSolver> solver = createFundamental7Solver();
@@ -326,7 +329,7 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
         std::vector<Point2d> points1, points2;
         for (int i = 0; i < 7; ++i)
         {
-            const bool exact = repeat % 2 == 0;  // without any rounding
+            const bool exact = repeat % 2 == 0;  // without any rounding of the coordinates
             const Point2d p = integerPoint(rng, -2, 3), q = uniformPoint(rng, -2., 2.);
             points1.push_back(exact ? p : q);
             points2.push_back(exact ? integerPoint(rng, -2, 3)
@@ -347,8 +350,8 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
     }
 }
 
-//! Points on a coarse grid are degenerate in many ways at once: what comes back is finite and
-//! fulfils the constraints.
+//! Points on a coarse grid are degenerate in many ways. All returned models must be finite and
+//! fulfill the constraints.
 TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -362,7 +365,7 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
         for (int i = 0; i < 8; ++i)
         {
             points1.push_back(integerPoint(rng, -2, 3));
-            // also without any parallax
+            // in every third sample without any parallax
             points2.push_back(repeat % 3 ? integerPoint(rng, -2, 3) : points1.back());
         }
         const OwnPoints points(problem, points1, points2);
@@ -375,7 +378,8 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
     EXPECT_EQ(0, wrong);
 }
 
-//! Where products of areas are below the range of double there is no homography.
+//! If products of triangle areas are below the range of double, the solver must return no
+//! homography.
 TEST(Usac_Solvers, homographyOfTinySquares)
 {
     std::vector<Point2d> corners;

@@ -4,13 +4,13 @@
 
 #include "test_precomp.hpp"
 
-// Wrong matches that agree with each other: the right model is the best one, and is to be found.
-// The rates of more scenes are in doc/structured.md.
+// If wrong matches are consistent with each other, the true model must be found nevertheless,
+// because its cost is the lowest. The rates for more scenes are in doc/structured.md.
 
 namespace opencv_test {
 namespace {
 
-//! Mean cost of the matches, as QUALITY_MSAC has it.
+//! Mean cost of the matches as with QUALITY_MSAC; 1 without a model.
 double costOf(const Scene& scene, const Mat& model, double threshold)
 {
     if (model.empty())
@@ -37,8 +37,8 @@ const Agreement AGREEMENTS[] = {
     {"a plane that moves by itself", OUTLIERS_PLANE, 0.4, 0.35},
     {"another motion from one place", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
 
-//! How many of `runs` searches end with a model that costs more than the one that has made the
-//! scene, by so many matches: what is not fitted as well costs less.
+//! Number of runs whose model costs more than the true one by more than `matches` outliers. (A fit
+//! to noisy points costs less than the true model.)
 int missed(ProblemType problem, const Agreement& agreement, const Params& preset, int runs,
            double matches = 2)
 {
@@ -61,8 +61,8 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
     return result;
 }
 
-//! Before runners-up were kept for what the best model does not explain, and that was searched, F
-//! was missed in 18 and 40 %.
+//! Without runners-up that explain other matches, and without samples of the unexplained points, F
+//! is missed in 18 and 40 % of the scenes.
 TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -78,9 +78,9 @@ TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
         EXPECT_LE(missed(FUNDAMENTAL, agreement, Params::accurate(), 40), 2) << agreement.name;
 }
 
-//! Those of MAGSAC++ rate models within a wider threshold: what agrees with each other may then
-//! look like noise, or hide how few matches are explained well. By eight matches, as they minimize
-//! another cost.
+//! MAGSAC++ rates models within a wider threshold. Consistent wrong matches may then look like
+//! noise, or hide how few matches fit well. The margin is eight matches, because another cost is
+//! minimized.
 TEST(Usac_Agreeing, matches_do_not_look_like_noise)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -90,8 +90,8 @@ TEST(Usac_Agreeing, matches_do_not_look_like_noise)
                 << (int)problem << ": " << agreement.name;
 }
 
-//! The samples of what the best model leaves count as all others: no search takes more than it is
-//! allowed.
+//! Samples of the points that the best model does not explain must count like all others, so that
+//! Params::maxIterations holds.
 TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
 {
     for (int limit = 1; limit < 600; limit += 37)
@@ -109,8 +109,8 @@ TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
     }
 }
 
-//! Random matches whose points are in clusters, or about the center of the image, are random for
-//! the presets whose reach grows with the noise, too.
+//! Random matches whose points are in clusters or near the center of the image must give no model,
+//! also with the presets whose reach grows with the noise.
 TEST(Usac_Agreeing, clusters_of_points_are_no_noise)
 {
     const OutlierModel models[] = {OUTLIERS_CLUSTERS, OUTLIERS_CENTER};

@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// With an estimated threshold, planes and second motions are as hard as with a given one:
-// doc/structured.md has the rates.
+// With an estimated threshold, planes and second motions must be missed no more often than with a
+// given one. The rates are in doc/structured.md.
 
 namespace opencv_test {
 namespace {
@@ -17,7 +17,7 @@ struct AutomaticScene
     int size;
     double ratio, plane;
     OutlierModel wrong;
-    int second;  //!< matches of a second motion, beside those that are right
+    int second;  //!< number of matches of the second motion or structure
 };
 
 const AutomaticScene AUTOMATIC_SCENES[] = {
@@ -35,7 +35,7 @@ std::ostream& operator<<(std::ostream& out, const AutomaticScene& scene)
     return out << scene.name;
 }
 
-//! What models cost more than the true one if they are other ones: matches.
+//! Cost, in outliers, by which a model must exceed the true one to count as a miss.
 const double MISSED = 2;
 
 typedef testing::TestWithParam<AutomaticScene> UsacAutomaticStructured;

@@ -29,7 +29,8 @@ Params widest(double pixels)
     return params;
 }
 
-//! Standard deviation, per component, of the errors of the true matches under the true model.
+//! Standard deviation per component, in pixels, of the errors of the true matches under a fit to
+//! them.
 double sigmaOf(const Scene& scene)
 {
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -50,8 +51,8 @@ double median(std::vector<double> values)
 typedef testing::TestWithParam<int> UsacAutomaticThreshold;
 INSTANTIATE_TEST_CASE_P(/**/, UsacAutomaticThreshold, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! The noise is found to 10 % in the median and to 35 % always, and what is promised of a given
-//! threshold holds for the estimated one.
+//! The standard deviation of the noise must be found within 10 % in the median and within 35 % in
+//! each scene. What is promised about a given threshold must hold for the estimated one.
 TEST_P(UsacAutomaticThreshold, noiseOfScenes)
 {
     for (double noise : NOISES)
@@ -77,7 +78,8 @@ TEST_P(UsacAutomaticThreshold, noiseOfScenes)
         }
 }
 
-//! With three and ten times the threshold that suits the noise, errors are as with that one.
+//! With a bound of three and ten times the right threshold, errors must be at most 1.1 times those
+//! with the right threshold.
 TEST_P(UsacAutomaticThreshold, asAccurateAsTheRightThreshold)
 {
     double right = 0, estimated = 0;
@@ -117,7 +119,8 @@ TEST_P(UsacAutomaticThreshold, sameBits)
     EXPECT_FALSE(sameBits(models[0], createUsac(scene, Params())->run()));
 }
 
-//! Other points of the same object give what a new object gives; any seed is allowed.
+//! Other points in the same object must give the result of a new object, also with the largest
+//! seed.
 TEST_P(UsacAutomaticThreshold, otherPointsAndSeeds)
 {
     const Scene first = sceneOf(GetParam(), 2, 1, 500), second = sceneOf(GetParam(), 0.1, 2);
@@ -135,7 +138,7 @@ TEST_P(UsacAutomaticThreshold, otherPointsAndSeeds)
     EXPECT_GT(before.sigma, 5 * after.sigma);
 }
 
-//! Of many points a part is searched; the threshold is that of all.
+//! Of many points only a part is searched, but the threshold must be that of all points.
 TEST_P(UsacAutomaticThreshold, manyPoints)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 50000);
@@ -147,7 +150,7 @@ TEST_P(UsacAutomaticThreshold, manyPoints)
     EXPECT_NEAR(0.6, (double)countNonZero(mask) / scene.size(), 0.05);
 }
 
-//! Random matches give no model, whatever their distribution is.
+//! Random matches must give no model, whether they are uniform or in clusters.
 TEST_P(UsacAutomaticThreshold, randomMatches)
 {
     const int SIZE = 300, RUNS = 10;
@@ -174,11 +177,11 @@ TEST_P(UsacAutomaticThreshold, randomMatches)
         }
 }
 
-//! If nothing tells the noise, the threshold is a third of the given one.
+//! If the noise cannot be estimated, the threshold must be a third of the given one.
 TEST_P(UsacAutomaticThreshold, tooFewPoints)
 {
     Scene scene = sceneOf(GetParam(), 0.5, 1, 8, 1);
-    std::reverse(scene.points2.begin(), scene.points2.end());  // wrong matches
+    std::reverse(scene.points2.begin(), scene.points2.end());  // makes all matches wrong
     Params params = widest(6);
     params.significance = 1;
     Report report;
@@ -194,7 +197,8 @@ TEST_P(UsacAutomaticThreshold, tooFewPoints)
     EXPECT_NEAR(2, report.threshold, 1e-9);
 }
 
-//! Without noise, the threshold is between the smallest, 1/1024 of the given one, and 1/200 of it.
+//! Without noise, the threshold must be between 1/1024 of the given one, the smallest allowed, and
+//! 1/200.
 TEST_P(UsacAutomaticThreshold, exactPoints)
 {
     const Scene scene = sceneOf(GetParam(), 0, 1);
@@ -208,7 +212,7 @@ TEST_P(UsacAutomaticThreshold, exactPoints)
         EXPECT_LE((int)scene.truth[i], (int)mask.at<uchar>(i)) << i;
 }
 
-//! refine() estimates the threshold under the given model; fit() does not.
+//! refine() must estimate the threshold under the given model; fit() must not.
 TEST_P(UsacAutomaticThreshold, givenModels)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1);
@@ -226,8 +230,9 @@ TEST_P(UsacAutomaticThreshold, givenModels)
     EXPECT_NEAR(1, other.threshold / report.threshold, 0.3);
 }
 
-//! Copies of a match have no noise; only different matches tell it. (An epipolar geometry may fit a
-//! wrong match, too, and then fits more matches than the true one.)
+//! Copies of an outlier have no noise, so that only different matches may be used to estimate it.
+//! (This is not tested with F and E: a model that fits the outlier, too, may fit more matches than
+//! the true one.)
 TEST_P(UsacAutomaticThreshold, repeatedMatches)
 {
     if (!mapsPoints((ProblemType)GetParam()))
@@ -257,7 +262,7 @@ TEST_P(UsacAutomaticThreshold, repeatedMatches)
     EXPECT_GE(right, SCENES - 1);
 }
 
-//! An initial model may tell the noise: then there are few samples.
+//! The noise may be estimated with an initial model, so that few samples suffice.
 TEST_P(UsacAutomaticThreshold, initialModel)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.4);
@@ -275,7 +280,8 @@ TEST_P(UsacAutomaticThreshold, initialModel)
     EXPECT_LE(modelError(scene, model), 1.5 * modelError(scene, first));
 }
 
-//! Scores with a threshold of their own, and those that are marginalized over it.
+//! The noise must also be found with scores that estimate a threshold, and with scores that are
+//! marginalized over the noise.
 TEST_P(UsacAutomaticThreshold, otherScores)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.7);
@@ -294,7 +300,7 @@ TEST_P(UsacAutomaticThreshold, otherScores)
     }
 }
 
-//! A second motion with fewer matches is not taken for wide noise.
+//! A second motion with fewer matches must not be taken for larger noise.
 TEST_P(UsacAutomaticThreshold, besideAnotherMotion)
 {
     int right = 0;
@@ -316,8 +322,9 @@ TEST_P(UsacAutomaticThreshold, besideAnotherMotion)
     EXPECT_GE(right, SCENES - 1);
 }
 
-//! A map may enlarge the noise of image 1 five times in one direction, so that most errors are much
-//! smaller than the largest ones. These are not taken for another motion.
+//! The map enlarges the noise of image 1 five times in one direction, so that most errors are much
+//! smaller than the largest ones. The inliers with large errors must not be taken for another
+//! motion.
 TEST(Usac_AutomaticThreshold, noiseEnlargedInOneDirection)
 {
     const int SCENES = 20, SIZE = 600, RIGHT = 400;
@@ -384,11 +391,12 @@ TEST(Usac_AutomaticThreshold, motionsOfSpace)
     EXPECT_EQ(report.inliers, countNonZero(mask));
 }
 
-/** Errors of known distribution: points of the plane against the map that leaves them in place. */
+/** Estimates the noise from errors of known distribution, those of points under the identity. */
 class NoiseOfErrors
 {
 public:
-    //! `tail`: part of the inliers with three times the noise.
+    //! @param tail fraction of the inliers with three times the noise
+    //! @param inliers fraction of inliers
     InlierNoise estimate(double sigma, double tail, double inliers, int seed, bool precise) const
     {
         const int SIZE = 2000;
@@ -441,8 +449,8 @@ TEST(Usac_InlierNoise, ofGaussianErrors)
             }
 }
 
-//! The threshold is that of 95 % of the inliers, also if a third of them have three times the
-//! noise.
+//! 5 % of the inliers must exceed the threshold, also if a third of the inliers have three times
+//! the noise.
 TEST(Usac_InlierNoise, ofBadlyLocatedInliers)
 {
     std::vector<double> sigmas, thresholds;
@@ -452,7 +460,7 @@ TEST(Usac_InlierNoise, ofBadlyLocatedInliers)
         sigmas.push_back(noise.sigma / 0.4);
         thresholds.push_back(noise.threshold / 0.4);
     }
-    // 2 / 3 exp(-x^2 / 2) + 1 / 3 exp(-x^2 / 18) = 0.05
+    // threshold x in sigmas: 2 / 3 exp(-x^2 / 2) + 1 / 3 exp(-x^2 / 18) = 0.05
     EXPECT_NEAR(5.84, median(thresholds), 0.6);
     EXPECT_NEAR(1, median(sigmas), 0.1);
 }

@@ -8,12 +8,12 @@
 
 #include <set>
 
-// Each pair of options, and on demand all combinations, on real matches.
+// Tests of each pair of options, and on demand of all combinations, on real matches.
 
 namespace opencv_test {
 namespace {
 
-//! One field of Params and the values that it can have.
+//! A field of Params and the values that it can have.
 struct Option
 {
     std::string name;
@@ -21,8 +21,8 @@ struct Option
     std::vector<int> values;
 };
 
-/** All fields of Params that choose among variants, with all their values: of sets, all subsets of
-checks of degeneracy and each criterion of termination by itself. */
+/** All fields of Params that select variants, with their values: all subsets of the degeneracy
+checks, and each termination criterion alone. */
 std::vector<Option> allOptions()
 {
     std::vector<Option> options;
@@ -54,7 +54,7 @@ int numberOf(int Params::*field)
     return i;
 }
 
-typedef std::vector<int> Choice;  //!< number of the value of each option
+typedef std::vector<int> Choice;  //!< index of the value of each option
 
 int valueOf(int option, int k) { return OPTIONS[option].values[k]; }
 int countOf(int option) { return (int)OPTIONS[option].values.size(); }
@@ -80,12 +80,12 @@ std::string describe(const Choice& choice)
     return text;
 }
 
-//! Nothing is polished: of 1500 random choices the errors of two without polishing and local
-//! optimization, 3.1 of H and 1.4 of E, were the only ones above the limits of arenaOf(), with this
-//! set of criteria one with sigma-consensus, 3.07 of H.
+//! Factor on the error limits of arenaOf() for choices without polishing. Of 1500 random choices,
+//! only two without polishing and local optimization exceeded these limits (3.1 pixels for H and
+//! 1.4 for E), and with these criteria one with sigma-consensus (3.07 for H).
 const double UNPOLISHED = 1.5;
 
-//! A real scene and what counts as a right model of it.
+//! A real scene, its threshold, and the largest error of a correct model (both in pixels).
 struct Arena
 {
     Arena(const char* name, double threshold_, double error_)
@@ -103,7 +103,8 @@ struct Arena
         params.confidence = 0.9999;
         for (int i = 0; i < OPTION_COUNT; ++i)
             params.*OPTIONS[i].field = valueOf(i, choice[i]);
-        if (params.termination == TERMINATION_ORDER)  // which is for use beside another one
+        // this criterion is for use together with another one
+        if (params.termination == TERMINATION_ORDER)
             params.termination |= TERMINATION_STANDARD;
         params.scores = params.scoreOrder == SCORES_HIGHER_IS_BETTER ? probabilities : set.scores;
         return params;
@@ -127,13 +128,14 @@ struct Arena
 
 Arena arenaOf(int problem)
 {
-    // the largest errors of a choice that covers pairs: 2.1, 1.6, 0.6; the medians 0.9, 0.6, 0.15
+    // Measured errors in pixels, over choices that contain all pairs of option values: at most 2.1
+    // (H), 1.6 (F) and 0.6 (E), with medians 0.9, 0.6 and 0.15.
     return problem == HOMOGRAPHY    ? Arena("graf", 2, 3)
            : problem == FUNDAMENTAL ? Arena("office01_F", 1, 2.4)
                                     : Arena("office01_E", 1, 1.2);
 }
 
-typedef std::pair<std::pair<int, int>, std::pair<int, int>> Pair;  //!< option and value, twice
+typedef std::pair<std::pair<int, int>, std::pair<int, int>> Pair;  //!< two pairs (option, value)
 
 Pair pairOf(int i, int a, int j, int b)
 {
@@ -160,8 +162,8 @@ int uncovered(const Choice& choice, const std::set<Pair>& open)
     return count;
 }
 
-//! The possible choice with a pair that has the most uncovered pairs, of many random ones; empty if
-//! there is none.
+//! Draws random choices that contain `pair`. @return the possible choice with the most pairs of
+//! `open`, or an empty one if no choice is possible
 Choice bestChoice(const Arena& arena, const Pair& pair, const std::set<Pair>& open, RNG& rng)
 {
     Choice best;
@@ -186,7 +188,7 @@ Choice bestChoice(const Arena& arena, const Pair& pair, const std::set<Pair>& op
     return best;
 }
 
-//! Choices that cover all possible pairs; the impossible ones are returned.
+//! Finds choices that together have all possible pairs. @return the impossible pairs
 std::set<Pair> coverPairs(const Arena& arena, std::vector<Choice>& choices)
 {
     std::set<Pair> open = allPairs(), impossible;
@@ -214,7 +216,7 @@ int ignoreErrors(int, const char*, const char*, const char*, int, void*) { retur
 class UsacCombinations : public testing::TestWithParam<int>
 {
 protected:
-    void SetUp() CV_OVERRIDE { redirectError(ignoreErrors); }  // Params::check is asked often
+    void SetUp() CV_OVERRIDE { redirectError(ignoreErrors); }  // Params::check throws often
     void TearDown() CV_OVERRIDE { redirectError(0); }
 };
 
@@ -223,12 +225,11 @@ TEST_P(UsacCombinations, each_pair_of_options)
     const Arena arena = arenaOf(GetParam());
     std::vector<Choice> choices;
     const std::set<Pair> impossible = coverPairs(arena, choices);
-    EXPECT_GT(choices.size(), (size_t)30);  // six by six values make as many
+    EXPECT_GT(choices.size(), (size_t)30);  // two options with six values have 36 pairs
     for (size_t i = 0; i < choices.size(); ++i)
         arena.expectRight(choices[i]);
 
-    // all values of the enumerations begin with 0, so that they are their numbers; those of the
-    // criteria are bits
+    // values of enumerations begin with 0, so that they equal their indices; criteria are bits
     const int sampler = numberOf(&Params::sampler), ordering = numberOf(&Params::ordering),
               scoreOrder = numberOf(&Params::scoreOrder), quality = numberOf(&Params::quality),
               verification = numberOf(&Params::verification),
@@ -240,7 +241,7 @@ TEST_P(UsacCombinations, each_pair_of_options)
         expected.insert(pairOf(quality, QUALITY_LMEDS, verification, v));
     for (int l = LOCAL_OPTIMIZATION_GRAPH_CUT; l < countOf(local); ++l)
         expected.insert(pairOf(quality, QUALITY_LMEDS, local, l));
-    const int sprt = 1, prosac = 3, magsac = 4;  // numbers of the bits
+    const int sprt = 1, prosac = 3, magsac = 4;  // indices of the bits
     expected.insert(pairOf(quality, QUALITY_LMEDS, termination, sprt));
     expected.insert(pairOf(quality, QUALITY_LMEDS, termination, prosac));
     expected.insert(pairOf(quality, QUALITY_LMEDS, termination, magsac));
@@ -259,7 +260,8 @@ TEST_P(UsacCombinations, each_pair_of_options)
         << impossible.size() << " pairs are impossible, " << expected.size() << " documented";
 }
 
-//! All combinations; hours. Run with --gtest_filter=*all_combinations* --test_tag_enable=verylong.
+//! All combinations, which take hours. Run with --gtest_filter=*all_combinations*
+//! --test_tag_enable=verylong.
 TEST_P(UsacCombinations, all_combinations)
 {
     applyTestTag(CV_TEST_TAG_VERYLONG);

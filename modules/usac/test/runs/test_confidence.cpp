@@ -10,9 +10,9 @@ namespace {
 
 const int RUNS = 1000;
 
-/** @brief Two homographies without noise among wrong matches. The right one has a few more matches
-than the other, which is what an impatient criterion ends with. Best match first: each part is
-evenly distributed, the right one is ahead. */
+/** @brief Two homographies without noise, among wrong matches. The true one has a few more matches
+than the other, the decoy. A criterion that ends the search too early returns the decoy. The rows
+are sorted, best first: each part is evenly distributed, with the true matches slightly earlier. */
 struct Rivals
 {
     Rivals(int right, int decoys, int outliers)
@@ -27,7 +27,7 @@ struct Rivals
         options.seed = 7;
         const Scene other = makeScene(HOMOGRAPHY, options);
         scene = all;
-        std::vector<std::pair<double, std::pair<int, int>>> order;  // place, and part and row
+        std::vector<std::pair<double, std::pair<int, int>>> order;  // position, (scene, row)
         int seen[2] = {0, 0};
         for (int i = 0; i < all.size(); ++i)
         {
@@ -56,7 +56,7 @@ struct Rivals
 
     int size() const { return scene.size(); }
 
-    //! Which rows agree with the right model, or with the other one.
+    //! The rows that are inliers of the true model, or of the decoy if `right` is false.
     std::vector<uchar> inliers(bool right, double threshold) const
     {
         std::vector<uchar> mask;
@@ -70,11 +70,12 @@ struct Rivals
     Matx33d decoyModel;
 };
 
-//! The criterion alone: no local optimization, no polishing, no checks.
+//! Parameters to test a criterion alone, without local optimization, polishing and degeneracy
+//! checks.
 Params plainParams(int termination, int verification = VERIFICATION_NONE)
 {
     Params params;
-    params.confidence = 0.9;  // so that failures are many enough to be counted
+    params.confidence = 0.9;  // low, so that there are enough failures to count
     params.maxIterations = 1000000;
     params.sampler = SAMPLER_UNIFORM;
     params.quality = QUALITY_INLIERS;
@@ -86,7 +87,7 @@ Params plainParams(int termination, int verification = VERIFICATION_NONE)
     return params;
 }
 
-//! Many runs with different seeds.
+//! The results of RUNS runs with different seeds.
 struct Runs
 {
     Runs(const Rivals& rivals, Params params)
@@ -103,7 +104,7 @@ struct Runs
         }
     }
 
-    //! No more failures than promised, and not much fewer than the scene makes.
+    //! There must be no more failures than promised, and about as many as expected in this scene.
     void check(double expected, int reason) const
     {
         const double deviation = std::sqrt(0.1 * 0.9 * RUNS);
@@ -117,7 +118,7 @@ struct Runs
     int stop;
 };
 
-//! Probability that m of n points, none twice, are all inliers.
+//! Probability that m different points of n are all inliers.
 double subsets(double inliers, int n, int m)
 {
     double p = 1;
@@ -126,11 +127,12 @@ double subsets(double inliers, int n, int m)
     return p;
 }
 
-//! The samples that are needed for an event of probability `p`.
+//! Number of samples that a criterion asks for, if a good sample has probability `p`.
 double closedForm(double p) { return std::ceil(std::log(0.1) / std::log1p(-p)); }
 
-/** How often the other model ends the search: the right one is not found in the `samples` that the
-other one takes, while that is. */
+/** Probability that the decoy ends the search: it is found in the first `samples` samples, the
+number that it asks for, but the true model is not. @param more points that must be inliers in
+addition to the sample */
 double failureRate(const Rivals& rivals, double threshold, double samples, int more = 0)
 {
     double p[2];
@@ -146,8 +148,8 @@ double failureRate(const Rivals& rivals, double threshold, double samples, int m
 
 int count(const std::vector<uchar>& mask) { return (int)std::count(mask.begin(), mask.end(), 1); }
 
-//! Standard, with and without repetition in the model of sampling, and with the models that T(d,d)
-//! drops.
+//! The standard criterion for sampling with (kind 0) and without repetition, and with a T(d,d)
+//! test, which rejects good models (kinds 2 and 3).
 TEST(Usac_Confidence, standard)
 {
     for (int kind = 0; kind < 4; ++kind)
@@ -168,7 +170,7 @@ TEST(Usac_Confidence, standard)
             const double k = closedForm(exact ? subsets(I, n, 4) * subsets(I, n, d)
                                               : std::pow(I / (double)n, 4));
             EXPECT_GE(runs.iterations[i], k) << kind;
-            asComputed += runs.iterations[i] == k;  // but if the model was found later
+            asComputed += runs.iterations[i] == k;  // otherwise the model was found later
         }
         EXPECT_GT(asComputed, RUNS * 0.85) << kind;
         const int decoys = count(rivals.inliers(false, params.threshold));
@@ -178,14 +180,15 @@ TEST(Usac_Confidence, standard)
     }
 }
 
-//! Inliers of a homography that P-NAPSAC calls significantly better than one with `inliers`.
+//! Number of inliers with which P-NAPSAC's criterion calls a homography significantly better than
+//! one with `inliers`.
 double significant(double inliers, double relaxation)
 {
     const double beside = inliers - 4;
     return 4 + beside * (1 + relaxation * beside / (beside + 30));
 }
 
-//! P-NAPSAC: a significantly better model is not missed.
+//! P-NAPSAC's criterion: a significantly better model must not be missed more often than promised.
 TEST(Usac_Confidence, pNapsac)
 {
     const Rivals rivals(110, 99, 91);
@@ -207,8 +210,8 @@ TEST(Usac_Confidence, pNapsac)
                STOP_P_NAPSAC);
 }
 
-//! SPRT drops models and asks for more samples in return; few, as its threshold is high for a
-//! solver that costs as much.
+//! SPRT rejects some good models, so that its criterion asks for more samples. These are few,
+//! because SPRT rejects rarely if the solver is as expensive as here.
 TEST(Usac_Confidence, sprt)
 {
     const Rivals rivals(202, 200, 198);
@@ -227,7 +230,8 @@ TEST(Usac_Confidence, sprt)
     runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys, n, 4))), STOP_SPRT);
 }
 
-//! PROSAC: what the criterion promises of the n* best points; ends with the sample that it says.
+//! PROSAC's criterion must keep its promise for the n* best points and end after the number of
+//! samples that it computes.
 TEST(Usac_Confidence, prosac)
 {
     const Rivals rivals(102, 100, 98);
@@ -252,7 +256,8 @@ TEST(Usac_Confidence, prosac)
         for (int i = 0; i < RUNS; ++i)
             asComputed += runs.iterations[i] == samples[0] || runs.iterations[i] == samples[1];
         EXPECT_LE(runs.wrong, 0.1 * RUNS + 3.5 * std::sqrt(0.1 * 0.9 * RUNS));
-        if (sampler == SAMPLER_PROSAC)  // local samples find either model sooner than promised
+        // the local samples of P-NAPSAC find both models earlier than computed
+        if (sampler == SAMPLER_PROSAC)
         {
             EXPECT_GE(runs.wrong, 0.03 * RUNS);
         }

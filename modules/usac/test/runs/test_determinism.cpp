@@ -7,7 +7,7 @@
 #include <functional>
 #include <thread>
 
-// The same bits each time: of the model, the mask and the report.
+// Repeated runs must give the same bits of the model, the mask and the report.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 class UsacDeterminism : public UsacProblem
 {
 protected:
-    //! Hard enough for batches that are worth several threads.
+    //! A scene so hard that batches are worth several threads.
     Scene hardScene(uint64 seed = 1) const
     {
         SceneOptions options;
@@ -24,7 +24,7 @@ protected:
         return makeScene(problem(), options);
     }
 
-    //! All presets, short.
+    //! All presets with at most 400 samples.
     std::vector<NamedPreset> presets() const
     {
         std::vector<NamedPreset> all = allPresets(problem());
@@ -62,7 +62,7 @@ TEST_P(UsacDeterminism, theRNG_is_not_used)
     }
 }
 
-//! All presets on one scene, from the `first` on.
+//! Runs all presets on one scene, beginning with preset number `first`.
 struct Job
 {
     void operator()()
@@ -105,7 +105,7 @@ TEST_P(UsacDeterminism, eight_threads_at_once)
                 << "thread " << i - 2 << ", " << all[p].name;
 }
 
-class Threads  //!< of OpenCV, put back at the end
+class Threads  //!< restores OpenCV's number of threads at the end
 {
 public:
     Threads() : before(getNumThreads()) {}

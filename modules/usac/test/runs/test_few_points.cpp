@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// Few points, a threshold far above their noise, strong perspective: sums of squared errors have
-// local minima, and the first model of the search has all points within the threshold.
+// Tests of few points, a threshold far above their noise, and strong perspective. Sums of squared
+// errors then have local minima, and even the first model of a search has all points as inliers.
 
 namespace opencv_test {
 namespace {
@@ -13,13 +13,13 @@ namespace {
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 
-//! Points without wrong matches, in coordinates around 1, and the model that made them.
+//! Points without outliers, and the true model.
 struct FewPoints
 {
     ProblemType problem;
     Mat points1, points2;
     std::vector<double> truth;
-    double threshold;  //!< the default of OpenCV's functions
+    double threshold;  //!< the default of OpenCV's functions in pixels
 
     Ptr<Usac> create(UsacV20Method flag) const
     {
@@ -38,7 +38,8 @@ Vec3d direction(RNG& rng)
     return v * (1 / cv::norm(v));
 }
 
-//! H of points in a circle of radius 100, whose horizon is as far from the center.
+//! Points for H in a circle of radius 100. The horizon is at the distance `horizon` from the
+//! center.
 FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
 {
     const double towards = rng.uniform(0., 2 * CV_PI), angle = rng.uniform(0., 2 * CV_PI);
@@ -53,7 +54,7 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
         const double radius = 100 * std::sqrt(rng.uniform(0., 1.)), at = rng.uniform(0., 2 * CV_PI);
         const Point2d p(radius * std::cos(at), radius * std::sin(at));
         const Vec3d q = H * Vec3d(p.x, p.y, 1);
-        if (std::abs(q[2]) < 5)  // 1/20 of that of the center: next to the horizon
+        if (std::abs(q[2]) < 5)  // too close to the horizon: 1/20 of the center's denominator
             continue;
         points1.push_back(p);
         points2.push_back(Point2d(q[0] / q[2], q[1] / q[2]) + gaussianPoint(rng, noise));
@@ -63,8 +64,8 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
     return points;
 }
 
-//! F, E or pose of cameras of focal length 1 with the epipole between the points, which may be near
-//! the camera.
+//! Points for F, E or a pose with focal length 1. The epipole is between the points, which may be
+//! near the camera.
 FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
 {
     Matx33d R;
@@ -98,7 +99,7 @@ FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
     return points;
 }
 
-//! Root mean square of the errors of all points, in the coordinates of the search.
+//! Root mean square error of all points in the internal coordinates of the search.
 double errorOf(const Usac& usac_, const Model& model)
 {
     Usac& usac = const_cast<Usac&>(usac_);
@@ -108,7 +109,7 @@ double errorOf(const Usac& usac_, const Model& model)
     return std::sqrt(cv::sum(errors)[0] / points.size);
 }
 
-//! Least squares over all points from a model.
+//! Least squares over all points, started at a model.
 Model leastSquares(Usac& usac, Model model)
 {
     const Correspondences& points = usac.points();
@@ -128,7 +129,8 @@ Model modelOf(const Usac& usac, const std::vector<double>& output)
     return model;
 }
 
-//! Of all flags, to that of least squares from the truth.
+//! With each flag, the error must be at most 1.1 times that of least squares started at the true
+//! model.
 void expectLeastSquares(const FewPoints& points, const String& name)
 {
     for (size_t k = 0; k < sizeof(FLAGS) / sizeof(FLAGS[0]); ++k)
@@ -143,9 +145,9 @@ void expectLeastSquares(const FewPoints& points, const String& name)
     }
 }
 
-/** A horizon that a camera sees between the points: no camera does, but a matrix does not know
-that. Most samples have points of both sides, and are refused; of six points, three on each side,
-all are. */
+/** The horizon is near or between the points; a homography allows the latter although no camera
+sees it. Most samples then have points on both sides, so that the orientation check rejects them.
+With six points, three on each side, it rejects all samples. */
 TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
 {
     const int counts[] = {6, 8, 10, 14, 20};
@@ -174,7 +176,7 @@ TEST(Usac_FewPoints, epipoleBetweenThePoints)
             }
 }
 
-//! Ten points, all samples: no fit that begins at one of them is better than what is returned.
+//! No fit that starts at any sample of the ten points may be better than the returned model.
 TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
 {
     int better = 0, equal = 0;
@@ -206,8 +208,8 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
     EXPECT_GT(equal, 20 * 100) << "of 20 times 210: most samples lead there";
 }
 
-//! Exact points on both sides of the second camera, which none of the checks of orientation
-//! expects.
+//! Exact points in front of and behind the second camera, for which the orientation checks are
+//! wrong.
 void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1,
                std::vector<Point2d>& points2)
 {

@@ -13,20 +13,20 @@
 #include <sstream>
 #include <Eigen/Dense>
 
-// Hashes of the results of every preset on the sets of test_data/ and synthetic scenes, against
-// those of test_data/hashes.txt: no unnoticed change of a result. After an intended one, all rows
-// are written anew by
+// Hashes of the results of every preset, on the sets of test_data/ and on synthetic scenes, are
+// compared with those of test_data/hashes.txt, so that no change of a result is unnoticed. After an
+// intended change, all rows are written again by
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
 //
-// The module's own arithmetic is that of IEEE 754, in an order that the source fixes, so compiler,
-// optimization and instruction set change nothing. What it calls may differ in the last bit between
-// machines: exp, log, pow, acos, cbrt .. of libm (glibc itself takes others on a processor without
-// FMA), cv::SVD of another OpenCV, the decompositions of another Eigen or with other vectors. The
-// file has a hash of some of their results, too. Where that is the same, the results have to be the
-// same to the bit. Elsewhere these rows are compared by the robust hash (mask, number of
-// iterations, why they ended), and a few may differ: a last bit decides where two models are as
-// good as each other.
+// The module's own arithmetic is that of IEEE 754 in an order that the source fixes, so that it
+// does not depend on compiler, optimization and instruction set. Functions of other libraries may
+// differ in the last bit between machines: exp, log, pow, acos, cbrt and others of libm (glibc
+// itself has other variants for processors without FMA), cv::SVD of another OpenCV, the
+// decompositions of another Eigen or with other vector instructions. The file also has a hash of
+// some of their results (`platform`). If it is equal, all results must be equal bit by bit.
+// Otherwise the rows are compared by their robust hashes (mask, number of iterations and reason of
+// the end). A few rows may then differ, where the last bit decides between two equally good models.
 
 namespace opencv_test {
 namespace {
@@ -39,7 +39,7 @@ struct Row
     }
 
     std::string name;
-    int iterations, inliers;  //!< for the reader of the file
+    int iterations, inliers;  //!< only for readers of the file
     uint64 robust, exact;
 };
 
@@ -56,7 +56,7 @@ struct Table
     std::vector<Row> rows;
 };
 
-//! Results of the functions of other libraries that this module uses.
+//! Hash of results of other libraries' functions that this module uses.
 uint64 platformHash()
 {
     Hash hash;
@@ -92,7 +92,7 @@ uint64 platformHash()
     return hash.value();
 }
 
-//! Which loops over points this process uses.
+//! Instruction set of the loops over points in this process.
 std::string kernelsInUse()
 {
 #ifdef USACV20_HAVE_AVX512
@@ -106,7 +106,7 @@ std::string kernelsInUse()
     return "baseline";
 }
 
-//! The presets, and each component that none of them has.
+//! The presets, and parameters with the components that no preset has.
 std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = allPresets(problem);
@@ -134,7 +134,7 @@ std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<flo
     return all;
 }
 
-//! Poses and motions of space have no symmetric residual.
+//! As hashedParams(), without the symmetric residual, which poses and 3-D motions do not have.
 std::vector<NamedPreset> hashedSpaceParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = hashedParams(problem, scores);
@@ -144,7 +144,7 @@ std::vector<NamedPreset> hashedSpaceParams(ProblemType problem, const std::vecto
     return all;
 }
 
-//! The result of each of the parameters, by estimate(params, mask, report).
+//! Adds a row with the result of estimate(params, mask, report) for each of the parameters.
 template <class Estimate>
 void addRows(const std::string& name, const std::vector<NamedPreset>& all, double threshold,
              const Estimate& estimate, std::vector<Row>& rows)
@@ -171,7 +171,7 @@ void addRows(const std::string& name, double threshold, std::vector<Row>& rows)
     addRows(name, hashedParams(set.problem, set.scores), threshold, estimate, rows);
 }
 
-//! A synthetic scene; its scores are in no order.
+//! Adds the rows of a synthetic scene, which is not sorted by its scores.
 void addRows(ProblemType problem, std::vector<Row>& rows)
 {
     SceneOptions options;
@@ -184,7 +184,7 @@ void addRows(ProblemType problem, std::vector<Row>& rows)
     addRows(nameOf(problem), hashedParams(problem, scene.scores), 2, estimate, rows);
 }
 
-//! A synthetic scene of absolute pose; 0 coefficients: no lens.
+//! Adds the rows of a synthetic scene of absolute pose. With 0 coefficients there is no lens.
 void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& rows)
 {
     PoseSceneOptions options;
@@ -200,8 +200,8 @@ void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& ro
     addRows(name, hashedSpaceParams(ABSOLUTE_POSE, scene.scores), 2, estimate, rows);
 }
 
-//! A synthetic scene of a motion of space, not sorted by its scores. Its unit is such that the
-//! radius of neighborhoods, whose default is meant for pixels, suits its coordinates.
+//! Adds the rows of a synthetic scene of a 3-D motion, which is not sorted by its scores. Its unit
+//! is chosen so that the default radius of neighborhoods, meant for pixels, suits the coordinates.
 void addRigidRows(ProblemType problem, std::vector<Row>& rows)
 {
     RigidSceneOptions options;
@@ -239,7 +239,7 @@ Table makeTable()
     return table;
 }
 
-//! That of this process.
+//! The table of this process.
 const Table& ownTable()
 {
     static const Table table = makeTable();
@@ -305,7 +305,7 @@ TEST(Usac_Hashes, stored)
         << "of " << table.rows.size() << " rows differ in their robust hash";
 }
 
-//! Without AVX-512.
+//! The best kernels of this processor except those for AVX-512.
 std::string secondBestKernels()
 {
 #ifdef USACV20_HAVE_AVX2
@@ -326,10 +326,11 @@ TEST(Usac_Hashes, kernels)
     EXPECT_EQ(expected ? expected : best, kernelsInUse());
 }
 
-// The other processes are started by a POSIX shell. Without AVX2 there are no other kernels.
+// A POSIX shell starts the other processes. Without AVX2 there is only one set of kernels.
 #if defined USACV20_HAVE_AVX2 && !defined _WIN32
 
-//! Runs a test in another process of this program, in which features of the processor are not used.
+//! Runs a test in another process of this program, which must not use these features of the
+//! processor.
 void testWithout(const std::string& features, const std::string& test, const std::string& variable)
 {
     const std::string program = testing::internal::GetArgvs()[0];
@@ -349,8 +350,8 @@ Table tableWithout(const std::string& features)
     return table;
 }
 
-//! OPENCV_CPU_DISABLE is read at the start of a process. It rules the code of OpenCV that is
-//! called, too.
+//! OPENCV_CPU_DISABLE is read at the start of a process. It also selects the code of OpenCV
+//! functions that are called.
 TEST(Usac_Hashes, every_instruction_set)
 {
     const Table& table = ownTable();
@@ -369,7 +370,7 @@ TEST(Usac_Hashes, every_instruction_set)
     }
 }
 
-//! The user may name the group, or one of its members.
+//! The variable may contain the name of the group, or of a single member.
 TEST(Usac_Hashes, every_part_of_avx512)
 {
     const std::string features[] = {"AVX512-SKX", "AVX512F", "AVX512BW", "AVX512DQ", "AVX512VL"};

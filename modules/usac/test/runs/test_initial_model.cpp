@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "support/contracts.hpp"
 
-// A model to begin with, Params::initialModel.
+// Tests of Params::initialModel.
 
 namespace opencv_test {
 namespace {
@@ -19,7 +19,7 @@ Mat runWith(const Scene& scene, const Params& params, Mat& mask, Report& report)
     return estimatePoints(scene.problem, scene.points1, scene.points2, params, mask, report);
 }
 
-//! One sample cannot find a model among three wrong matches in four: it comes from the one given.
+//! With 75 % outliers, a single sample finds no model, so that it must come from the initial model.
 TEST_P(UsacInitialModel, is_found_without_samples)
 {
     SceneOptions options;
@@ -45,7 +45,7 @@ TEST_P(UsacInitialModel, is_found_without_samples)
     EXPECT_GE(trackingReport.inliers, 0.98 * report.inliers);
 }
 
-//! A wrong model to begin with costs nothing but its rating: the right one is found.
+//! A wrong initial model must not prevent the correct model from being found.
 TEST_P(UsacInitialModel, wrong_one_does_no_harm)
 {
     const Scene scene = makeScene(problem());
@@ -65,8 +65,8 @@ TEST_P(UsacInitialModel, wrong_one_does_no_harm)
     }
 }
 
-//! Nor does the model of another motion, which is not random: it is fitted, and no model of a
-//! sample is as good as a fitted one.
+//! The initial model fits another motion. It has already been optimized, so that no model of a
+//! sample has a lower cost; the true model must be found nevertheless.
 TEST(Usac_InitialModel, of_another_motion_does_not_hide_the_right_one)
 {
     int missed[2] = {0, 0};
@@ -98,7 +98,7 @@ TEST(Usac_InitialModel, of_another_motion_does_not_hide_the_right_one)
         }
     }
     EXPECT_LE(missed[1],
-              missed[0] + 2);  // 11 of 40 where no sample was as good as the fitted model
+              missed[0] + 2);  // 11 of 40 if models of samples must beat the initial model
     EXPECT_LE(samples[1], 1.5 * samples[0]);
 }
 

@@ -7,7 +7,8 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// More points than are searched: the search uses a random part of them, polishing and mask all.
+// If there are too many points, the search uses a random part of them. Polishing and the mask must
+// use all points.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 const int MANY = 80000;
 const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_MAGSAC};
 
-//! Scenes of many points, and the least-squares fit to their true matches.
+//! Makes scenes with more points than a search uses.
 class UsacManyPoints : public testing::TestWithParam<int>
 {
 protected:
@@ -45,8 +46,8 @@ TEST_P(UsacManyPoints, asAccurateAsLeastSquares)
             own[k] += modelError(scene, estimate(scene, params));
         }
     }
-    // A fit to 35000 of the points only would have 1.5 times the error of the fit to all. Wrong
-    // matches near epipolar lines add to the errors of F and E.
+    // A fit to only 35000 of the points would have 1.5 times the error of the fit to all. Wrong
+    // matches near epipolar lines increase the errors of F and E.
     const double most = mapsPoints((ProblemType)GetParam()) ? 1.45 : 2.5;
     for (int k = 0; k < 3; ++k)
         EXPECT_LE(own[k], most * least) << "flag " << k;
@@ -82,8 +83,8 @@ TEST_P(UsacManyPoints, sameBitsForAnyNumberOfThreadsAndAgain)
     EXPECT_TRUE(sameBits(first, estimate(scene, params))) << "two threads";
 }
 
-//! Dense matchers give points row by row, and programs sort theirs: each part of the points, not
-//! only the searched one, is a random sample of all.
+//! Points may come row by row, as from dense matchers, or sorted. Internally, each part of the
+//! points must be a random sample of all, so that a part can be searched.
 TEST(Usac_ManyPoints, areInRandomOrder)
 {
     const Scene scene = makeScene(HOMOGRAPHY, SceneOptions());

@@ -5,8 +5,8 @@
 #include "support/linear_map.hpp"
 #include "support/contracts.hpp"
 
-// Affinities and similarities of every kind, and points that determine one badly or not at all. The
-// measure is the plain least-squares fit of the right matches, which knows them.
+// Tests of affinities and similarities of every kind, and of points that hardly determine a map or
+// not at all. For comparison, a map is fitted by least squares to the true matches.
 
 namespace opencv_test {
 namespace {
@@ -40,14 +40,15 @@ Point2d mapped(const Matx23d& map, const Point2d& p)
     return Point2d(q[0], q[1]);
 }
 
-//! Matches of a map with noise in image 2, then wrong ones anywhere in the box around image 2.
+//! Matches of a map with noise in image 2, followed by random ones in the image of the box by the
+//! map.
 struct Matches
 {
     Matches(const Matx23d& map_, int right_, int wrong, double noise_, uint64 seed)
         : map(map_), right(right_)
     {
         RNG rng(seed);
-        // in units of image 2, in which noise and threshold are
+        // mean scale of the map; noise and threshold are multiples of it
         unit = std::sqrt(std::abs(map(0, 0) * map(1, 1) - map(0, 1) * map(1, 0)));
         for (int i = 0; i < right + wrong; ++i)
         {
@@ -59,8 +60,8 @@ struct Matches
         }
     }
 
-    //! Root mean square distance of the right matches from where the true map takes them; infinite
-    //! without a map.
+    //! Root mean square distance, over the true matches, between points mapped by `model` and by
+    //! the true map, divided by `unit`. Infinite without a map.
     double error(const Mat& model) const
     {
         if (model.empty())
@@ -81,7 +82,7 @@ struct Matches
         return error(Mat(best));
     }
 
-    //! The answer, which keeps what is promised.
+    //! Estimates a map and checks that the result keeps all promises.
     Mat estimate(ProblemType problem, Params params) const
     {
         params.threshold *= unit;
@@ -110,7 +111,7 @@ TEST_P(Usac_Maps, kinds)
             Params params;
             params.threshold = 2;
             const Mat model = matches.estimate(problem(), params);
-            if (problem() == SIMILARITY && !KINDS[k].similar)  // no crash, no broken promise
+            if (problem() == SIMILARITY && !KINDS[k].similar)  // only the promises are checked
                 continue;
             ours += matches.error(model);
             best += matches.errorOfLeastSquares(problem());
@@ -140,7 +141,7 @@ TEST_P(Usac_Maps, inlierRatios)
     }
 }
 
-//! From as many points as determine the map on.
+//! As many exact points as determine the map must suffice.
 TEST_P(Usac_Maps, fewExactPoints)
 {
     const int least = problem() == AFFINITY ? 3 : 2;
@@ -180,8 +181,8 @@ TEST_P(Usac_Maps, pointsOfALine)
     EXPECT_TRUE(estimatePoints(problem(), same, places, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), line, same, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), same, same, Params(), noArray(), report).empty());
-    // nearly on a line: the errors of the points themselves, as what is off the line is not
-    // determined
+    // Points nearly on a line do not determine what the map does off the line. The errors at the
+    // points must be at most 1.1 times those of least squares.
     for (double width = 2; width > 1e-3; width /= 10)
     {
         std::vector<Point2d> points1 = line, points2;
@@ -203,7 +204,7 @@ TEST_P(Usac_Maps, pointsOfALine)
     }
 }
 
-//! Half of the rows are one right or one wrong match.
+//! Half of the rows are copies of a true match or (`wrong`) of an outlier, which must count as one.
 TEST_P(Usac_Maps, repeatedMatches)
 {
     for (int wrong = 0; wrong < 2; ++wrong)
@@ -220,7 +221,7 @@ TEST_P(Usac_Maps, repeatedMatches)
         }
 }
 
-//! The motion of more matches, not one between them.
+//! With two motions, the result must be the motion of more matches and not one between the two.
 TEST_P(Usac_Maps, twoMotions)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)

@@ -6,8 +6,8 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// Many of the second points are at one place, as a watermark or a dead pixel makes them: a model
-// that takes everything there is not the right one.
+// Many of the second points are at one point, as with a watermark or a dead pixel. A model that
+// maps everything to this point has many inliers but must not be returned.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC};
 
-//! Parts of 200 matches.
+//! Fractions of the 200 matches: true ones, and those that lead to `places` points.
 struct Parts
 {
     double right, atPlaces;
@@ -108,8 +108,8 @@ TEST_P(Usac_Places, no_flag_collapses)
         }
 }
 
-//! Without the checks a model that takes all to the place may be returned: the report says what it
-//! rests on.
+//! Without degeneracy checks, a model that maps everything to one point may be returned. The report
+//! must then say that only few inliers are independent.
 TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
 {
     int collapsed = 0;
@@ -134,8 +134,8 @@ TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
     EXPECT_GT(collapsed, 0);
 }
 
-//! The map of an object of 16 pixels in image 2 is no collapse, however large the object is in
-//! image 1.
+//! An object that is 16 pixels large in image 2 must be found, however large it is in image 1. Such
+//! a map must not be mistaken for one that maps everything to a point.
 TEST(Usac_Places_Objects, small_ones_are_found)
 {
     for (int problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})

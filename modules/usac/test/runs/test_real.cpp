@@ -5,13 +5,13 @@
 #include "support/contracts.hpp"
 #include "support/real_set.hpp"
 
-// Real matches of test_data/, against ground truth that no estimator has seen.
+// Real matches of test_data/ are compared with ground truth that is independent of all estimators.
 
 namespace opencv_test {
 namespace {
 
-//! A set, its inlier threshold, the largest mean error of the check points and the least number of
-//! inliers.
+//! A set, its inlier threshold, the largest mean error of the check points (both in pixels) and the
+//! least number of inliers.
 struct RealCase
 {
     const char* name;
@@ -44,7 +44,8 @@ const RealCase CASES[] = {{"graf", 2, 0.6, 235},       {"aloe", 1, 0.3, 265},
                           {"office01_E", 1, 0.6, 260}, {"office12_E", 1, 0.9, 140}};
 INSTANTIATE_TEST_CASE_P(/**/, UsacReal, testing::ValuesIn(CASES));
 
-//! Without this the bounds of the other tests would mean nothing.
+//! The true model must fit the check points and a wrong one must not, or the other tests would be
+//! worthless.
 TEST_P(UsacReal, truth_fits_the_check_points)
 {
     EXPECT_LT(set.error(set.model), 0.2);
@@ -54,12 +55,12 @@ TEST_P(UsacReal, truth_fits_the_check_points)
 TEST_P(UsacReal, every_flag)
 {
     Mat mask;
-    const bool graf = real.name == std::string("graf");  // of 200 seeds 7 (MAGSAC: 12) end in
-                                                         // another optimum, 1.7 px off
+    const bool graf = real.name == std::string("graf");  // of 200 seeds, 7 (MAGSAC: 12) end in
+                                                         // another optimum, 1.7 pixels off
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
     verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);
-    // its reach is three thresholds, and the wall is not quite a plane
+    // MAGSAC++ has a reach of 2.4 thresholds, and the wall is not quite a plane
     verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, real.threshold / 2, mask), mask,
            graf ? 4 : 2);
     verify("USACV20_PROSAC", set.sorted().find(USACV20_PROSAC, real.threshold, mask), mask);
@@ -79,7 +80,8 @@ TEST_P(UsacReal, scores)
     verify("1 - scores", set.estimateWith(params, mask, report), mask);
 }
 
-//! A few seeds in a hundred end in another local optimum of graf, whose wall is not quite a plane.
+//! A few percent of the seeds end in another local optimum of graf, because its wall is not quite a
+//! plane.
 TEST_P(UsacReal, every_seed)
 {
     int elsewhere = 0;

@@ -5,7 +5,7 @@
 #include "support/contracts.hpp"
 #include "support/process_memory.hpp"
 
-// Many points, and many calls. Times are printed with --test_debug, and not compared with anything.
+// Tests with many points and with many calls. Times are only printed, with --test_debug.
 
 namespace opencv_test {
 namespace {
@@ -17,11 +17,11 @@ Scene largeScene(ProblemType problem, int size)
     return makeScene(problem, options);
 }
 
-//! What one estimation cost.
+//! Time, memory and report of one estimation.
 struct Cost
 {
     Report report;
-    double bytes, milliseconds;  //!< bytes beyond the input
+    double bytes, milliseconds;  //!< memory beyond that of the input
 };
 
 Cost costOf(const Scene& scene, const Params& params)
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacScale, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 TEST_P(UsacScale, million_points)
 {
-    const double BYTES = 300;  // a point; about 200 are needed
+    const double BYTES = 300;  // per point; about 200 are needed
     const bool measurable = memoryIsMeasurable();
     int iterations = 0, localOptimizations = 0;
     for (int size = 10000; size <= 1000000; size *= 10)
@@ -73,7 +73,8 @@ TEST_P(UsacScale, million_points)
     }
 }
 
-//! Counts the points whose errors are asked for; no fused kernel goes round it.
+//! Counts the points whose errors are computed. As a residual of a caller, it is not bypassed by
+//! fused kernels.
 class CountingResidual : public Residual
 {
 public:
@@ -118,7 +119,7 @@ private:
     const Ptr<NonMinimalSolver> solver;
 };
 
-//! How often each point is looked at; a search for one seed may be lucky.
+//! How many times each point is rated and used in fits. It varies with the seed.
 double workPerPoint(ProblemType problem, const NamedPreset& preset, int size, uint64 seed)
 {
     Params params = preset.params;
@@ -143,8 +144,8 @@ TEST_P(UsacScale, work_is_linear)
     for (size_t p = 0; p < presets.size(); ++p)
     {
         if (presets[p].params.termination & TERMINATION_PROSAC)
-            continue;  // which waits until its subset has grown: the samples, not the work of one,
-                       // depend on N
+            continue;  // it waits until its subset has grown, so that the number of samples depends
+                       // on N
         double few = 0, many = 0;
         for (uint64 seed = 0; seed < 5; ++seed)
         {
@@ -155,7 +156,8 @@ TEST_P(UsacScale, work_is_linear)
     }
 }
 
-//! Whatever the neighbors are; in the coarsest layer of a radius all points are neighbors of all.
+//! Memory must be bounded with every neighborhood, even if all points are neighbors in its coarsest
+//! layer.
 TEST_P(UsacScale, memory_of_every_neighborhood)
 {
     if (!memoryIsMeasurable())
@@ -170,7 +172,7 @@ TEST_P(UsacScale, memory_of_every_neighborhood)
     }
 }
 
-//! One call after the other, of all problems and presets.
+//! Memory must not grow over many calls with all problems and presets.
 void manyCalls(int count)
 {
     if (!memoryIsMeasurable())
@@ -181,7 +183,7 @@ void manyCalls(int count)
     options.outliers = 10;
     for (int problem : TWO_VIEW_PROBLEMS)
         scenes.push_back(makeScene((ProblemType)problem, options));
-    const std::vector<NamedPreset> presets = allPresets(AFFINITY);  // which all problems take
+    const std::vector<NamedPreset> presets = allPresets(AFFINITY);  // valid for all problems
     const int warmUp = 500;
     double before = 0;
     for (int i = 0; i < warmUp + count; ++i)

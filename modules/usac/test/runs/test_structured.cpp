@@ -7,8 +7,8 @@
 namespace opencv_test {
 namespace {
 
-//! Scenes with the structure that machines give them; see doc/structured.md for the rates, which
-//! take more runs than a test has.
+//! Scenes with typical camera motions of vehicles and other machines, or with a plane. The rates of
+//! failures are in doc/structured.md; they need more runs than a test can have.
 struct Structure
 {
     const char* name;
@@ -54,8 +54,8 @@ TEST_P(Usac_Structured, no_flag_is_wrong)
 
 INSTANTIATE_TEST_CASE_P(Motions, Usac_Structured, testing::ValuesIn(STRUCTURES));
 
-//! Few points, and scores that help, tell nothing, or are upside down: the scores make the search
-//! shorter or longer, not wrong.
+//! Few points with scores that are informative, random or reversed. Scores may change the length of
+//! the search, but the result must be correct.
 TEST(Usac_Structured, any_order_of_scores)
 {
     const double information[] = {0.9, 0.5, 0.05};

@@ -10,7 +10,7 @@ namespace {
 typedef testing::TestWithParam<int> Usac_WidestReach;
 INSTANTIATE_TEST_CASE_P(/**/, Usac_WidestReach, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Of some scenes; the mask is checked, too.
+//! Mean error over six scenes in pixels; the masks are checked, too.
 double meanError(int problem, Params params, double pixels)
 {
     const int SCENES = 6;
@@ -32,8 +32,8 @@ double meanError(int problem, Params params, double pixels)
     return sum;
 }
 
-//! A noise of 0.5 pixels: a threshold of a hundredth to a half is as good as one of three times
-//! that.
+//! The noise is 0.5 pixels. With thresholds of 0.005 to 0.6 pixels, errors must be at most 1.3
+//! times those with 1.5 pixels, unless `widestReach` is too small.
 TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
 {
     const double usual = meanError(GetParam(), Params::magsacPlusPlus(), 1.5);
@@ -45,13 +45,13 @@ TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
     Params narrow = Params::magsacPlusPlus();
     narrow.widestReach = 1;
     EXPECT_GT(meanError(GetParam(), narrow, 0.1), 2 * usual);
-    narrow.widestReach = 5;  // half of the noise's
+    narrow.widestReach = 5;  // half of the value that suits the noise
     const double between = meanError(GetParam(), narrow, 0.1);
     EXPECT_GT(between, 1.1 * usual);
 }
 
-//! Where no more noise is found than the threshold allows for, nothing changes; and it does not
-//! depend on the threads where it is.
+//! If the noise is not larger than the threshold allows for, `widestReach` must change no bit. If
+//! it is larger, the result must not depend on the number of threads.
 TEST_P(Usac_WidestReach, bits)
 {
     const Scene scene = makeScene((ProblemType)GetParam());
@@ -72,10 +72,10 @@ TEST_P(Usac_WidestReach, bits)
     }
 }
 
-//! Coordinates and threshold in another unit give the same inliers and errors in that unit.
+//! With coordinates and threshold in another unit the inliers must be the same.
 TEST_P(Usac_WidestReach, unit)
 {
-    if (GetParam() == ESSENTIAL)  // its unit is the focal length
+    if (GetParam() == ESSENTIAL)  // the unit of E is the focal length
         return;
     const Scene scene = makeScene((ProblemType)GetParam());
     Mat masks[2];
@@ -97,7 +97,7 @@ TEST_P(Usac_WidestReach, unit)
     EXPECT_TRUE(sameBits(masks[0], masks[1]));
 }
 
-//! A model that is right may have no inliers at all.
+//! A correct model may have no inliers at all, because the mask uses the small threshold.
 TEST(Usac_WidestReach_Mask, mayBeEmpty)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -114,8 +114,8 @@ TEST(Usac_WidestReach_Mask, mayBeEmpty)
     EXPECT_NE((int)STOP_NO_MODEL, report.stop);
 }
 
-//! Refuses models of the first group of points once the threshold has become wider than it was, or
-//! all once narrower.
+//! A check that becomes active when the internal threshold has become larger (`wider`) or smaller.
+//! It then rejects models with most inliers in the first group of points (`wider`), or all models.
 class RefusesGroup : public Degeneracy
 {
 public:
@@ -152,8 +152,7 @@ public:
     int refused;
 };
 
-//! Two groups of points, each with a map of its own, and a check that refuses that of the first
-//! one.
+//! Two groups of points, each with a homography of its own, and such a check.
 struct TwoGroups
 {
     TwoGroups(int seed, double noise, int others, int outliers, bool wider)
@@ -184,8 +183,8 @@ struct TwoGroups
     Ptr<RefusesGroup> check;
 };
 
-//! A check that refuses the best model when the reach has grown is obeyed: the model of the other
-//! group is found.
+//! If a check rejects the best model after the reach has grown, this model must not be returned.
+//! The model of the other group must be found.
 TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
 {
     int found = 0;
@@ -201,11 +200,11 @@ TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
         found += !model.empty();
         EXPECT_TRUE(model.empty() || modelError(groups.second, model) < 3) << seed;
     }
-    EXPECT_GE(found, 4);  // none if the reach grew with the last sample
+    EXPECT_GE(found, 4);  // 0 if the reach grew only after the last sample
 }
 
-//! The same when it shrinks again, after it has grown for a poor model, that of few samples, in
-//! some of the scenes.
+//! The same if the reach shrinks again at the end, after it has grown for the poor model of few
+//! samples. This happens in some of the scenes.
 TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best_at_the_end)
 {
     int refusals = 0;

@@ -16,8 +16,8 @@ Params withScores(const std::vector<float>& scores)
     return params;
 }
 
-//! Chi-squared of counts with these expectations, in standard deviations from its mean; what must
-//! not occur does not.
+//! Chi-squared statistic of counts with these expectations: its distance from its mean in standard
+//! deviations. Counts with expectation 0 must be 0.
 double deviationFrom(const std::vector<int>& counts, const std::vector<double>& expected)
 {
     double sum = 0, freedom = -1;
@@ -34,7 +34,7 @@ double deviationFrom(const std::vector<int>& counts, const std::vector<double>& 
     return (sum - freedom) / std::sqrt(2 * freedom);
 }
 
-//! A sampler of points with the given weights, and the weights in the order of its points.
+//! A sampler with the given scores as weights, and the weights in the internal order of the points.
 struct Weighted
 {
     Weighted(ProblemType problem, const std::vector<float>& scores, uint64 seed)
@@ -53,7 +53,7 @@ struct Weighted
     double sum;
 };
 
-//! Weights over three orders of magnitude, some of them 0.
+//! Weights over three orders of magnitude and some weights of 0.
 std::vector<float> variedScores(int count)
 {
     std::vector<float> scores;
@@ -62,8 +62,8 @@ std::vector<float> variedScores(int count)
     return scores;
 }
 
-//! The first point of a sample has the probability of its weight, the second one that of its weight
-//! among the others.
+//! The probability of the first point of a sample must be proportional to its weight, and that of
+//! the second point to its weight among the remaining points.
 TEST(Usac_Importance, distributionByChiSquared)
 {
     const int N = 24, SAMPLES = 200000;
@@ -112,8 +112,8 @@ TEST(Usac_Importance, equalWeightsAreUniform)
     EXPECT_LT(std::abs(deviation(last, SAMPLES)), 4.5);
 }
 
-//! With fewer points of positive weight than a sample has, or as many, all of them are in each; the
-//! rest is uniform.
+//! If at most as many points as a sample needs have positive weights, all of them must be in each
+//! sample, and the remaining points of the sample must be uniform.
 TEST(Usac_Importance, fewPointsOfPositiveWeight)
 {
     const int N = 30, SAMPLES = 20000;
@@ -145,8 +145,8 @@ TEST(Usac_Importance, fewPointsOfPositiveWeight)
         }
 }
 
-//! Where one or two points have nearly all of the weight, samples are still of distinct points, and
-//! the others as they should be.
+//! If one or two points have nearly all of the weight, samples must still have distinct points, and
+//! the others must have the right probabilities.
 TEST(Usac_Importance, overwhelmingWeights)
 {
     const int N = 20, SAMPLES = 20000;
@@ -175,7 +175,7 @@ TEST(Usac_Importance, overwhelmingWeights)
     }
 }
 
-//! Probabilities that say something find the model in fewer samples; through Params.
+//! Informative probabilities must lead to the model with fewer samples.
 TEST(Usac_Importance, findsTheModelSooner)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -201,7 +201,7 @@ TEST(Usac_Importance, findsTheModelSooner)
             }
         }
         EXPECT_EQ(6, found[1]) << "problem " << problem;
-        if (sampleSizeOf(problem) >= 4)  // 60 uniform samples of fewer points do find it
+        if (sampleSizeOf(problem) >= 4)  // 60 uniform samples suffice for smaller ones
         {
             EXPECT_LE(found[0], 3) << "problem " << problem;
         }

@@ -25,7 +25,7 @@ Params withRadius(double radius)
     return params;
 }
 
-//! The first point is uniform, the others are uniform among its neighbors.
+//! The first point must be uniform, and the others uniform among its neighbors.
 TEST(Usac_Napsac, uniformAmongNeighbors)
 {
     const int N = 40, SAMPLES = 40000, MEMBERS = 33;
@@ -62,7 +62,8 @@ TEST(Usac_Napsac, uniformAmongNeighbors)
     }
 }
 
-//! Points with too few neighbors are no centers; the others are equally often.
+//! Points with too few neighbors must not be the first point of a sample; all others must be so
+//! equally often.
 TEST(Usac_Napsac, lonelyPointsAreNoCenters)
 {
     const int N = 300, SAMPLES = 60000;
@@ -96,7 +97,7 @@ TEST(Usac_Napsac, lonelyPointsAreNoCenters)
     }
 }
 
-//! Where no point has neighbors, samples are uniform.
+//! If no point has neighbors, samples must be uniform.
 TEST(Usac_Napsac, uniformWithoutNeighbors)
 {
     const int N = 30, SAMPLES = 6000;
@@ -128,7 +129,8 @@ TEST(Usac_Napsac, worksWithTheGridAndFewPoints)
         }
 }
 
-//! A small object among many wrong matches, where uniform samples have no chance.
+//! The true matches are on a small object among 90 % outliers. NAPSAC must find it, uniform samples
+//! mostly not.
 TEST(Usac_Napsac, findsALocalModel)
 {
     SceneOptions options;
@@ -142,7 +144,7 @@ TEST(Usac_Napsac, findsALocalModel)
             options.seed = seed;
             Scene scene = makeScene(HOMOGRAPHY, options);
             const Matx33d shrink(0.25, 0, 200, 0, 0.25, 150, 0, 0,
-                                 1);  // of both images, for the true matches
+                                 1);  // applied to both images of the true matches
             for (int i = 0; i < scene.size(); ++i)
                 if (scene.truth[i])
                 {

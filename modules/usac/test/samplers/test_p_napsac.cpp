@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! Of the next samples, the fraction whose points all share a cell of the coarsest layer.
+//! The fraction of the next samples whose points are all in one cell of the coarsest layer.
 double localFraction(Draw& draw, int samples)
 {
     Neighborhood& grid = *draw.usac->components().neighborhood;
@@ -57,9 +57,9 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     }
 }
 
-//! The first point of P-NAPSAC's samples is PROSAC's: of the growing set, and the newest point as
-//! long as it is new. This holds for one sample in Params::orderedEvery after the first eight; the
-//! others are uniform, and they count.
+//! The first point of P-NAPSAC's samples must be drawn like PROSAC's: from the growing set, and the
+//! newest point as long as it is new. This holds for one sample in Params::orderedEvery after the
+//! first eight samples. The other samples must be uniform and count for the termination criteria.
 void expectGrowth(int ordering, int period)
 {
     const int N = 300, first = period > 1 ? 8 : 0;
@@ -70,7 +70,7 @@ void expectGrowth(int ordering, int period)
     const std::vector<double> limit = publishedGrowth(N, draw.m);
     const bool
         known = ordering ==
-                ORDERING_INPUT_ORDER;  // then the set grows with the samples that follow the order
+                ORDERING_INPUT_ORDER;  // the set grows only with ordered samples
     GrowingSet set(draw.m, N);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
     for (int t = 1; t <= 20000; ++t)
@@ -111,7 +111,7 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
     expectGrowth(ORDERING_DENSITY, 4);
 }
 
-//! The order of the rows, by a component of a program.
+//! An ordering of the caller, by the rows; `known` says whether the order is informative.
 class OwnOrdering : public Ordering
 {
 public:
@@ -127,7 +127,7 @@ private:
     const bool known;
 };
 
-//! The samples of a run that draws 40.
+//! Records the samples and whether they count.
 class Recorder : public Sampler
 {
 public:
@@ -161,9 +161,9 @@ std::vector<int> samplesBy(int ordering, const Ptr<Ordering>& own = Ptr<Ordering
     return recorder->drawn;
 }
 
-//! An Ordering says itself what its order is worth, whatever Params::ordering was: with the rows'
-//! order in its place the samples are those of ORDERING_INPUT_ORDER if it is informative, others if
-//! it is a guess.
+//! Whether an order is informative must depend on the Ordering and not on Params::ordering. With an
+//! informative ordering by the rows, the samples must be those of ORDERING_INPUT_ORDER, with one
+//! that is a guess they must differ.
 TEST(Usac_Samplers, pNapsacAsksTheOrdering)
 {
     const std::vector<int> rows = samplesBy(ORDERING_INPUT_ORDER);

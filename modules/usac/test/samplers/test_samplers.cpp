@@ -28,7 +28,7 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
             }
 }
 
-//! Counts the calls.
+//! Counts the calls of sort(). `known_` says whether its order is informative.
 class CountingOrdering : public Ordering
 {
 public:
@@ -55,7 +55,7 @@ int sortings(ProblemType problem, int ordering, int outliers)
     return counting->calls;
 }
 
-//! Easy problems end before the order is needed, whether it is known or a guess.
+//! Easy problems must end before the order is needed, whether the order is known or a guess.
 TEST(Usac_Samplers, pointsAreSortedOnceAndOnlyIfNeeded)
 {
     for (int problem = FUNDAMENTAL; problem <= ESSENTIAL; ++problem)

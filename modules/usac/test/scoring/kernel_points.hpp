@@ -26,7 +26,7 @@ struct NamedKernels
     Kernels kernels;
 };
 
-//! Of all instruction sets that this processor has.
+//! Kernels of all instruction sets that this processor has.
 std::vector<NamedKernels> availableKernels()
 {
     std::vector<NamedKernels> result;
@@ -52,7 +52,7 @@ std::vector<NamedKernels> availableKernels()
     return result;
 }
 
-//! Points and models of all qualities.
+//! Points, and 20 models with increasing deviations from the true one.
 struct Fixture
 {
     explicit Fixture(Formula::Kind kind_, uint64 seed = 1) : kind(kind_)
@@ -109,7 +109,7 @@ struct Fixture
         }
     }
 
-    //! Their scale is part of the models.
+    //! Motions with a scale, which is part of the models.
     void createMotions(uint64 seed)
     {
         RigidSceneOptions options;
@@ -144,7 +144,7 @@ struct Fixture
     std::vector<Model> models;
 };
 
-//! The same of a pose; what is behind the camera is infinitely far.
+//! Squared reprojection error of a point under a pose; infinite behind the camera.
 double directReprojection(const Correspondences& p, const Matx34d& P, int i)
 {
     const Vec3d x = P * Vec4d(p.column[0][i], p.column[1][i], p.column[2][i], 1);

@@ -13,7 +13,7 @@
 namespace opencv_test {
 namespace {
 
-//! The plainest search, whatever the threshold.
+//! The simplest search, independent of the threshold.
 Params searchParams()
 {
     Params params;
@@ -33,8 +33,8 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const int m = sampleSizeOf(problem);
-    // F, E: 1.4826 * 2.5. H: with the quantile sqrt(-2 log(1 - p)) of the length of a Gaussian
-    // vector of the plane
+    // F, E: 2.5 sigma, with sigma as 1.4826 medians. Maps: the same from the quantile sqrt(-2 log(1
+    // - p)) of the length of a Gaussian vector in the plane
     const double outside = std::erfc(2.5 / std::sqrt(2.));
     const double constant = mapsPoints(problem) ? std::sqrt(std::log(outside) / std::log(0.5))
                                                 : 2.5 * 1.482602;
@@ -68,7 +68,7 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
     }
 }
 
-//! As many inliers of Gaussian noise lie within the threshold as within 2.5 sigma of one degree of
+//! As many Gaussian errors must be within the threshold as within 2.5 sigma with one degree of
 //! freedom.
 TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
 {
@@ -122,8 +122,7 @@ TEST_P(Usac_Lmeds_Problem, undefinedErrors)
     EXPECT_EQ(0, empty.cost);
 }
 
-//! A point without an error is one of the far ones, wherever it stands: the median is that with
-//! infinity in its place.
+//! An undefined error must count as infinite, wherever the point is in the list.
 TEST_P(Usac_Lmeds_Problem, someUndefinedErrors)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -160,12 +159,13 @@ TEST_P(Usac_Lmeds_Problem, someUndefinedErrors)
         ASSERT_NEAR(COUNT * root / (root + 1), quality.cost, 1e-9 * COUNT) << trial;
         ASSERT_EQ(COUNT / 2 + 1, quality.inliers) << trial;
         const double constant = score->threshold(context, Matx33d::eye()) / root;
-        residual->given = sorted;  // no NaN
+        residual->given = sorted;  // NaN replaced by infinity
         ASSERT_NEAR(score->threshold(context, Matx33d::eye()) / root, constant, 1e-9) << trial;
     }
 }
 
-//! Any threshold, and all but half of the points wrong: the right model all the same.
+//! With any threshold and 49 % outliers, the correct model must be found. MSAC does not find it
+//! with such a threshold.
 TEST_P(Usac_Lmeds_Problem, breakdown)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -174,23 +174,23 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
     {
         SceneOptions options;
         options.inliers = 306;
-        options.outliers = 294;  // 49 in 100
+        options.outliers = 294;  // 49 %
         options.seed = 1 + trial;
         const Scene scene = makeScene(problem, options);
         Params params = searchParams();
         params.threshold = 1e4;
-        params.polishing = POLISHING_REWEIGHTED;  // within the threshold that was found
+        params.polishing = POLISHING_REWEIGHTED;  // uses the estimated threshold
         params.seed = trial;
         right += modelError(scene, estimate(scene, params)) <
-                 (problem == SIMILARITY ? 1 : 0.5);  // of two points
+                 (problem == SIMILARITY ? 1 : 0.5);  // two-point samples
         params.quality = QUALITY_MSAC;
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }
     EXPECT_EQ(5, right);
-    EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);  // one point may be near
+    EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);  // or by chance
 }
 
-//! The threshold that is found follows the noise.
+//! The estimated threshold must follow the noise.
 TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -208,7 +208,7 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
         const double found = usac->components().score->threshold(
             context, toInternal(usac->points(), scene.model));
         const double inPixels = found / usac->points().threshold * params.threshold;
-        // H: the noise of both images; outliers make the median a little larger
+        // maps: noise of both images; outliers increase the median a little
         const double sigma = mapsPoints(problem) ? noise * std::sqrt(2.) : noise;
         const double inliers = mapsPoints(problem) ? 2.963 : 2.5;
         EXPECT_GT(inPixels, 1.0 * inliers * sigma);

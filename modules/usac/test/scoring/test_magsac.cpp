@@ -14,7 +14,7 @@ namespace {
 
 enum { SIDE = 300 };
 
-//! Two points that span a square in both images.
+//! Two points at opposite corners of a square of side SIDE in both images.
 OwnPoints* spanning(ProblemType problem, double inlierThreshold)
 {
     std::vector<Point2d> corners(1, Point2d(0, 0));
@@ -30,9 +30,9 @@ double costOf(const Score& score, double error, double inlierThreshold)
     return quality.cost;
 }
 
-/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max: that of an inlier,
-Gaussian of n dimensions, where it is within k sigma, that of an outlier in a square (H) or on a
-line (F, E) elsewhere. By the midpoint rule. */
+/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max by the midpoint rule. Where
+the error is within k sigma, it is that of an inlier with Gaussian noise in n dimensions, otherwise
+that of an outlier in a square (maps) or on a line (F, E). */
 double meanLogLikelihood(double error, double sigmaMax, int degrees)
 {
     const int STEPS = 20000;
@@ -85,7 +85,8 @@ TEST_P(Usac_Magsac_Problem, magsacPlusPlusAgainstItsFormula)
         EXPECT_NEAR(weights.loss(u * u), costOf(*score, 7 * u, 7), 1e-3) << u;
 }
 
-//! 0 at 0, 1 at the threshold and beyond, and growing between them.
+//! The cost must be 0 for an error of 0, 1 from the threshold on, and must not decrease between
+//! them.
 TEST_P(Usac_Magsac_Problem, bounds)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -125,14 +126,15 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
     {
         float errors[] = {std::numeric_limits<float>::quiet_NaN(),
                           std::numeric_limits<float>::infinity(), 0, 4.f, std::nextafter(4.f, 5.f)};
-        Quality quality(3, 2);  // what is there stays there
+        Quality quality(3, 2);  // accumulate() adds to these values
         scores[s]->accumulate(errors, 5, 4, quality);
         EXPECT_EQ(3 + 4, quality.cost);
         EXPECT_EQ(2 + 2, quality.inliers);
     }
 }
 
-//! Inliers are those of the mask, though the cost looks further.
+//! The number of inliers must be that of the mask, although the cost uses a threshold that is twice
+//! as large.
 TEST_P(Usac_Magsac_Problem, inliersOfTheMask)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -152,7 +154,7 @@ TEST_P(Usac_Magsac_Problem, inliersOfTheMask)
     }
 }
 
-//! A cost is a sum over the points, so the early exit finds the winner that the full sums find.
+//! Costs are sums over the points, so that ending a sum early must not change the best model.
 TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
 {
     SceneOptions options;
@@ -191,8 +193,8 @@ TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
     }
 }
 
-//! Each of the qualities gives a right model, with a threshold of the noise and with one that is
-//! far wider.
+//! Each score must lead to a correct model, with a threshold that suits the noise and with a much
+//! larger one.
 TEST_P(Usac_Magsac_Problem, estimates)
 {
     const ProblemType problem = (ProblemType)GetParam();

@@ -11,8 +11,8 @@
 namespace opencv_test {
 namespace {
 
-//! sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)), the density of the error up to a factor, with sigma =
-//! exp(s).
+//! The density of the error up to a factor, sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)), times sigma
+//! for the substitution sigma = exp(s).
 struct Density
 {
     int degrees;
@@ -25,7 +25,7 @@ struct Density
     }
 };
 
-//! The weight by its definition, sigma_max being 1.
+//! The marginalized weight by its definition, for sigma_max = 1.
 double marginalDensity(int degrees, double r)
 {
     const Density f = {degrees, r};
@@ -84,7 +84,8 @@ TEST(Usac_Statistics, marginalizedWeightsTables)
             lastWeight = weight;
         }
     }
-    for (int degrees = 1; degrees <= 3; ++degrees)  // that of the degrees
+    // the shared tables are those of the degrees
+    for (int degrees = 1; degrees <= 3; ++degrees)
         EXPECT_EQ(MarginalizedWeights(degrees).tabulatedLoss(0.3f),
                   MarginalizedWeights::of(degrees).tabulatedLoss(0.3f));
     EXPECT_EQ(&MarginalizedWeights::of(problemObject(FUNDAMENTAL).errorDimension()),

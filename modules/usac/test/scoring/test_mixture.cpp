@@ -10,7 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! Points are as dense as their extent says, H: in image 2, F: on the mean over both images.
+//! The density of outliers follows from the extent of the points: of image 2 for H, the geometric
+//! mean of both images for F.
 TEST(Usac_Statistics, outlierExtent)
 {
     std::vector<Point2d> points1, points2;
@@ -25,7 +26,7 @@ TEST(Usac_Statistics, outlierExtent)
     const OwnPoints line(HOMOGRAPHY, points1, std::vector<Point2d>(2));
     EXPECT_EQ(0, line.view().problem->outlierExtent(line.view()));
     EXPECT_NEAR(std::log(200 / (std::sqrt(2 * CV_PI) * 0.5)), logDensityRatio(200, 0.5, 2), 1e-12);
-    for (int degrees = 1; degrees <= 2; ++degrees)  // equally likely at the threshold
+    for (int degrees = 1; degrees <= 2; ++degrees)  // at extent 0 equally likely at the threshold
     {
         const double k = thresholdInSigmas(degrees);
         EXPECT_NEAR(1, std::exp(degrees * logDensityRatio(0, 0.5, degrees) - k * k / 2), 1e-12);

@@ -12,7 +12,7 @@
 namespace opencv_test {
 namespace {
 
-//! Two points that span a square of this side in both images, with a threshold.
+//! Two points at opposite corners of a square of this side in both images, with a threshold.
 OwnPoints* spanning(ProblemType problem, double side, double inlierThreshold)
 {
     std::vector<Point2d> corners(1, Point2d(0, 0));
@@ -20,8 +20,8 @@ OwnPoints* spanning(ProblemType problem, double side, double inlierThreshold)
     return new OwnPoints(problem, corners, corners, inlierThreshold);
 }
 
-//! Squared errors: this part of them of inliers with sigma = 1, the others of a uniform
-//! distribution in the square.
+//! Squared errors. The fraction `part` is of inliers with sigma = 1, the others are uniform in the
+//! square.
 std::vector<float> drawErrors(int degrees, int count, double part, double side, RNG& rng)
 {
     std::vector<float> errors;
@@ -38,7 +38,8 @@ std::vector<float> drawErrors(int degrees, int count, double part, double side, 
     return errors;
 }
 
-//! Minus the log-likelihood of the mixture, from 0 (all perfect) to 1 (no inliers) for each point.
+//! Negative log-likelihood of the mixture, scaled so that a point contributes 0 if all errors are
+//! 0, and 1 if there are no inliers.
 double directCost(const std::vector<float>& errors, int degrees, double side, double gamma)
 {
     const double inlier = std::pow(2 * CV_PI, -0.5 * degrees), outlier = std::pow(side, -degrees);
@@ -67,8 +68,8 @@ TEST(Usac_Mlesac, mixingWeightIsRecovered)
         }
 }
 
-//! With equal ratios r each step of the iteration multiplies the odds by r; the last of 50 steps is
-//! the answer.
+//! With equal ratios r, each iteration multiplies the odds of the mixing weight by r. The result
+//! must be that of the last of 50 iterations.
 TEST(Usac_Mlesac, mixingWeightOfPoorDistinction)
 {
     const std::vector<float> ratios(100, 1.01f);
@@ -78,7 +79,7 @@ TEST(Usac_Mlesac, mixingWeightOfPoorDistinction)
 
 typedef testing::TestWithParam<int> Usac_Mlesac_Problem;
 
-//! The cost is that of the best mixing weight, found by trying all.
+//! The cost must be that of the best mixing weight, found by trying a grid.
 TEST_P(Usac_Mlesac_Problem, costAgainstGrid)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -125,7 +126,8 @@ TEST_P(Usac_Mlesac_Problem, bounds)
     EXPECT_EQ(0, empty.cost);
 }
 
-//! Points that are all the same leave no area for outliers; the cost is finite and in its bounds.
+//! If all points are equal, there is no area for outliers. The cost must be finite and within its
+//! bounds.
 TEST_P(Usac_Mlesac_Problem, noExtent)
 {
     const Ptr<OwnPoints> points(spanning((ProblemType)GetParam(), 0, 1));
@@ -140,7 +142,7 @@ TEST_P(Usac_Mlesac_Problem, noExtent)
     }
 }
 
-//! MLESAC chooses a right model, with and without a verifier before it.
+//! MLESAC must choose a correct model, with and without a verifier.
 TEST_P(Usac_Mlesac_Problem, estimates)
 {
     Params params;

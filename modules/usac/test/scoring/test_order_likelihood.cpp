@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "scoring/order_likelihood.hpp"
 
-// How much the order of the points tells of which of them are inliers.
+// Tests of how informative the order of the points is about which of them are inliers.
 
 namespace opencv_test {
 namespace {
@@ -22,8 +22,8 @@ double logLikelihood(int ones, int count)
     return ones == 0 || ones == count ? 0 : ones * std::log(p) + (count - ones) * std::log(1 - p);
 }
 
-//! The largest likelihood over all ways to divide the order into parts whose probabilities do not
-//! increase; the bits of `cuts` say where a part ends.
+//! The largest log-likelihood over all divisions of the order into parts whose inlier probabilities
+//! do not increase, minus that of the undivided order. The bits of `cuts` say where parts end.
 double byTrial(const std::vector<uchar>& inliers)
 {
     const int size = (int)inliers.size();

@@ -25,7 +25,7 @@ TEST_P(Usac_Scores_Kernels, againstDirectEvaluation)
         inliersSeen += expected.inliers;
         for (size_t k = 0; k < all.size(); ++k)
         {
-            Quality msac(2, 3), inliers(5, 7);  // what is there stays there
+            Quality msac(2, 3), inliers(5, 7);  // kernels add to these values
             all[k].kernels.residuals[f.kind].msac(f.points(), m, f.limit(), begin, end, msac);
             all[k].kernels.residuals[f.kind].inliers(f.points(), m, f.limit(), begin, end, inliers);
             EXPECT_NEAR(expected.msac, msac.cost - 2, 1e-3 + 1e-4 * (end - begin))
@@ -85,7 +85,7 @@ TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
         residual->squaredErrors(f.models[k], p.exact, COUNT, precise.data());
         for (int i = 0; i < COUNT; ++i)
         {
-            // of points that are not near the line at infinity
+            // only points that are not near the line at infinity
             const double expected = directError(p, f.kind, f.models[k], i);
             if (expected > 25)
                 continue;
@@ -97,7 +97,7 @@ TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
     }
 }
 
-//! Score::accumulate, for residuals without a kernel, says the same as the kernels.
+//! Score::accumulate(), for residuals without a kernel, must agree with the kernels.
 TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
 {
     const Fixture f((Formula::Kind)GetParam(), 4);
@@ -122,7 +122,7 @@ TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Range(0, (int)Errors::COUNT));
 
-//! Where the error is not defined the point is an outlier.
+//! Points with undefined errors must be outliers.
 TEST(Usac_Scores, undefinedErrorsAreOutliers)
 {
     const std::vector<Point2d> points1(40, Point2d(1, 0)), points2(40, Point2d(0, 0));
@@ -158,7 +158,7 @@ TEST(Usac_Scores, undefinedErrorsAreOutliers)
     EXPECT_EQ(1, inliers.inliers);
 }
 
-//! The threshold itself belongs to the inliers; its MSAC cost is that of an outlier.
+//! An error equal to the threshold must count as an inlier, with the MSAC cost of an outlier.
 TEST(Usac_Scores, threshold)
 {
     float errors[] = {4.f, std::nextafter(4.f, 5.f), 1.f};
@@ -171,7 +171,7 @@ TEST(Usac_Scores, threshold)
     EXPECT_EQ(1, inliers.cost);
 }
 
-//! The errors of another residual, of which the scores know nothing.
+//! A residual of the caller with the errors of another one, for which there are no fused kernels.
 class CustomResidual : public Residual
 {
 public:
@@ -270,7 +270,7 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
     }
 }
 
-//! Context::rate is the sum over all points.
+//! Context::rate() must be the sum over all points.
 TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
 {
     const Formula::Kind kind = mapsPoints((ProblemType)GetParam()) ? Formula::TRANSFER

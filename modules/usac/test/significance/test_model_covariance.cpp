@@ -6,12 +6,12 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// Report::covariance and Report::sigma: do they describe the errors of models?
+// Tests of whether Report::covariance and Report::sigma describe the errors of models.
 
 namespace opencv_test {
 namespace {
 
-//! Points, their true model, and an estimation.
+//! Points, their true model, and the threshold for an estimation.
 struct Case
 {
     ProblemType problem;
@@ -46,7 +46,7 @@ Case twoViews(ProblemType problem, const SceneOptions& options, double threshold
     return result;
 }
 
-//! 100 matches, 90 % right, noise of a third of the threshold.
+//! 100 matches with 90 % inliers and noise of about a third of the threshold.
 Case makeCase(ProblemType problem, int seed)
 {
     if (problem < ABSOLUTE_POSE)
@@ -89,7 +89,7 @@ Case makeCase(ProblemType problem, int seed)
     return result;
 }
 
-//! The squared Mahalanobis distance of the truth.
+//! The squared Mahalanobis distance of the true model from `model`.
 double squaredDistance(const Case& scene, const Mat& model, const Mat& covariance)
 {
     const int n = (int)model.total();
@@ -117,10 +117,10 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_ModelCovariance,
                         testing::Values(HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY,
                                         ABSOLUTE_POSE, RIGID_3D, SIMILARITY_3D));
 
-/** The mean over n scenes of the squared Mahalanobis distance divided by its dimension d is 1, with
-a standard deviation of sqrt(2 / (d n)): 0.04 to 0.05 for 200 scenes. A wrong match among the
-inliers, and errors that are too large for a linear model, raise it, so more is allowed above 1 than
-below. */
+/** The mean over n scenes of the squared Mahalanobis distance divided by its dimension d must be
+about 1. Its standard deviation is sqrt(2 / (d n)), 0.04 to 0.05 for 200 scenes. An outlier among
+the inliers, and errors that are too large for a linear approximation, increase it, so that the
+tolerance is larger above 1 than below. */
 TEST_P(Usac_ModelCovariance, calibrated)
 {
     const int scenes = 200;
@@ -175,7 +175,8 @@ TEST_P(Usac_ModelCovariance, same_bits_and_no_influence)
     EXPECT_EQ(one.sigma, many.sigma);
 }
 
-//! An estimated threshold hardly changes the covariance: it is that of the same inliers.
+//! With an estimated threshold the inliers are nearly the same, so that the covariance must hardly
+//! change.
 TEST_P(Usac_ModelCovariance, estimated_threshold)
 {
     const Case scene = makeCase(GetParam(), 5);
@@ -228,8 +229,8 @@ TEST_P(Usac_ModelCovariance, only_if_asked_for)
     EXPECT_EQ(0, silent.sigma);
 }
 
-//! F of a plane, F and E without a translation: the points say nothing of some parameters, only
-//! their noise does.
+//! With F of a plane and E without a translation, the points do not determine all parameters,
+//! although noise seems to. There must rarely be a covariance.
 TEST(Usac_ModelCovariance_, free_parameters)
 {
     int determined = 0, models = 0;
@@ -254,10 +255,11 @@ TEST(Usac_ModelCovariance_, free_parameters)
             determined += !isNaN(report.covariance);
         }
     EXPECT_GE(models, 30);
-    EXPECT_LE(determined, models / 10);  // noise may look like a translation
+    // noise may look like a translation or like points off the plane
+    EXPECT_LE(determined, models / 10);
 }
 
-//! E of a plane is determined, but for its twin.
+//! E of a plane is determined except for a second solution. There must be a covariance.
 TEST(Usac_ModelCovariance_, essential_of_plane)
 {
     SceneOptions options;

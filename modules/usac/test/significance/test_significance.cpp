@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-//! Random matches: but for one, no match is right.
+//! Random matches, of which only one is true.
 Scene randomScene(ProblemType problem, int size, uint64 seed)
 {
     SceneOptions options;
@@ -35,8 +35,8 @@ Report reportOf(const Scene& scene, Params params)
     return report;
 }
 
-//! The chance of random matches is at most a with a probability of at most a; and it is not 1
-//! always.
+//! The chance of random matches must be at most a with a probability of at most a. With F and E it
+//! must not always be near 1.
 TEST(Usac_Significance, calibratedOnRandomMatches)
 {
     const int sizes[] = {15, 60, 300}, iterations[] = {100, 500}, RUNS = 40;
@@ -66,8 +66,8 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
             EXPECT_LE(below[level], expected + 3 * std::sqrt(expected))
                 << "problem " << (int)problem << " level " << levels[level];
         }
-        // random models of maps of points have the inliers of their sample and one or two more, all
-        // of them likely
+        // random maps have the inliers of their sample and one or two more, which are all likely by
+        // chance
         if (!mapsPoints((ProblemType)problem))
         {
             EXPECT_GE(half, calls / 25) << "problem " << (int)problem;
@@ -75,7 +75,7 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
     }
 }
 
-//! The same of random pairs of points of space, whose models have few inliers by chance, too.
+//! The same for random pairs of 3-D points, where random models also have few inliers.
 TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
 {
     const int sizes[] = {15, 60, 300};
@@ -85,7 +85,7 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
         int calls = 0, below[3] = {0}, half = 0;
         const double levels[] = {0.1, 0.01, 0.001};
         for (double threshold :
-             {0.05, 0.3})  // of a cube of side 2: parts of 7e-5 and 1.4 % of its volume
+             {0.05, 0.3})  // in a cube of side 2: 7e-5 and 1.4 % of its volume
             for (int size : sizes)
                 for (int p = 0; p < 3; ++p)
                     for (int run = 0; run < 40; ++run, ++calls)
@@ -117,7 +117,7 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
     }
 }
 
-//! By default random pairs give no motion, and right ones one, even if few of many are right.
+//! By default random pairs must give no motion, and scenes with 10 % true pairs must give one.
 TEST(Usac_Significance, randomAndRightPairsInSpace)
 {
     for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
@@ -152,7 +152,7 @@ TEST(Usac_Significance, randomAndRightPairsInSpace)
     }
 }
 
-//! With how few points a right model is told from a random one.
+//! Correct models of few points must be distinguished from random ones.
 TEST(Usac_Significance, rightModelsOfFewPoints)
 {
     const struct
@@ -177,7 +177,8 @@ TEST(Usac_Significance, rightModelsOfFewPoints)
     }
 }
 
-//! By default from about a hundred points on; with a limit of the caller's always.
+//! Random matches must give no model: by default with about a hundred points or more, with a limit
+//! set by the caller always.
 TEST(Usac_Significance, randomMatchesGiveNoModel)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -215,8 +216,8 @@ TEST(Usac_Significance, randomMatchesGiveNoModel)
     }
 }
 
-//! Few points, points that are the sample only, thresholds far below the noise and far above the
-//! image: nothing is refused.
+//! Correct models must be returned with few points, with a minimal sample only, and with thresholds
+//! far below the noise or above the size of the image.
 TEST(Usac_Significance, rightModelsAreReturned)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -242,7 +243,7 @@ TEST(Usac_Significance, rightModelsAreReturned)
         << "a sample and no more";
 }
 
-//! Random matches, each found many times: what repeats is no evidence.
+//! Random matches that are repeated must not count as evidence for a model.
 TEST(Usac_Significance, repeatedMatches)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -265,9 +266,9 @@ TEST(Usac_Significance, repeatedMatches)
     }
 }
 
-//! Wrong matches of which 80 of 200 are at one place: without the check of the search the map
-//! collapses to it. Its few independent inliers are no better than chance, and there are enough
-//! other points to tell.
+//! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks the map takes
+//! everything to this point. Its independent inliers are no better than chance, which enough other
+//! points show, so that no model may be returned.
 TEST(Usac_Significance, mapsToOnePlace)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})
@@ -295,7 +296,8 @@ TEST(Usac_Significance, mapsToOnePlace)
         }
 }
 
-//! What is refused for want of other points is not: where all are repeated, few tell nothing.
+//! If all matches are repeated, there are too few different ones to decide whether a model is
+//! random, so that it must be returned.
 TEST(Usac_Significance, repeatedRightMatchesStay)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

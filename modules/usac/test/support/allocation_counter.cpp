@@ -4,9 +4,9 @@
 
 #include "support/allocation_counter.hpp"
 
-// The functions of glibc that allocate, for the whole program: those of a program are taken before
-// those of its libraries. operator new and cv::fastMalloc come here, too. What they return is freed
-// by glibc's own free.
+// These definitions replace the functions of glibc that allocate, in the whole program: the linker
+// prefers the symbols of a program to those of its libraries. operator new and cv::fastMalloc call
+// them, too. The free of glibc frees what they return.
 
 #ifdef __GLIBC__
 

@@ -10,8 +10,8 @@
 namespace opencv_test {
 
 #ifdef __GLIBC__
-//! Of any size, by malloc and its kin, in the whole process so far. Weak: a program is linked
-//! without it where something else, a sanitizer or valgrind, takes the place of malloc.
+//! Number of allocations of any size by malloc and related functions in the whole process so far.
+//! Weak, because a program is linked without it where a sanitizer or valgrind replaces malloc.
 long allocationsSoFar() __attribute__((weak));
 
 inline bool allocationsAreCounted() { return allocationsSoFar != 0; }

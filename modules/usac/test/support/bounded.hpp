@@ -11,9 +11,10 @@
 
 namespace opencv_test {
 
-/** A number with a bound of what rounding to double may have changed in it: for sums and products
-in any order, some times the error of this one. So there is no tolerance to choose. Infinite where
-an intermediate result leaves the range of double. */
+/** A number with a bound of the error that rounding to double may have caused in it. The bound is
+several times the error of the operations done here, so that it holds for sums and products in any
+order, and tests need no tolerance. It is infinite where an intermediate result leaves the range of
+double. */
 struct Bounded
 {
     Bounded(long double v = 0, long double e = 0) : value(v), error(e)
@@ -24,7 +25,7 @@ struct Bounded
     long double value, error;
 };
 
-//! Of one operation.
+//! Bound of the relative rounding error of one operation.
 const long double UNIT = 8 * DBL_EPSILON;
 
 inline Bounded operator+(const Bounded& a, const Bounded& b)

@@ -58,7 +58,7 @@ bool sameBits(const Mat& a, const Mat& b)
 {
     if (a.empty() || b.empty())
         return a.empty() && b.empty();
-    const Mat x = a.clone(), y = b.clone();  // continuous
+    const Mat x = a.clone(), y = b.clone();  // so that they are continuous
     return x.type() == y.type() && x.size() == y.size() &&
            std::memcmp(x.data, y.data, x.total() * x.elemSize()) == 0;
 }
@@ -91,7 +91,7 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
                  const Report& report, double widestReach)
 {
     Params params;
-    params.widestReach = widestReach;  // with a growing reach a right model may have no inliers
+    params.widestReach = widestReach;  // if the reach may grow, a correct model may have no inliers
     params.threshold = pixels;
     EXPECT_EQ("", brokenResult(callOf(scene, params), model, mask, report));
     if (scene.problem == HOMOGRAPHY && !model.empty())
@@ -100,7 +100,7 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
         for (int i = 0; i < 3; ++i)
             rows.row(i) *= 1 / cvtest::norm(rows.row(i), NORM_INF);
         EXPECT_GT(std::abs(determinant(rows)),
-                  0);  // not that of the model, which may be too small for a double
+                  0);  // the determinant of the model itself may underflow
     }
 }
 
@@ -131,8 +131,8 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
 
 namespace {
 
-//! The find functions with a flag, in all forms; some problems have none; the answer must be that
-//! of the estimate function.
+//! Calls the find functions with a flag, in all their forms. Their answer must equal that of the
+//! estimate function. Problems without flags are skipped.
 void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, InputArray points2,
                const Params& params, const Matx33d& K, const Mat& model, const Mat& mask)
 {

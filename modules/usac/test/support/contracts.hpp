@@ -5,8 +5,8 @@
 #ifndef OPENCV_USACV20_TEST_CONTRACTS_HPP
 #define OPENCV_USACV20_TEST_CONTRACTS_HPP
 
-// What contracts/, test_find*.cpp, test_params*.cpp and some of the other tests share; in
-// contracts.cpp.
+// Functions shared by contracts/, test_find*.cpp, test_params*.cpp and some of the other tests,
+// defined in contracts.cpp.
 
 #include "test_precomp.hpp"
 #include "support/result_oracle.hpp"
@@ -19,16 +19,16 @@ const char* nameOf(ProblemType problem);
 //! Camera matrix of all scenes of makeScene.
 Matx33d sceneCamera();
 
-//! The public function of the problem; K is used for E only.
+//! Calls the public function of the problem; K is used for E only.
 Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
                    const Params& params, OutputArray mask, Report& report,
                    InputArray K = sceneCamera());
 
-//! An estimation of the scene, for the oracle.
+//! The scene and the parameters as a call that the oracle brokenResult takes.
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
-//! What is promised of any result of the standard residual with a threshold in pixels; the second
-//! form is for points that need not be doubles, with their camera matrix.
+//! Checks what is promised of every result with the standard residual and a threshold in pixels.
+//! The second form is for points that are not of type double, with their camera matrix.
 void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask,
                  const Report& report, double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1,
@@ -43,17 +43,18 @@ struct NamedPreset
 };
 
 std::vector<NamedPreset> allPresets();
-//! But for H, F and E usac2013() is without DEGENSAC, which the others refuse.
+//! As allPresets(); for problems other than H, F and E, usac2013() is without DEGENSAC, which they
+//! refuse.
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
-/** Every preset on the points, by the estimate function and by Usac::create, and every flag by the
-find functions: no exception, the same bits by each way, and whatever comes back is what is
-promised. @return the models of the presets */
+/** Runs every preset on the points, by the estimate function and by Usac::create, and every flag by
+the find functions. Expects no exception, the same bits from each of these ways, and a result that
+keeps all promises (checkResult). @return the models of the presets */
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
                                const std::vector<Point2d>& points2, double pixels = 1.5,
                                int maxIterations = 200, const Matx33d& K = sceneCamera());
 
-//! Same type, same size, same bits.
+//! Returns true if type, size and all bits of the elements are equal.
 bool sameBits(const Mat& a, const Mat& b);
 
 //! Runs `call`, which has to raise a cv::Exception with `words` in its message.
@@ -72,7 +73,7 @@ void expectException(const Call& call, const std::string& words)
     }
 }
 
-//! One test a problem.
+//! A test that is run once for each problem; its parameter is a ProblemType.
 class UsacProblem : public testing::TestWithParam<int>
 {
 protected:

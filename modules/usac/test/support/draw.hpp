@@ -9,7 +9,7 @@
 
 namespace opencv_test {
 
-//! What a sampler needs, and its samples one after the other as Ransac draws them.
+//! Everything that a sampler needs, and its samples one after the other, as Ransac draws them.
 class Draw
 {
 public:
@@ -21,14 +21,14 @@ public:
           m(usac->components().minimalSolver->sampleSize()), seed(seed_)
     {
         order.resize(count);
-        for (int i = 0; i < count; ++i)  // any permutation
+        for (int i = 0; i < count; ++i)  // the order is an arbitrary permutation
             order[i] = (i * 11 + 3) % count;
         state.order = order.data();
         usac->components().start(context);
         sampler->start(context);
     }
 
-    //! All samples are drawn as the sampler prefers, none from all points.
+    //! Parameters with which all samples are drawn in the sampler's own way and none uniformly.
     static Params ordered()
     {
         Params result;
@@ -43,7 +43,7 @@ public:
         ++state.iteration;
     }
 
-    //! False if an index is out of range or repeated.
+    //! Returns false if an index of the sample is out of range or repeated.
     bool valid() const
     {
         for (int i = 0; i < m; ++i)
@@ -82,7 +82,8 @@ private:
     const uint64 seed;
 };
 
-//! Chi-squared over its degrees of freedom, in standard deviations from 1.
+//! Chi-squared statistic of equally likely counts: its distance from its mean (the degrees of
+//! freedom) in standard deviations.
 inline double deviation(const std::vector<int>& counts, double total)
 {
     const double expected = total / counts.size(), freedom = counts.size() - 1.;
@@ -92,8 +93,9 @@ inline double deviation(const std::vector<int>& counts, double total)
     return (sum - freedom) / std::sqrt(2 * freedom);
 }
 
-/** T'_n of PROSAC's algorithm as published for n = 0 .. N, from the product that defines T_n, which
-goes to `uniform`. T_N: no more samples than there are. */
+/** T'_n of PROSAC's algorithm as published, for n = 0 .. N, from the product that defines T_n. The
+values T_n are written to `uniform`. T_N is 200000 or, if smaller, the number of possible samples.
+*/
 inline std::vector<double> publishedGrowth(int N, int m, std::vector<double>* uniform = 0)
 {
     long double subsets = 1;

@@ -5,15 +5,15 @@
 #ifndef OPENCV_USACV20_TEST_FRAMEWORK_HPP
 #define OPENCV_USACV20_TEST_FRAMEWORK_HPP
 
-// What the tests are written with: OpenCV's module `ts` inside OpenCV; against an installed OpenCV,
-// which has no `ts`, GoogleTest of the system with the few things of `ts` that the tests use
+// The test framework. Inside OpenCV it is OpenCV's module `ts`. An installed OpenCV has no `ts`;
+// there it is GoogleTest of the system with the few parts of `ts` that the tests use
 // (USAC_SYSTEM_GTEST).
 
 #ifndef USAC_SYSTEM_GTEST
 
 #include "opencv2/ts.hpp"
 
-//! Ends the test as one that cannot run here; in functions that return nothing.
+//! Ends the test as skipped because it cannot run here; only in functions that return void.
 #define USAC_SKIP(reason) throw SkipTestException(reason)
 
 #else
@@ -23,10 +23,11 @@
 
 namespace cvtest {
 
-//! 0; what `--test_debug=1` sets: the tests print what they have measured.
+//! Level of debug output, by default 0. With `--test_debug=1` it is 1, and the tests print what
+//! they have measured.
 extern int debugLevel;
 
-//! If `--test_tag_enable=verylong` asks for the tests that take minutes.
+//! Returns true if `--test_tag_enable=verylong` asks for the tests that take minutes.
 bool runsVeryLong();
 
 using cv::norm;
@@ -46,7 +47,7 @@ using namespace cv;
             USAC_SKIP(tag);                                                                        \
     while (0)
 
-// The name of it in OpenCV's GoogleTest; in newer ones it is deprecated, of which clang++ warns.
+// OpenCV's GoogleTest has only the old name; newer GoogleTests deprecate it, and clang++ warns.
 #undef INSTANTIATE_TEST_CASE_P
 #define INSTANTIATE_TEST_CASE_P INSTANTIATE_TEST_SUITE_P
 

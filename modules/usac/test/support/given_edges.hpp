@@ -9,7 +9,7 @@
 
 namespace opencv_test {
 
-//! Edges as given.
+//! A neighborhood whose edges are set by the test; it has no layers.
 class GivenEdges : public Neighborhood
 {
 public:

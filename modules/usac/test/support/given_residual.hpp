@@ -11,7 +11,7 @@ namespace opencv_test {
 
 using namespace cv::usacv20;
 
-//! Errors as given, whatever the model.
+//! A residual whose squared errors are set by the test and do not depend on the model.
 class GivenResidual : public Residual
 {
 public:

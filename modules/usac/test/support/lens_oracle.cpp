@@ -17,11 +17,12 @@ namespace opencv_test {
 
 namespace {
 
-//! Of sums and products of some dozens of numbers.
+//! Bound of the relative rounding error of sums and products of some dozens of numbers.
 const double ROUNDING = 300 * DBL_EPSILON;
-//! What may be left of the equations: the module's limit, 1e-11, and as much again.
+//! Largest residual of Newton's method relative to the size of the point: twice the module's limit
+//! of 1e-11.
 const double LEFT = 2e-11;
-//! Part of a radius by which a point has to be off a fold of the lens.
+//! Relative distance in radius that a point must have from a fold of the lens for a decision.
 const double OFF_FOLD = 1e-3;
 const int STEPS = 2000;
 
@@ -35,14 +36,14 @@ LensOracle::LensOracle(const Mat& distortion) : d()
         d[i] = doubles.ptr<double>()[i];
 }
 
-//! The radius at which a radius is seen, by the radial terms. NaN beyond a pole.
+//! Radius of the image of a point with radius r, by the radial terms only. NaN beyond a pole.
 double LensOracle::radial(double r) const
 {
     const double q = r * r, below = 1 + q * (d[5] + q * (d[6] + q * d[7]));
     return below > 0 ? r * (1 + q * (d[0] + q * (d[1] + q * d[4]))) / below : NAN;
 }
 
-//! Whether the radii seen grow up to this one.
+//! Returns whether the distorted radius grows strictly with the radius from 0 to `radius`.
 bool LensOracle::grows(double radius) const
 {
     double before = 0;
@@ -56,7 +57,7 @@ bool LensOracle::grows(double radius) const
     return true;
 }
 
-//! By the radial terms, going outwards in small steps.
+//! Start of Newton's method by the radial terms, from the center outwards in small steps.
 LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
 {
     const double wanted = norm(seen);
@@ -74,11 +75,12 @@ LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
     return before >= wanted ? SEEN : UNDECIDED;
 }
 
-//! @param J output, of the result by the point @param rounding output, of the result
+//! @param J output, derivative of the result by the point
+//! @param rounding output, bound of the rounding error of the result
 Vec2d LensOracle::distort(const Vec2d& point, Matx22d& J, double& rounding) const
 {
     std::vector<Point2d> image;
-    Mat derivative;  // of the image by rvec, tvec, fx and fy, the center and the coefficients
+    Mat derivative;  // of the image by rvec, tvec, focal lengths, center and the coefficients
     cv::projectPoints(std::vector<Point3d>(1, Point3d(point[0], point[1], 1)), Vec3d(), Vec3d(),
                       Matx33d::eye(), Mat(1, 14, CV_64F, const_cast<double*>(d)), image,
                       derivative);

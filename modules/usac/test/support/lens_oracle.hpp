@@ -10,9 +10,9 @@
 
 namespace opencv_test {
 
-/** What is seen through a lens, by cv::projectPoints alone: the point that it moves to a given
-place is found by Newton's method with the derivatives of that function, and its bound by what is
-left then. Beyond the first radius from which the radial terms lead back nothing is seen. */
+/** Inverts the lens distortion by cv::projectPoints alone. The undistorted point is found by
+Newton's method with the derivatives of that function; the remaining residual bounds its error.
+Points are not seen beyond the smallest radius from which on the radial terms decrease. */
 class LensOracle
 {
 public:
@@ -21,7 +21,8 @@ public:
     //! @param distortion 4 to 14 coefficients, or none
     explicit LensOracle(const cv::Mat& distortion);
 
-    //! The point of the normalized image plane that is seen at x, y, which it replaces.
+    //! Replaces the distorted point x, y by the point of the normalized image plane that is seen
+    //! there.
     Answer invert(Bounded& x, Bounded& y) const;
 
 private:

@@ -11,7 +11,7 @@
 
 namespace opencv_test {
 
-//! Points of our own as Correspondences; they live as long as this object.
+//! Correspondences made from points of a test; they are valid as long as this object exists.
 class OwnPoints
 {
 public:

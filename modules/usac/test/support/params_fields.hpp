@@ -27,7 +27,7 @@ struct Fields
 {
     std::vector<NamedField<int>> ints;
     std::vector<NamedField<double>> doubles;
-    std::vector<std::string> names;  //!< all, in that order
+    std::vector<std::string> names;  //!< all names, in that order
 
     Fields() { cv::usacv20::visitFields(*this); }
 
@@ -47,7 +47,7 @@ struct Fields
         names.push_back(name);
     }
 
-    //! Names of the fields that differ, each with a space behind it.
+    //! Names of the fields in which a and b differ, each followed by a space.
     static std::string difference(const Params& a, const Params& b)
     {
         Comparison comparison = {a, b, ""};

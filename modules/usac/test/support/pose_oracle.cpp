@@ -21,10 +21,10 @@ namespace opencv_test {
 
 namespace {
 
-//! Of sums and products of some dozens of numbers, in any order, and of a pose that is made a
-//! rotation once more.
+//! Bound of the relative rounding error of sums and products of some dozens of numbers in any
+//! order, and of a pose whose rotation is made orthogonal once more.
 const double ROUNDING = 300 * DBL_EPSILON;
-//! Part of a radius by which a point has to be off a fold of the lens.
+//! Relative distance in radius that a point must have from a fold of the lens for a decision.
 const double OFF_FOLD = 1e-3;
 
 enum Answer { NO, YES, UNDECIDED };
@@ -43,12 +43,13 @@ public:
         condition = cv::norm(centered) * cv::norm(centered.inv());
     }
 
-    //! Is it an inlier? `error` is its distance in pixels, if that is what decides.
+    //! Decides if the point X, seen at `seen`, is an inlier. `error` is its reprojection error in
+    //! pixels if the error decides, otherwise NaN.
     Answer isInlier(const Point3d& X, const Point2d& seen, double threshold, double& error) const
     {
         error = NAN;
         Vec3d Y;
-        double size = 0;  // of what is added up to Y
+        double size = 0;  // sum of the absolute values of the terms of Y
         for (int row = 0; row < 3; ++row)
         {
             const long double terms[] = {(long double)pose(row, 0) * X.x,
@@ -71,14 +72,14 @@ public:
     }
 
 private:
-    //! The radius at which a radius is seen, by the radial terms. NaN beyond a pole.
+    //! Radius of the image of a point with radius r, by the radial terms only. NaN beyond a pole.
     double radial(double r) const
     {
         const double q = r * r, below = 1 + q * (d[5] + q * (d[6] + q * d[7]));
         return below > 0 ? r * (1 + q * (d[0] + q * (d[1] + q * d[4]))) / below : NAN;
     }
 
-    //! Whether the radii seen grow up to this one.
+    //! Returns whether the distorted radius grows strictly with the radius from 0 to `radius`.
     bool grows(double radius) const
     {
         const int steps = 2000;
@@ -105,7 +106,7 @@ private:
             return grows(close) ? UNDECIDED : NO;
         if (d[12] == 0 && d[13] == 0)
             return YES;
-        // The sensor is tilted: depth of the point that the other terms give.
+        // For a tilted sensor: depth, after the tilt, of the point that the other terms give.
         const std::vector<Point3d> point(1, Point3d(x, y, 1));
         std::vector<Point2d> flat;
         cv::projectPoints(point, Vec3d(), Vec3d(), Matx33d::eye(),
@@ -118,16 +119,17 @@ private:
         return depth > 1e-6 * size ? YES : depth < -1e-6 * size ? NO : UNDECIDED;
     }
 
-    //! `point` has depth 1 and an error of `moved`.
+    //! Compares the reprojection error of `point` with the threshold; `point` has depth 1 and an
+    //! error of up to `moved`.
     Answer isNear(const Point3d& point, double moved, const Point2d& seen, double threshold,
                   double& error) const
     {
         const std::vector<Point3d> points(1, point);
         std::vector<Point2d> image;
-        Mat J;  // of the image by rvec, tvec, fx and fy, the center and the coefficients
+        Mat J;  // of the image by rvec, tvec, focal lengths, center and the coefficients
         cv::projectPoints(points, Vec3d(), Vec3d(), Matx33d::eye(),
                           Mat(1, 14, CV_64F, const_cast<double*>(d)), image, J);
-        // cv::projectPoints knows no skew
+        // cv::projectPoints ignores the skew, so K is applied here
         const Point2d there(K(0, 0) * image[0].x + K(0, 1) * image[0].y + K(0, 2),
                             K(1, 0) * image[0].x + K(1, 1) * image[0].y + K(1, 2));
         double byPosition = 0, byCoefficients = 0;
@@ -148,7 +150,7 @@ private:
                                             std::abs(seen.x) + std::abs(seen.y) +
                                             std::abs(K(0, 2)) + std::abs(K(1, 2)) + threshold);
         error = cv::norm(there - seen);
-        if (!(std::abs(error - threshold) > rounding))  // also for NaN
+        if (!(std::abs(error - threshold) > rounding))  // also if the error is NaN
             return UNDECIDED;
         return error <= threshold ? YES : NO;
     }
@@ -156,7 +158,7 @@ private:
     const Matx33d K;
     double d[14];
     const Matx34d pose;
-    double condition;  //!< of the camera matrix without its center
+    double condition;  //!< condition number of the camera matrix without its center
 };
 
 bool finite(const Point3d& X, const Point2d& x)

@@ -9,11 +9,11 @@
 
 namespace opencv_test {
 
-/** Says in words what is wrong with a pose that is not empty, or with its mask, "" if nothing is: a
-rotation within 1e-9 and a translation; 1 in the mask exactly where a point is in front of the
-camera, the lens shows it, and the distance of its image from that of cv::projectPoints is at most
-`threshold`. Undecided rows are those where the rounding of the pose and of the points may move the
-image across the threshold, by the derivatives of cv::projectPoints. */
+/** Checks a pose that is not empty, and its mask. @return what is wrong in words, "" if nothing is
+The pose must be a rotation within 1e-9 and a translation. The mask must be 1 exactly where a point
+is in front of the camera, the lens shows it, and the distance of its image by cv::projectPoints is
+at most `threshold` (pixels). Rows are not checked if the rounding of the pose and of the points may
+move the image across the threshold, by the derivatives of cv::projectPoints. */
 std::string brokenPose(const EstimatorCall& call, double threshold, const cv::Mat& model,
                        const cv::Mat& mask);
 

@@ -7,7 +7,7 @@
 
 #include "opencv2/usac.hpp"
 
-// Lists of problems, made from their table.
+// Lists of problems, generated from registry.inl.hpp.
 
 namespace opencv_test {
 
@@ -29,7 +29,7 @@ const int TWO_VIEW_PROBLEMS[] = {
 #undef USACV20_SPACES
 };
 
-//! Problems of points of two spaces.
+//! Problems of pairs of 3-D points.
 const int SPACE_PROBLEMS[] = {
 #define USACV20_IMAGES(TYPE)
 #define USACV20_CAMERAS(TYPE)
@@ -42,13 +42,13 @@ const int SPACE_PROBLEMS[] = {
 #undef USACV20_SPACES
 };
 
-//! Problems of which a function of OpenCV takes the module's flags.
+//! Problems for which a function of OpenCV takes the module's flags.
 const int FLAG_PROBLEMS[] = {cv::usacv20::HOMOGRAPHY, cv::usacv20::FUNDAMENTAL,
                              cv::usacv20::ESSENTIAL, cv::usacv20::AFFINITY,
                              cv::usacv20::SIMILARITY};
 bool hasFlags(cv::usacv20::ProblemType problem);
 
-//! Points of a minimal sample.
+//! Number of points of a minimal sample.
 int sampleSizeOf(int problem);
 
 }  // namespace opencv_test

@@ -15,8 +15,8 @@
 
 namespace opencv_test {
 
-//! The built-in problem of a type, for points on the normalized image plane. One object of each,
-//! which lives to the end.
+//! The built-in problem of a type, for points on the normalized image plane. There is one object
+//! for each type, which exists until the program ends.
 const cv::usacv20::Problem& problemObject(cv::usacv20::ProblemType type);
 
 //! The formulas of errors, in the order of their list in problems/errors.hpp.
@@ -35,7 +35,7 @@ struct Formula
 //! The built-in residual of a formula, one of the first four.
 cv::Ptr<cv::usacv20::Residual> residualOf(Formula::Kind kind);
 
-//! What the problem fits with the residual of a formula.
+//! The least-squares solver of the problem for the residual of a formula.
 cv::Ptr<cv::usacv20::NonMinimalSolver> createLeastSquaresSolver(cv::usacv20::ProblemType type,
                                                                 Formula::Kind kind);
 

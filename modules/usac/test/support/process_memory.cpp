@@ -48,7 +48,7 @@ double residentBytes()
 PeakMemory::PeakMemory()
 {
     const double resident = residentBytes();
-    std::ofstream("/proc/self/clear_refs") << 5;  // the peak is what is in memory now
+    std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak to the current value
     before = std::max(resident, peakBytes());
 }
 

@@ -5,21 +5,21 @@
 #ifndef OPENCV_USACV20_TEST_PROCESS_MEMORY_HPP
 #define OPENCV_USACV20_TEST_PROCESS_MEMORY_HPP
 
-// What of this process is in main memory.
+// Measures how much main memory this process uses.
 
 namespace opencv_test {
 
-//! False where there is no way to know, and under a sanitizer, which keeps memory that was freed
-//! and has some of its own.
+//! False where resident memory cannot be read, and under a sanitizer, which keeps freed memory and
+//! has memory of its own.
 bool memoryIsMeasurable();
 
-//! Bytes now, after what is free has been given back to the system.
+//! Resident memory in bytes, after free memory has been returned to the system.
 double residentBytes();
 
-/** @brief The most bytes since the object was made, beyond those at that time.
+/** @brief The peak of resident memory in bytes since the object was made, minus the value then.
 
-Where the system cannot start anew, the part that lies above the peak of the process so far; never
-too much. */
+Where the system cannot reset the peak, only memory above the previous peak of the process is
+counted, so that the result may be too small but never too large. */
 class PeakMemory
 {
 public:

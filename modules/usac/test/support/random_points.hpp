@@ -19,20 +19,20 @@ inline cv::Point2d uniformPoint(cv::RNG& rng, double left, double right, double 
     return cv::Point2d(rng.uniform(left, right), y);
 }
 
-//! Both coordinates in the same range.
+//! Both coordinates are drawn from the same range.
 inline cv::Point2d uniformPoint(cv::RNG& rng, double low, double high)
 {
     return uniformPoint(rng, low, high, low, high);
 }
 
-//! With integers, `high` itself is never drawn.
+//! Both coordinates are integers from `low` to `high` - 1.
 inline cv::Point2d integerPoint(cv::RNG& rng, int low, int high)
 {
     const int y = rng.uniform(low, high);
     return cv::Point2d(rng.uniform(low, high), y);
 }
 
-//! With integers, `high` itself is never drawn.
+//! All coordinates are integers from `low` to `high` - 1.
 inline cv::Vec3d integerVector(cv::RNG& rng, int low, int high)
 {
     cv::Vec3d v;
@@ -41,7 +41,7 @@ inline cv::Vec3d integerVector(cv::RNG& rng, int low, int high)
     return v;
 }
 
-//! Both coordinates with the same standard deviation.
+//! Both coordinates have mean 0 and the same standard deviation.
 inline cv::Point2d gaussianPoint(cv::RNG& rng, double sigma)
 {
     const double y = rng.gaussian(sigma);
@@ -56,13 +56,13 @@ inline cv::Vec3d uniformVector(cv::RNG& rng, const cv::Vec3d& low, const cv::Vec
     return v;
 }
 
-//! All coordinates in the same range.
+//! All coordinates are drawn from the same range.
 inline cv::Vec3d uniformVector(cv::RNG& rng, double low, double high)
 {
     return uniformVector(rng, cv::Vec3d::all(low), cv::Vec3d::all(high));
 }
 
-//! All coordinates with the same standard deviation.
+//! All coordinates have mean 0 and the same standard deviation.
 inline cv::Vec3d gaussianVector(cv::RNG& rng, double sigma)
 {
     cv::Vec3d v;

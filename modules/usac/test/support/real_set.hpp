@@ -12,17 +12,18 @@
 
 namespace opencv_test {
 
-//! One set of test_data/; its README.md says where the numbers come from.
+//! One data set of test_data/; the README.md there says where the numbers come from.
 struct RealSet
 {
     explicit RealSet(const std::string& name);
 
-    //! Mean error in pixels of the check points: transfer distance in image 2, or Sampson's.
+    //! Mean error of the check points in pixels: transfer error in image 2 for H, Sampson distance
+    //! for F and E. 1e9 if `estimated` is empty.
     double error(const cv::Mat& estimated) const;
     cv::Mat find(cv::UsacV20Method flag, double pixels, cv::OutputArray mask) const;
     cv::Mat estimateWith(const cv::usacv20::Params& params, cv::OutputArray mask,
                          cv::usacv20::Report& report) const;
-    //! A part of the matches, those of the best scores, best first.
+    //! The given fraction of the matches, those with the lowest (best) scores, sorted, best first.
     RealSet sorted(double part = 1) const;
 
     cv::usacv20::ProblemType problem;

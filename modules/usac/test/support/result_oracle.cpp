@@ -47,7 +47,7 @@ BoundedPoint project(const Bounded* M, const BoundedPoint& point)
     return result;
 }
 
-//! The inverse up to a factor.
+//! The adjugate of m, which is its inverse up to a factor.
 void adjugate(const Bounded* m, Bounded* a)
 {
     for (int i = 0; i < 3; ++i)
@@ -86,8 +86,8 @@ Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoi
     return squareRoot(symmetric ? r * r * (one / n1 + one / n2) : r * r / (n1 + n2));
 }
 
-//! Points of one image as the errors of the problem see them; none for one that the lens does not
-//! show.
+//! Points of one image in the coordinates in which the errors of the problem are computed. A point
+//! that the lens does not show has `seen` == NOT_SEEN.
 std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera,
                                       const Mat& distortion)
 {
@@ -115,8 +115,8 @@ std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const 
     return result;
 }
 
-//! Mean of the two focal lengths, halved; a camera matrix may be a multiple of the one with 0 0 1
-//! in its last row.
+//! Half of the mean of the two focal lengths. K may be a multiple of the camera matrix whose last
+//! row is 0 0 1.
 double halfFocal(const Mat& K)
 {
     return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) +
@@ -156,7 +156,7 @@ std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33
             continue;
         const Bounded error = modelError(call, M, points1[i], points2[i]);
         const bool decided = std::abs(error.value - limit.value) >
-                             error.error + limit.error;  // false for NaN
+                             error.error + limit.error;  // false if the error is NaN
         if (decided && inlier != (error.value <= limit.value))
             return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i,
                           (int)inlier, error.value, limit.value);
@@ -201,7 +201,7 @@ std::string brokenReport(const Report& report, int inliers)
                        report.cost >= 0 && report.cost <= 1 && report.chance >= 0 &&
                        report.chance <= 1 && report.threshold > 0 && report.threshold <= DBL_MAX &&
                        report.independentInliers >= 0 &&
-                       report.independentInliers <= inliers;  // false for NaN
+                       report.independentInliers <= inliers;  // false if a number is NaN
     return right ? ""
                  : format("%d inliers in the mask; cost %g, chance %g, threshold %g, %d "
                           "independent inliers; ",

@@ -18,22 +18,22 @@ inline bool findsThreshold(const cv::usacv20::Params& params)
            params.thresholdType == cv::usacv20::THRESHOLD_ESTIMATED;
 }
 
-//! One call of an estimator.
+//! The arguments of one call of an estimator.
 struct EstimatorCall
 {
     cv::usacv20::ProblemType problem;
     std::vector<cv::Point2d> points1, points2;
-    std::vector<cv::Point3d> object;  //!< absolute pose, motions of space: in the place of points1
-    std::vector<cv::Point3d> space2;  //!< motions of space: in the place of points2
+    std::vector<cv::Point3d> object;  //!< absolute pose and 3-D motions: replaces points1
+    std::vector<cv::Point3d> space2;  //!< 3-D motions: replaces points2
     cv::usacv20::Params params;
-    cv::Mat K1, K2, d1, d2;  //!< E; absolute pose: K1 and d1; K2, d1, d2 may be empty
+    cv::Mat K1, K2, d1, d2;  //!< for E; absolute pose uses K1 and d1. All but K1 may be empty
 };
 
-/** Says in words which promise about the result of a call is broken, "" if none is: the report
-agrees with the mask; no model, zero mask and a reason, or a finite model of the promised norm and
-rank with mask == (error <= threshold). The errors are computed with other formulas than the
-module's, in `long double` where that is longer, with a bound of what rounding to `double` may
-change. */
+/** Says in words which promise about the result of a call is broken, "" if none is. The report must
+agree with the mask. There must be either no model, a zero mask and a reason, or a finite model of
+the promised norm and rank with mask == (error <= threshold). The errors are computed with other
+formulas than the module's, in `long double` (where it is longer than `double`), with a bound of the
+effect of rounding to `double`. */
 std::string brokenResult(const EstimatorCall& call, const cv::Mat& model, const cv::Mat& mask,
                          const cv::usacv20::Report& report);
 

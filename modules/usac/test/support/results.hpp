@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_RESULTS_HPP
 #define OPENCV_USACV20_TEST_RESULTS_HPP
 
-// All that a call returns, and hashes of it.
+// All values that a call returns, and hashes of them.
 
 #include "support/contracts.hpp"
 
@@ -35,9 +35,9 @@ struct Result
     Mat model, mask;
     Report report;
 
-    //! Of the bits of the model, the mask and all of the report but the times.
+    //! Hash of the bits of the model, the mask and the whole report without the times.
     uint64 exact() const;
-    //! Of the mask, the number of iterations and why they ended.
+    //! Hash of the mask, the number of iterations and the reason of the end.
     uint64 robust() const;
 };
 

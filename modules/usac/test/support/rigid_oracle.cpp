@@ -41,7 +41,7 @@ std::string brokenRotation(const EstimatorCall& call, const Mat& model)
         largest = std::max(largest, std::abs(A.val[k]));
     if (!(largest > 0))
         return "the linear part is zero";
-    const Matx33d unit = A * (1 / largest);  // no square leaves the range of double
+    const Matx33d unit = A * (1 / largest);  // so that no square leaves the range of double
     const double scale = cv::norm(unit) / std::sqrt(3.);
     const Matx33d R = unit * (1 / scale);
     const double off = cv::norm(R * R.t() - Matx33d::eye(), cv::NORM_INF);
@@ -78,7 +78,7 @@ std::string brokenMotion(const EstimatorCall& call, double threshold, const Mat&
         }
         const Bounded error = distance(model.ptr<double>(), call.object[i], call.space2[i]);
         const bool decided = std::abs(error.value - limit.value) >
-                             error.error + limit.error;  // false for NaN
+                             error.error + limit.error;  // false if the error is NaN
         if (decided && (given != 0) != (error.value <= limit.value))
             return format("row %d of the mask is %d, the error %.17Lg, the threshold %.17Lg", i,
                           given, error.value, limit.value);

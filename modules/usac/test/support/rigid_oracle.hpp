@@ -9,10 +9,11 @@
 
 namespace opencv_test {
 
-/** Says in words what is wrong with a motion of space that is not empty, or with its mask, "" if
-nothing is: a rotation within 1e-9, times a scale above 0 where the problem has one, and a
-translation; 1 in the mask exactly where the distance in space 2 is at most `threshold`, as far as
-the rounding to double leaves it decided. */
+/** Checks a 3-D motion that is not empty, and its mask. @return what is wrong in words, "" if
+nothing is
+The motion must be a rotation within 1e-9, for SIMILARITY_3D times a positive scale, and a
+translation. The mask must be 1 exactly where the distance in space 2 is at most `threshold`. Rows
+for which rounding to double may change this are not checked. */
 std::string brokenMotion(const EstimatorCall& call, double threshold, const cv::Mat& model,
                          const cv::Mat& mask);
 

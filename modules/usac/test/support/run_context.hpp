@@ -10,7 +10,8 @@
 
 namespace opencv_test {
 
-//! A run that has begun, with memory of its own. It keeps what it is given by reference.
+//! Context of a run that has been started, with an arena of its own. It keeps references to the
+//! constructor's arguments.
 class RunContext
 {
 public:
@@ -34,7 +35,7 @@ private:
     RunContext& operator=(const RunContext&);
 };
 
-//! The same component, which a run has begun with such points.
+//! Starts the component as in a run with these points and returns it.
 template <class T>
 cv::Ptr<T> started(const cv::Ptr<T>& part, const cv::usacv20::Correspondences& points)
 {

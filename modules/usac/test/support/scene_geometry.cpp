@@ -31,7 +31,8 @@ Vec3d randomDirection(RNG& rng)
     return v * (1 / cv::norm(v));
 }
 
-//! Turns camera 2, at `center`, to the middle of what both cameras see, (0, 0, 6).
+//! Rotates camera 2, whose center is `center`, towards (0, 0, 6), the middle of what both cameras
+//! see.
 void turnTowards(Scene& scene, const Vec3d& center)
 {
     const Vec3d seen = scene.R * (Vec3d(0, 0, 6) - center);
@@ -43,7 +44,7 @@ void turnTowards(Scene& scene, const Vec3d& center)
     scene.R = towards * scene.R;
 }
 
-//! Rotation and unit translation.
+//! Draws the rotation and the unit translation between the cameras.
 void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
 {
     const double angle = options.angle * CV_PI / 180;
@@ -51,7 +52,7 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     {
         Rodrigues(randomDirection(rng) * angle, scene.R);
         Vec3d center = randomDirection(rng);
-        center[2] *= 0.3;  // mostly sideways
+        center[2] *= 0.3;  // so that the motion is mostly sideways
         center *= 1 / cv::norm(center);
         turnTowards(scene, center * options.baseline);
         scene.t = -(scene.R * center);
@@ -73,8 +74,9 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     }
 }
 
-//! The affine map or the similarity next to a homography about the middle of image 1. The middle
-//! stays where it is, so that a translation is that of another point, a quarter into the image.
+//! The affine map or similarity that approximates a homography at the middle of image 1. The middle
+//! hardly moves between the images, so that a translation is taken from the point at a quarter of
+//! the width and height instead.
 Matx33d flattened(ProblemType problem, const Matx33d& H)
 {
     const double part = problem == TRANSLATION_2D ? 4 : 2;

@@ -7,21 +7,21 @@
 
 #include "support/scenes.hpp"
 
-// The cameras of a Scene, and what they see.
+// The cameras of a Scene and the points that they see.
 
 namespace opencv_test {
 
-//! Points are so many pixels from the border of their image at least.
+//! Minimum distance of all points from the border of their image in pixels.
 const double SCENE_MARGIN = 5;
 
 bool inside(const cv::Point2d& p);
 
 cv::Point2d randomPixel(cv::RNG& rng);
 
-//! Cameras, and a plane n X = 1 in front of the first one. @return n
+//! Makes the cameras, and a plane n X = 1 in front of camera 1. @return n
 cv::Vec3d makeGeometry(Scene& scene, cv::RNG& rng, const SceneOptions& options);
 
-//! Where the points are, and how they are seen.
+//! What is needed to draw points: the cameras, the plane and the options.
 struct Geometry
 {
     Geometry(const Scene& scene_, const cv::Vec3d& normal_, const SceneOptions& options_)
@@ -33,10 +33,11 @@ struct Geometry
     const SceneOptions& options;
 };
 
-//! The point of image 2 of one of image 1; false if it is out of sight. On the plane if `plane`.
+//! Finds the point p2 of image 2 that belongs to p1. If `plane`, the point in space is on the
+//! plane. @return false if p2 is not visible
 bool follow(const Geometry& g, bool plane, cv::RNG& rng, const cv::Point2d& p1, cv::Point2d& p2);
 
-//! A point that both cameras see; on the plane if `plane`.
+//! Draws the images of a point that both cameras see. If `plane`, it is on the plane.
 void seenPoint(const Geometry& g, bool plane, cv::RNG& rng, cv::Point2d& p1, cv::Point2d& p2);
 
 //! True for an affinity, a similarity or a translation.

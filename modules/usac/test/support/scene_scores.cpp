@@ -12,11 +12,12 @@ using namespace cv;
 
 namespace {
 
-//! Sides of the square of SCORES_OF_PLACE, pixels.
+//! Side of the square of SCORES_OF_PLACE in pixels.
 const double PATCH = 160;
 
-//! Scores that do not tell what is right: between 0 and 1 those of the best matches, between 1 and
-//! 2 the others.
+//! Scores that do not depend only on whether a match is true, see ScoreModel. Except with
+//! SCORES_NEAR, preferred matches have scores between 0 and 1, the others between 1 and 2; lower is
+//! better.
 std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& options)
 {
     RNG rng(0x3c6ef372 + 7919 * options.seed);
@@ -44,7 +45,7 @@ std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& 
 
 }  // namespace
 
-//! With numbers of their own, so that the points do not depend on them.
+//! The scores have a random generator of their own, so that the points do not depend on them.
 std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed)
 {
     const double q = information;

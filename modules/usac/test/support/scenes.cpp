@@ -17,18 +17,19 @@ using namespace cv::usacv20;
 namespace {
 
 const double WIDTH = SCENE_WIDTH, HEIGHT = SCENE_HEIGHT, MARGIN = SCENE_MARGIN;
-//! Of OUTLIERS_LOCAL, pixels.
+//! Displacement in pixels for OUTLIERS_LOCAL.
 const double MIN_SHIFT = 5, MAX_SHIFT = 50;
-//! Of OUTLIERS_MANY_TO_ONE.
+//! Mean number of wrong matches that share a point for OUTLIERS_MANY_TO_ONE.
 const int MATCHES_OF_ONE_POINT = 10;
-//! Sides of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL, pixels.
+//! Sides in pixels of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL.
 const double CLUSTER = 80, PATCH = 160;
-//! Pixels: lengths of OUTLIERS_SHIFT; deviation of OUTLIERS_PLACE; sides of the squares of
-//! OUTLIERS_CLUSTERS; where half of OUTLIERS_CENTER are; OUTLIERS_WINDOW.
+//! All in pixels: lengths of OUTLIERS_SHIFT, standard deviation of OUTLIERS_PLACE, side of the
+//! squares of OUTLIERS_CLUSTERS, half of OUTLIERS_CENTER per coordinate, largest offset of
+//! OUTLIERS_WINDOW.
 const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20,
              HALF_WITHIN = 20, WINDOW = 60;
 
-//! A match as from repeated texture close by: right but for a shift in image 2.
+//! A match as from nearby repeated texture: a true one displaced in image 2.
 void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
 {
     do
@@ -45,7 +46,7 @@ Point2d randomInSquare(RNG& rng, const Point2d& corner, double side)
     return corner + uniformPoint(rng, 0., side);
 }
 
-//! By Cauchy's distribution in both coordinates, within the image.
+//! Both coordinates have a Cauchy distribution about the center, restricted to the image.
 Point2d aboutCenter(RNG& rng)
 {
     Point2d p;
@@ -66,7 +67,7 @@ Point2d onBorder(RNG& rng)
     return Point2d(at < 2 * WIDTH + HEIGHT ? 0 : WIDTH, std::fmod(at - 2 * WIDTH, HEIGHT));
 }
 
-//! What the wrong matches of the structured kinds have in common.
+//! What all wrong matches of the structured models of a scene share.
 struct OutlierStructure
 {
     OutlierStructure(ProblemType problem, const SceneOptions& options_) : options(options_)
@@ -88,7 +89,7 @@ struct OutlierStructure
                                     HEIGHT - MARGIN - SMALL_CLUSTER);
     }
 
-    //! The i-th wrong match; false if there is none of this kind.
+    //! Makes the i-th wrong match; returns false if it does not follow a structured model.
     bool match(int i, RNG& rng, Point2d& p1, Point2d& p2) const
     {
         if (!has(i))
@@ -143,19 +144,19 @@ struct OutlierStructure
         return true;
     }
 
-    //! Is the i-th wrong match one of a structure?
+    //! Returns true if the i-th wrong match follows a structured model.
     bool has(int i) const
     {
         return i < options.second ||
                (options.outlierModel >= OUTLIERS_SHIFT ? i < options.structured
                                                        : options.outlierModel >= OUTLIERS_TARGETS);
     }
-    //! Has it the noise of the true ones?
+    //! Returns true if the i-th wrong match has the noise of true matches.
     bool noisy(int i) const
     {
         return has(i) && (i < options.second || options.outlierModel <= OUTLIERS_PLANE);
     }
-    //! Is it one of the second motion?
+    //! Returns true if the i-th wrong match is consistent with the second motion.
     bool ofSecond(int i) const
     {
         return options.outlierModel == OUTLIERS_SECOND_MODEL || i < options.second;
@@ -180,7 +181,7 @@ void repeatRow(Scene& scene, int from, int to)
     scene.onSecond[to] = scene.onSecond[from];
 }
 
-//! Each row so many times, in random order.
+//! Repeats each row `copies` times and shuffles all rows.
 void copyRows(Scene& scene, int copies, RNG& rng)
 {
     const int size = scene.size(), copied = size * copies;

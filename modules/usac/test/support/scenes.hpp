@@ -15,54 +15,54 @@
 
 namespace opencv_test {
 
-//! Size of both images.
+//! Size of both images in pixels.
 enum { SCENE_WIDTH = 640, SCENE_HEIGHT = 480 };
 
 //! Where the wrong matches are.
 enum OutlierModel {
     OUTLIERS_UNIFORM,  //!< anywhere in both images
-    OUTLIERS_LOCAL,    //!< a true match (not F, E: on the plane), displaced in image 2 by 5 to 50
-                       //!< pixels, at least 5 off the model
-    OUTLIERS_MANY_TO_ONE,  //!< in image 2 the point of a true match, about ten with the same;
-                           //!< anywhere in image 1
-    OUTLIERS_TARGETS,      //!< in image 2 one of two points, but for noise; anywhere in image 1
-    OUTLIERS_LINE,  //!< every second one on one line of image 2, but for noise, the others anywhere
-    OUTLIERS_CLUSTERED,     //!< from one square of 80 pixels in image 1 to one in image 2
-    OUTLIERS_SECOND_MODEL,  //!< true matches of another motion (not F, E: of another plane, too),
-                            //!< from a square of 160 pixels in image 1
-    // `structured` of the wrong matches are as follows, the others anywhere
-    OUTLIERS_SHIFT,  //!< all shifted in image 2 by the same 30 to 100 pixels, as repeated windows
-                     //!< are
-    OUTLIERS_PLANE,  //!< on a plane that another motion of the camera has seen, from all of image 1
-    OUTLIERS_PLACE,  //!< in image 2 at one place, but for 0.4 pixels, as a watermark or a dead
-                     //!< pixel makes them
-    OUTLIERS_CLUSTERS,  //!< each point in one of five squares of 20 pixels of its image
-    OUTLIERS_CENTER,  //!< both points about the middle of their image: Cauchy's distribution, half
-                      //!< within 20 pixels
-    OUTLIERS_WINDOW,  //!< in image 2 up to 60 pixels from where they are in image 1, as a matcher's
-                      //!< search window
+    OUTLIERS_LOCAL,    //!< a true match (H, affine maps: on the plane) displaced in image 2 by 5 to
+                       //!< 50 pixels, with an error of at least 5 pixels
+    OUTLIERS_MANY_TO_ONE,  //!< anywhere in image 1; in image 2 the point of a true match, each
+                           //!< shared by about ten wrong matches
+    OUTLIERS_TARGETS,      //!< anywhere in image 1; in image 2 at one of two points, up to noise
+    OUTLIERS_LINE,  //!< in image 2 every second one on one line, up to noise; the others anywhere
+    OUTLIERS_CLUSTERED,     //!< from one square of side 80 pixels in image 1 to one in image 2
+    OUTLIERS_SECOND_MODEL,  //!< true matches of another camera motion (H, affine maps: of another
+                            //!< plane), in image 1 within a square of side 160 pixels
+    // With these models, SceneOptions::structured wrong matches are so; the others are uniform.
+    OUTLIERS_SHIFT,  //!< shifted in image 2 by one common vector of 30 to 100 pixels, as for
+                     //!< repeated windows
+    OUTLIERS_PLANE,  //!< on a plane seen with another camera motion, from all of image 1
+    OUTLIERS_PLACE,  //!< at one point of image 2 up to 0.4 pixels, as from a watermark or a dead
+                     //!< pixel
+    OUTLIERS_CLUSTERS,  //!< each point in one of five squares of side 20 pixels of its image
+    OUTLIERS_CENTER,  //!< both points about the center of their image by a Cauchy distribution,
+                      //!< each coordinate with probability 1/2 within 20 pixels
+    OUTLIERS_WINDOW,  //!< in image 2 up to 60 pixels per coordinate from the position in image 1,
+                      //!< as from a matcher with a search window
     OUTLIERS_BORDER   //!< both points anywhere on the border of their image
 };
 
-//! What the scores of a scene tell.
+//! What the scores of a scene depend on; lower is better.
 enum ScoreModel {
-    SCORES_OF_TRUTH,   //!< what is right, as far as SceneOptions::scoreInformation says
-    SCORES_OF_SECOND,  //!< the matches of the second motion are the best, the others have random
-                       //!< scores
-    SCORES_OF_PLACE,   //!< the right matches in one square of 160 pixels of image 1 are the best,
-                       //!< the others random
-    SCORES_NEAR        //!< the nearer to one point of image 1, the better, right or wrong
+    SCORES_OF_TRUTH,   //!< truth of the match, see scoreInformation
+    SCORES_OF_SECOND,  //!< matches of the second motion have the best scores, all others worse
+                       //!< random scores
+    SCORES_OF_PLACE,   //!< true matches in one square of side 160 pixels of image 1 have the best
+                       //!< scores, all others worse random scores
+    SCORES_NEAR        //!< the distance from one point of image 1, for true and wrong matches
 };
 
 //! How the camera moves from image 1 to image 2.
 enum Motion {
-    MOTION_GENERAL,    //!< mostly sideways, and a rotation; the camera turns to what it has seen
-    MOTION_FORWARD,    //!< along the optical axis, and a rotation about any axis
-    MOTION_SIDEWAYS,   //!< parallel to the image, and a rotation about any axis
-    MOTION_RECTIFIED,  //!< along the rows, no rotation
-    MOTION_PLANAR,     //!< anywhere in the horizontal plane, and a rotation about the vertical axis
-    MOTION_CAR  //!< on a circle of the horizontal plane: forward by half the angle of the rotation
-                //!< about the vertical axis
+    MOTION_GENERAL,    //!< mostly sideways with a rotation; camera 2 is turned towards the scene
+    MOTION_FORWARD,    //!< along the optical axis, with a rotation about any axis
+    MOTION_SIDEWAYS,   //!< parallel to the image plane, with a rotation about any axis
+    MOTION_RECTIFIED,  //!< along the image rows, without rotation
+    MOTION_PLANAR,     //!< in any horizontal direction, with a rotation about the vertical axis
+    MOTION_CAR  //!< on a horizontal circle: the direction of motion is at half the angle of the
+                //!< rotation about the vertical axis
 };
 
 //! What a synthetic scene looks like.
@@ -80,37 +80,38 @@ struct SceneOptions
 
     int inliers;     //!< true matches
     int outliers;    //!< wrong matches
-    int structured;  //!< so many of them, at most, are as OUTLIERS_SHIFT and those behind it say;
-                     //!< the others anywhere
-    int places;      //!< OUTLIERS_PLACE: at so many places in turn, 1 or 2
-    double noise;    //!< standard deviation in each of the four coordinates, pixels
+    int structured;  //!< maximum number of wrong matches that follow OUTLIERS_SHIFT or a later
+                     //!< model; the other wrong matches are uniform
+    int places;      //!< OUTLIERS_PLACE: number of points of image 2, 1 or 2
+    double noise;    //!< standard deviation of each of the four coordinates in pixels
     uint64 seed;
     double
-        planeFraction;  //!< F, E: this part of the true matches lies on one plane; others: all do
-    bool frontalPlane;  //!< the plane is parallel to image 1; else any plane in front of the camera
-    double nearest, farthest;  //!< depths of the points off the plane; the plane is at 6
-    int duplicates;            //!< of the true matches, this many are copies of others
-    int copies;  //!< each match is there so many times; `inliers` and `outliers` are numbers of
-                 //!< different ones
+        planeFraction;  //!< F, E: fraction of the true matches on one plane; other problems: all
+    bool frontalPlane;  //!< the plane is parallel to image 1; otherwise it is tilted
+    double nearest, farthest;  //!< depths of points off the plane, whose depth is about 6
+    int duplicates;            //!< number of true matches that are copies of others
+    int copies;  //!< number of times that each match occurs; `inliers` and `outliers` count
+                 //!< different matches
     Motion motion;
-    double angle;     //!< rotation between the cameras, degrees
-    double baseline;  //!< distance between the cameras
+    double angle;     //!< angle of the rotation between the cameras in degrees
+    double baseline;  //!< distance between the cameras, in the unit of the depths
     OutlierModel outlierModel;
-    //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing,
-    //! 1: all, near 0: upside down.
+    //! Probability that a true match has a better score than a wrong one, in (0, 1]. 0.5: the
+    //! scores are not informative; 1: they separate perfectly; near 0: they are reversed.
     double scoreInformation;
-    int second;  //!< OUTLIERS_UNIFORM: of the wrong matches, this many are as of
+    int second;  //!< OUTLIERS_UNIFORM: number of wrong matches that are made as with
                  //!< OUTLIERS_SECOND_MODEL
     ScoreModel scoreModel;
 };
 
-/** @brief Two images of 640 x 480 pixels of points in space, with the exact model.
+/** @brief Points of space in two images of 640 x 480 pixels, with the exact model.
 
-Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0
-they are as `points`. Scores lie between 0 and 1, lower is better: those of wrong matches are
-uniform, those of true matches are 1 - u^((1 - q) / q) with u uniform and q the option
-`scoreInformation`. H, F and E have the same cameras, F and E also the same points. Affinities,
-similarities and translations are those nearest to that H in the middle of image 1. */
+Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0,
+they equal the points unless OutlierModel adds noise. With SCORES_OF_TRUTH, scores lie between 0 and
+1, lower is better: those of wrong matches are uniform, those of true matches are 1 - u^((1 - q) /
+q) with uniform u and the option `scoreInformation` q. H, F and E have the same cameras; F and E
+also have the same points. Affinities, similarities and translations approximate the same H near the
+middle of image 1. */
 struct Scene
 {
     cv::usacv20::ProblemType problem;
@@ -118,8 +119,8 @@ struct Scene
     std::vector<float> scores;
     std::vector<uchar> truth;     //!< 1: a true match
     std::vector<uchar> onPlane;   //!< 1: a true match on the plane
-    std::vector<uchar> onSecond;  //!< 1: a wrong match of the second motion
-    cv::Matx33d model;  //!< H, affinity, similarity with h33 = 1, F or E of unit Frobenius norm
+    std::vector<uchar> onSecond;  //!< 1: a wrong match that is consistent with the second motion
+    cv::Matx33d model;  //!< H, affine maps: last entry 1; F, E: unit Frobenius norm
     cv::Matx33d F;      //!< of unit Frobenius norm, for all problems
     cv::Matx33d K, R;   //!< both cameras have the same K; X2 = R X1 + t
     cv::Vec3d t;        //!< of unit length
@@ -132,17 +133,17 @@ bool mapsPoints(cv::usacv20::ProblemType problem);
 
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());
 
-//! Scores of a scene as its options say.
+//! Scores of the matches of a scene, according to `options`.
 std::vector<float> makeScores(const Scene& scene, const SceneOptions& options);
-//! Scores of matches as of a Scene; `information` is the option `scoreInformation`.
+//! Scores for SCORES_OF_TRUTH; `information` is the option `scoreInformation`.
 std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed);
 
-//! Distance in pixels of a match under a model of the scene's problem: transfer distance in image
-//! 2, or Sampson's.
+//! Error of a match in pixels under a model of the scene's problem: transfer error in image 2 for
+//! maps, Sampson distance for F and E.
 double pixelError(const Scene& scene, const cv::Matx33d& model, const cv::Point2d& p1,
                   const cv::Point2d& p2);
 
-//! A model of the caller; an affinity or similarity gets the last row 0 0 1.
+//! A returned model as a 3x3 matrix; affine maps get the last row 0 0 1.
 inline cv::Matx33d squareModel(const cv::Mat& model)
 {
     cv::Matx33d M = cv::Matx33d::eye();
@@ -150,23 +151,23 @@ inline cv::Matx33d squareModel(const cv::Mat& model)
     return M;
 }
 
-//! What part of the rows, as the caller selects them.
+//! Which true matches modelError() uses.
 enum ScenePart { TRUE_MATCHES, ON_PLANE, OFF_PLANE };
 
-//! Root mean square of the errors of the true matches without noise; infinite for an empty or wrong
-//! model.
+//! Root mean square error in pixels of the true matches without noise. Infinite for an empty model
+//! or one of a wrong size.
 double modelError(const Scene& scene, const cv::Mat& model, ScenePart part = TRUE_MATCHES);
 
-//! An estimator of the scene; E gets the camera matrix.
+//! An estimator for the scene; E gets the camera matrix.
 cv::Ptr<cv::usacv20::Usac> createUsac(const Scene& scene, const cv::usacv20::Params& params);
 
-//! One estimation.
+//! Runs an estimator for the scene once and returns its model.
 cv::Mat estimate(const Scene& scene, const cv::usacv20::Params& params,
                  cv::OutputArray mask = cv::noArray(), cv::usacv20::Report* report = 0);
 
-//! The model in the coordinates of `points`, of unit Frobenius norm.
+//! The model in the internal coordinates of `points`, with unit Frobenius norm.
 cv::Matx33d toInternal(const cv::usacv20::Correspondences& points, const cv::Matx33d& model);
-//! Of unit norm.
+//! The model scaled to unit Frobenius norm.
 cv::Matx33d normalized(const cv::Matx33d& model);
 //! The inverse of toInternal(), up to scale.
 cv::Matx33d toInput(const cv::usacv20::Correspondences& points, const cv::Matx33d& model);

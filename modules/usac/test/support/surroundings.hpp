@@ -10,7 +10,7 @@
 
 namespace opencv_test {
 
-//! Points around 0, with duplicates and a few far out.
+//! Points around 0 with duplicates; one in 50 may be up to 30 units away instead of 1.
 inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1,
                          std::vector<Point2d>& points2)
 {
@@ -30,7 +30,7 @@ inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1,
     }
 }
 
-//! Any context for a neighborhood or an ordering, which look at the points only.
+//! A context for a neighborhood or an ordering, which use only the points and the parameters.
 struct Surroundings
 {
     explicit Surroundings(const Correspondences& points, const Params& params_ = Params())
@@ -43,7 +43,7 @@ struct Surroundings
     Context context;
 };
 
-//! Members of a layer around a point.
+//! The points that a layer of the neighborhood has around a point; fails if one is repeated.
 inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& context, int layer,
                                int point)
 {

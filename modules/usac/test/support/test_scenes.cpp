@@ -6,8 +6,8 @@
 
 #include <map>
 
-// The synthetic scenes keep what their options promise: the other tests and the benchmark rely on
-// it.
+// Synthetic scenes must have the properties that their options ask for, because other tests and the
+// benchmark rely on them.
 
 namespace opencv_test {
 namespace {
@@ -26,7 +26,7 @@ int countTrue(const Scene& scene)
     return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
 }
 
-//! Part of the pairs of a true and a wrong match in which the true one has the better score.
+//! Fraction of the pairs of a true and a wrong match in which the true one has the better score.
 double rankedRight(const Scene& scene)
 {
     double right = 0, pairs = 0;
@@ -40,7 +40,7 @@ double rankedRight(const Scene& scene)
     return right / pairs;
 }
 
-//! Wrong matches by their point of image 2, and how many a point has.
+//! For each point of image 2 with wrong matches, their number.
 std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
 {
     std::map<std::pair<double, double>, int> result;
@@ -50,7 +50,7 @@ std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
     return result;
 }
 
-//! The random numbers behind scores that tell nothing.
+//! The random numbers from which uninformative scores (scoreInformation 0.5) were made.
 std::vector<float> randomNumbers(const Scene& scene)
 {
     std::vector<float> result = scene.scores;

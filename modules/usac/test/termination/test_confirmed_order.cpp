@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-//! In random order.
+//! A random order with this number of inliers.
 std::vector<uchar> shuffled(RNG& rng, int size, int inliers)
 {
     std::vector<uchar> result(size, 0);
@@ -24,8 +24,8 @@ double evidence(const std::vector<uchar>& inliers, int m)
     return orderEvidence(inliers.data(), none.data(), (int)inliers.size(), m);
 }
 
-//! The normalized rank sum of random orders has mean 0 and deviation 1, but for the inliers that do
-//! not count.
+//! For random orders the normalized rank sum must have mean 0 and standard deviation 1. It may be
+//! smaller if the first inliers do not count.
 TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
 {
     RNG rng(1);
@@ -41,10 +41,11 @@ TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
     }
     EXPECT_NEAR(0, sum / RUNS, 0.04);
     EXPECT_NEAR(1, squares / RUNS, 0.05);
-    EXPECT_LE(beyond, 40);  // 1 in 1000, less for the first seven
+    EXPECT_LE(beyond, 40);  // 1 in 1000; fewer because the first seven inliers do not count
 }
 
-//! Against the definition: in how many pairs of an inlier and another point the inlier comes first.
+//! Compared with the definition: the number of pairs of an inlier and an outlier in which the
+//! inlier comes first.
 TEST(Usac_ConfirmedOrder, countsPairs)
 {
     RNG rng(2);
@@ -86,7 +87,8 @@ TEST(Usac_ConfirmedOrder, goodOrderIsEvidence)
     EXPECT_EQ(0, evidence(std::vector<uchar>(100, 0), 7));
 }
 
-//! Pairs of a scene's rows in cells, for the matches of one motion and for wrong ones.
+//! Pairs of matches in common cells, among the true matches of a scene (`right`) or among the
+//! others.
 CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
 {
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -97,7 +99,8 @@ CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
     return CellPairs(p, mask.data(), right, arena, merged);
 }
 
-//! Neighbors of a motion stay neighbors, those of wrong matches do so as often as by chance.
+//! Matches of a motion that are neighbors in image 1 must be neighbors in image 2; random ones only
+//! as often as by chance.
 TEST(Usac_ConfirmedOrder, motionsShowInCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -116,9 +119,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
             both += rest.both;
             expected += rest.expected;
             EXPECT_GT(own.both, 2 * own.expected) << seed;
-            seen += otherMotionWouldShow(own, rest, 150, 350);  // there is none
-            // of half of the right matches the other half are another motion, as coherent as they
-            // are
+            seen += otherMotionWouldShow(own, rest, 150, 350);  // there is no other motion
+            // another motion has as many matches as the first one, and is as coherent
             options.outliers = 200;
             options.second = 150;
             const Scene other = makeScene(problems[k], options);
@@ -130,8 +132,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
     }
 }
 
-//! Few matches are seldom in one of the small cells: larger ones tell that there is no other
-//! motion, and miss none.
+//! Few matches are seldom in a common small cell. Larger cells must show more often that there is
+//! no other motion, and must miss none.
 TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -163,7 +165,7 @@ TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
     }
 }
 
-//! Search failures of scenes with misleading scores, and samples with good ones.
+//! Failed searches, searches ended by the order, and mean number of samples.
 struct Outcome
 {
     int failed, byOrder;
@@ -208,7 +210,8 @@ TEST(Usac_ConfirmedOrder, goodScoresPay)
     }
 }
 
-//! Where few are right nearly all time went into samples of what the best model does not explain.
+//! With few inliers, nearly all samples are drawn from points that the best model does not explain.
+//! Good scores must save most of them.
 TEST(Usac_ConfirmedOrder, goodScoresPayWhereFewAreRight)
 {
     SceneOptions options;
@@ -219,7 +222,8 @@ TEST(Usac_ConfirmedOrder, goodScoresPayWhereFewAreRight)
     EXPECT_LE(found.iterations, 2000);  // 14 000 without scores
 }
 
-//! The best scores on another motion that is smaller, on one place, random and upside down ones.
+//! Scores must not mislead the search: best ones for a smaller other motion, for a square or near a
+//! point of image 1, random ones and reversed ones.
 TEST(Usac_ConfirmedOrder, badScoresAreSeen)
 {
     const ProblemType problems[] = {HOMOGRAPHY, ESSENTIAL};
@@ -232,7 +236,7 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
             options.scoreModel = kind < 3 ? (ScoreModel)(SCORES_OF_SECOND + kind) : SCORES_OF_TRUTH;
             options.scoreInformation = kind == 4 ? 0.05 : 0.5;
             EXPECT_LE(run(problems[k], options, true).failed, 1) << (int)problems[k] << " " << kind;
-            if (kind == 0)  // who vouches for these scores is misled
+            if (kind == 0)  // trustedScores() is misled by these
             {
                 EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10)
                     << (int)problems[k];
@@ -240,7 +244,7 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
         }
 }
 
-//! Nothing changes without scores, and where all samples follow the order.
+//! Without scores, the criterion must change nothing, also if all samples follow the order.
 TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
 {
     SceneOptions options;
@@ -259,8 +263,8 @@ TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
     }
 }
 
-//! What the best model does not explain is searched by runners-up: without them no order ends the
-//! search.
+//! Runners-up search the points that the best model does not explain. Without them, an order must
+//! not end the search.
 TEST(Usac_ConfirmedOrder, isIdleWithoutRunnersUp)
 {
     SceneOptions options;

@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! A scene, the state of a run that has found its true model, and the inliers of that at parts of
-//! the threshold.
+//! A scene, the state of a run whose best model is the true one, and the number of points within a
+//! fraction of the threshold.
 struct Found
 {
     Found(ProblemType problem, const Params& params_, const SceneOptions& options = SceneOptions())
@@ -50,7 +50,8 @@ double binomial(int n, int m)
 
 typedef testing::TestWithParam<int> Usac_Magsac_Termination;
 
-//! The mean of log(1 - confidence) / log(1 - p) over five scales of the noise.
+//! The number of samples must be the mean of log(1 - confidence) / log(1 - p) over five scales of
+//! the noise.
 TEST_P(Usac_Magsac_Termination, againstItsFormula)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -77,7 +78,7 @@ TEST_P(Usac_Magsac_Termination, againstItsFormula)
             EXPECT_NEAR(sum, termination->iterations(found.context, found.state),
                         1.001 + 1e-9 * sum)
                 << inlierThreshold;
-            // never before the standard criterion
+            // must not end before the standard criterion
             EXPECT_GE(termination->iterations(found.context, found.state),
                       createStandardTermination()->iterations(found.context, found.state));
         }
@@ -94,7 +95,7 @@ TEST_P(Usac_Magsac_Termination, withoutAModel)
     EXPECT_EQ(INT_MAX, termination->iterations(found.context, state));
 }
 
-//! All points agree exactly: one sample is enough.
+//! If all points agree exactly, one sample must be enough.
 TEST_P(Usac_Magsac_Termination, allAgree)
 {
     SceneOptions options;
@@ -104,7 +105,7 @@ TEST_P(Usac_Magsac_Termination, allAgree)
     EXPECT_EQ(1, createMagsacTermination()->iterations(found.context, found.state));
 }
 
-//! The criterion ends a run, the report says so, and the model is right.
+//! The criterion must end a run, the report must say so, and the model must be correct.
 TEST_P(Usac_Magsac_Termination, estimates)
 {
     Params params;
@@ -120,7 +121,7 @@ TEST_P(Usac_Magsac_Termination, estimates)
     const int wide = report.iterations;
     params.threshold = 4;  // fewer inliers at the finest scale
     estimate(scene, params, noArray(), &report);
-    if (sampleSizeOf(GetParam()) > 1)  // else the first batch of samples is enough
+    if (sampleSizeOf(GetParam()) > 1)  // otherwise the first batch of samples is enough
     {
         EXPECT_GT(report.iterations, wide);
     }

@@ -10,7 +10,7 @@
 namespace opencv_test {
 namespace {
 
-//! P(Binomial(n, p) >= k) from the recurrence of Pascal's triangle, no logarithms.
+//! P(Binomial(n, p) >= k) from the recurrence of Pascal's triangle, without logarithms.
 double tailBySum(int k, int n, double p)
 {
     std::vector<double> all(1, 1.);
@@ -26,7 +26,7 @@ double tailBySum(int k, int n, double p)
     return sum;
 }
 
-//! One evaluation of the criterion, and what it should give.
+//! The arguments of one evaluation of the criterion, and the expected result.
 struct Case
 {
     std::vector<uchar> inliers, repeated;
@@ -41,7 +41,7 @@ struct Case
                              exact, length);
     }
 
-    //! All lengths, one after the other, from the definitions.
+    //! The expected result, by evaluating the definitions for all lengths.
     int bruteForce(int& length) const
     {
         const int N = (int)inliers.size();
@@ -60,7 +60,7 @@ struct Case
             double p = kept;
             for (int i = 0; i < m; ++i)
                 p *= exact ? (double)(I - i) / (n - i) : (double)I / n;
-            double k = 1;  // by counting, where that does not take long
+            double k = 1;  // by counting if this does not take long
             if (p < 1 && std::log(1 - confidence) / std::log(1 - p) > 3000)
                 k = std::ceil(std::log(1 - confidence) / std::log(1 - p));
             else
@@ -82,7 +82,7 @@ struct Case
     }
 };
 
-//! Random orders: inliers are more frequent among the best points.
+//! Random orders in which inliers are more frequent among the best points.
 Case randomCase(RNG& rng, int trial)
 {
     Case c;
@@ -112,7 +112,7 @@ TEST(Usac_TerminationProsac, againstBruteForce)
         int length, expectedLength;
         const int samples = c.samples(length), expected = c.bruteForce(expectedLength);
         EXPECT_EQ(expectedLength, length) << trial;
-        // a ceiling of T_{n+1} - T_n may be decided by rounding, as in the sampler
+        // rounding may decide the ceiling of T_{n+1} - T_n, as in the sampler
         EXPECT_NEAR(expected, samples, expected == INT_MAX ? 0 : 3) << trial;
         within += length > 0 && length < (int)c.inliers.size();
         atTheEnd += length == (int)c.inliers.size();
@@ -123,16 +123,16 @@ TEST(Usac_TerminationProsac, againstBruteForce)
     EXPECT_GT(atTheEnd, 10);
 }
 
-//! The smallest support that is not random, against the quantile of the exact distribution; of one
-//! model, and of all.
+//! The smallest support that is not random must be the quantile of the exact distribution, for a
+//! single model and for the best of all models.
 TEST(Usac_TerminationProsac, minimalSupport)
 {
     for (int n = 20; n <= 120; n += 25)
         for (double ratio = 0.001; ratio < 0.5; ratio *= 3)
             for (int kind = 0; kind < 2; ++kind)
             {
-                // All inliers come last, so that no smaller set has better odds; the confidence
-                // needs next to no samples.
+                // All inliers come last, so that no smaller set has a higher inlier ratio. The
+                // confidence is so low that it asks for hardly any samples.
                 const double samples = kind ? publishedGrowth(n, 4)[n] : 1;
                 int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I -
                                                  // 4) < 5 % / samples
@@ -152,8 +152,8 @@ TEST(Usac_TerminationProsac, minimalSupport)
             }
 }
 
-//! The first length of nothing but inliers, of which `repeated` are no evidence, that is not random
-//! and worth one sample.
+//! The first length at which the support is not random and which has at least one sample, if all
+//! points are inliers. `repeated` of them repeat others and are no evidence.
 int firstEvidence(int N, int repeated, double ratio)
 {
     std::vector<double> uniform;
@@ -164,8 +164,8 @@ int firstEvidence(int N, int repeated, double ratio)
     return n;
 }
 
-//! Nothing but inliers: a sample suffices once there are as many more points as chance would not
-//! make agree.
+//! If all points are inliers, one sample must suffice once there are more points than could agree
+//! by chance.
 TEST(Usac_TerminationProsac, allInliers)
 {
     const std::vector<uchar> inliers(100, 1);
@@ -186,7 +186,7 @@ TEST(Usac_TerminationProsac, allInliers)
     EXPECT_EQ(0, length);
 }
 
-//! The part of the image that agrees with a wrong model, against counting random points.
+//! The probability that a random match agrees with a wrong model must be that found by counting.
 TEST(Usac_TerminationProsac, randomInlierRatio)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -226,7 +226,8 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         1, problemObject(HOMOGRAPHY).randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
 }
 
-//! A scene whose scores sort the points: a part of the best ones are true matches.
+//! Parameters with scores that sort the points: the best ones are mostly true matches, the more so
+//! with a larger `separation`.
 Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
 {
     RNG rng(scene.size());
@@ -241,8 +242,8 @@ Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
     return params;
 }
 
-//! In a run: ends with the right model, when as many samples have been drawn as the criterion says
-//! of the best model.
+//! A run must end with the correct model, after the number of samples that the criterion asks for
+//! with this model.
 TEST(Usac_TerminationProsac, endsARun)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -268,7 +269,7 @@ TEST(Usac_TerminationProsac, endsARun)
             }
 }
 
-//! What the criterion says of the right model with one of the options that it must heed.
+//! Number of samples that the criterion asks for with the true model and these options.
 int iterationsFor(const Scene& scene, const Params& params, double kept)
 {
     const Ptr<Usac> usac = createUsac(scene, params);
@@ -306,7 +307,8 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     return iterations;
 }
 
-//! Samples without repetition, T(d,d) and the local samples of P-NAPSAC all make it wait longer.
+//! Sampling without repetition, T(d,d) and the local samples of P-NAPSAC must all increase the
+//! number of samples.
 TEST(Usac_TerminationProsac, heedsTheOptions)
 {
     SceneOptions options;

@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-//! A context with a given number of points, for criteria that look at it only.
+//! A context with `count` points, for criteria that use only their number.
 struct Counts
 {
     Counts(ProblemType problem, int count, const Params& params_ = Params())
@@ -32,7 +32,7 @@ struct Counts
         return termination->iterations(context, state);
     }
 
-    //! Of drawing inliers only: the fraction of all subsets of m points, by counting them.
+    //! Probability that a sample is all-inlier, as the fraction of all subsets of m points.
     double good(double inliers) const
     {
         long double p = 1;
@@ -41,7 +41,7 @@ struct Counts
         return (double)p;
     }
 
-    //! The smallest number of samples that fail with at most 1 - confidence.
+    //! Smallest number of samples that all fail with a probability of at most 1 - confidence.
     int needed(double p) const
     {
         if (p <= 0)
@@ -81,7 +81,7 @@ TEST(Usac_Termination, standard)
     EXPECT_EQ((int)STOP_STANDARD, createStandardTermination()->reason());
 }
 
-//! The stated confidence holds for samples without repetition: by simulation.
+//! In a simulation of samples without repetition, failures must be as rare as the confidence says.
 TEST(Usac_Termination, standardKeepsItsPromise)
 {
     Params params;
@@ -127,8 +127,8 @@ TEST(Usac_Termination, pNapsac)
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
 }
 
-//! Nothing is relaxed where the best model may be one of a plane, and less where the inliers are
-//! few, each several times.
+//! The number of samples must not be reduced if the best model may be one of a plane
+//! (`successProbability` below 1), and less reduced if the inliers are few, repeated matches.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
 {
     Params params;
@@ -173,8 +173,8 @@ TEST(Usac_Termination, sprtWithOneTest)
     EXPECT_EQ((int)STOP_SPRT, createSprtTermination()->reason());
 }
 
-//! h of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1, by
-//! a fine scan.
+//! The solution h of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 -
+//! epsilon_l))^h = 1, by a fine scan.
 double exponentByScan(const SequentialTest& test, double epsilon)
 {
     const double a = test.delta / test.epsilon, b = (1 - test.delta) / (1 - test.epsilon);
@@ -208,7 +208,8 @@ TEST(Usac_Termination, sprtWithEarlierTests)
         }
 }
 
-//! With epsilon as designed h is 1: a test in the past counts like the one in use.
+//! If epsilon is the designed value, h is 1, so that an earlier test must count like the current
+//! one.
 TEST(Usac_Termination, sprtWithEqualTests)
 {
     Counts one(HOMOGRAPHY, 60), two(HOMOGRAPHY, 60);
@@ -219,7 +220,7 @@ TEST(Usac_Termination, sprtWithEqualTests)
               two.iterations(createSprtTermination(), 30));
 }
 
-//! A test in the past that would drop the best model has found nothing out.
+//! Samples drawn with an earlier test that would reject the best model must not count.
 TEST(Usac_Termination, sprtOfAWrongTest)
 {
     Counts counts(HOMOGRAPHY, 60);
@@ -229,7 +230,8 @@ TEST(Usac_Termination, sprtOfAWrongTest)
               counts.iterations(createSprtTermination(), 12));
 }
 
-//! Only inliers: the earlier test keeps the right model for certain, nothing is left to be drawn.
+//! If all points are inliers, the earlier test keeps the correct model for certain, so that no more
+//! samples are needed.
 TEST(Usac_Termination, sprtOfInliersOnly)
 {
     Counts counts(HOMOGRAPHY, 60);

@@ -6,12 +6,12 @@
 #include <functional>
 #include <set>
 
-// Many pairs at once, what is refused, and the budget of the samples.
+// Tests of many pairs in one call, of invalid arguments, and of the number of samples.
 
 namespace opencv_test {
 namespace {
 
-//! Pairs of all kinds: with and without cameras, planes, no overlap, few matches.
+//! Pairs of all kinds: with and without cameras, of a plane, without overlap, and with few matches.
 std::vector<TwoViewPair> mixedPairs()
 {
     std::vector<TwoViewPair> pairs;
@@ -77,7 +77,8 @@ TEST(Usac_TwoViewBatch, a_mistake_is_that_of_its_pair)
     EXPECT_EQ("", found[3].error);
 }
 
-//! Whenever a pair is cancelled it is told, and a scope that never says no changes no bit.
+//! Whenever a pair is canceled, the result must say so. A function that never returns false must
+//! change no bit.
 TEST(Usac_TwoViewBatch, cancelled_at_any_time)
 {
     SceneOptions options;
@@ -94,7 +95,7 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
     {
         int asked = 0;
         const ProgressScope scope(
-            [&asked, last](const Report&) { return ++asked != last; });  // one no
+            [&asked, last](const Report&) { return ++asked != last; });  // false once
         const TwoViewGeometry found = estimateTwoViewGeometry(pair);
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
@@ -107,7 +108,7 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
         EXPECT_TRUE(sameBits(whole.mask, found.mask) && sameBits(whole.H, found.H));
         break;
     }
-    EXPECT_GT(cancelled, 0);  // as often as the run takes periods of the progress
+    EXPECT_GT(cancelled, 0);  // each period of the progress can cancel the run
 }
 
 TEST(Usac_TwoViewBatch, cancelled)
@@ -127,7 +128,7 @@ TEST(Usac_TwoViewBatch, cancelled)
     EXPECT_GT(undefined, 10);
 }
 
-//! The message of what a call raises; empty: nothing.
+//! The message of the exception that a call raises; empty if there is none.
 template <class Call>
 String raisedBy(const Call& call)
 {
@@ -188,7 +189,7 @@ TEST(Usac_TwoViewBatch, mistakes_are_named)
               raisedBy([&] { estimateTwoViewGeometries({right}, Params(), TwoViewRules(), -1); }));
 }
 
-//! The part of the samples that are right, drawn without replacement.
+//! Probability that a sample without replacement has only true matches.
 double rightSamples(int sampleSize, int matches, int right)
 {
     double part = 1;
@@ -199,7 +200,8 @@ double rightSamples(int sampleSize, int matches, int right)
 
 TEST(Usac_TwoViewRules, samples)
 {
-    Params params = Params::fast();  // of which nothing is known of the local optimization
+    // only the default search is known to need fewer samples than theory
+    Params params = Params::fast();
     params.confidence = 0.999;
     params.maxIterations = 7070;
     const TwoViewRules rules;
@@ -207,7 +209,7 @@ TEST(Usac_TwoViewRules, samples)
                  expected = std::ceil(std::log(0.001) / std::log1p(-right));
     EXPECT_EQ(expected, rules.samples(params, 5, 75));
     EXPECT_NEAR(1 - std::pow(1 - right, 7070), rules.reached(params, 5, 75), 1e-12);
-    EXPECT_EQ(500, rules.samples(params, 7, 15));  // nothing but right matches
+    EXPECT_EQ(500, rules.samples(params, 7, 15));  // all matches are true
     EXPECT_EQ(1, rules.reached(params, 7, 15));
     EXPECT_GT(rules.samples(params, 7, 1000000000), 1e5);
     Params usual;
@@ -216,8 +218,8 @@ TEST(Usac_TwoViewRules, samples)
                 rules.samples(usual, 5, 200), 1);
 }
 
-//! Where right pairs of the collection are known, fewer samples find them and one that is worse
-//! than all of them.
+//! If inlier ratios of other pairs of the collection are known, fewer samples must suffice for such
+//! pairs, and for a pair that is worse than all of them.
 TEST(Usac_TwoViewRules, samples_of_a_collection)
 {
     Params params = Params::fast();
@@ -231,7 +233,7 @@ TEST(Usac_TwoViewRules, samples_of_a_collection)
     {
         double lost = 0;
         for (int k = -1; k < 8;
-             ++k)  // the pairs, and one that has any ratio between 0.25 and the least
+             ++k)  // -1: the known pairs; else a ratio between 0.25 and theirs
         {
             const double ratio = k < 0 ? 0.45 : 0.25 + 0.2 * (k + 0.5) / 8;
             const double part = rightSamples(5, 80, std::max((int)std::ceil(ratio * 80), 15));

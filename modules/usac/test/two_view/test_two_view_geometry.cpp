@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 
-// What two images are to each other: the configurations of estimateTwoViewGeometry.
+// Tests of the configurations of two images that estimateTwoViewGeometry distinguishes.
 
 namespace opencv_test {
 namespace {
@@ -42,7 +42,7 @@ TwoViewPair pairOf(const Scene& scene, bool known = true)
                        K.clone());
 }
 
-//! What is said of each result that has inliers.
+//! Checks what is promised of every result with inliers.
 void checkFields(const TwoViewGeometry& found, const TwoViewPair& pair)
 {
     EXPECT_EQ(pair.points1.rows, found.mask.rows);
@@ -89,7 +89,7 @@ TEST(Usac_TwoViewGeometry, calibrated)
     }
 }
 
-//! The models are those of the functions of one problem, to the bit.
+//! The models must equal those of the functions for a single problem bit by bit.
 TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -120,7 +120,7 @@ TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
     }
 }
 
-//! The first model that is accepted sets the threshold of the pair, for all of its models.
+//! The first model that is accepted must determine the threshold of all models of the pair.
 TEST(Usac_TwoViewGeometry, estimated_threshold)
 {
     for (uint64 seed = 1; seed <= 8; ++seed)
@@ -165,7 +165,8 @@ TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
     }
 }
 
-//! F tells that a focal length is wrong; the rotation is that of the essential matrix nearest to F.
+//! F must show that a focal length is wrong. The rotations are those of the essential matrix
+//! nearest to F.
 TEST(Usac_TwoViewGeometry, wrong_focal_lengths)
 {
     for (uint64 seed = 1; seed <= 5; ++seed)
@@ -231,17 +232,17 @@ TEST(Usac_TwoViewGeometry, watermark)
 {
     RNG rng(1);
     Mat_<Point2d> first(60, 1), second(60, 1);
-    for (int i = 0; i < 60; ++i)  // a date in the corner, 3 pixels to the right in image 2
+    for (int i = 0; i < 60; ++i)  // a date in the corner, shifted by 3 pixels in image 2
     {
         first(i) = uniformPoint(rng, 10., 200., 440., 475.);
         second(i) = first(i) + Point2d(3, 0) + gaussianPoint(rng, 0.3);
     }
     TwoViewPair pair(first, second);
     EXPECT_NE((int)TWO_VIEW_WATERMARK,
-              estimateTwoViewGeometry(pair, twoPixels()).configuration);  // sizes not known
+              estimateTwoViewGeometry(pair, twoPixels()).configuration);  // sizes unknown
     pair.imageSize1 = pair.imageSize2 = Size(SCENE_WIDTH, SCENE_HEIGHT);
     EXPECT_EQ((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
-    pair.taken2 = second + Scalar(0, -200);  // where the points really were
+    pair.taken2 = second + Scalar(0, -200);  // original positions of the points
     EXPECT_NE((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
 }
 
@@ -282,7 +283,7 @@ TEST(Usac_TwoViewGeometry, few_matches)
     }
 }
 
-//! A lens is taken off as removeDistortion does it.
+//! Distortion must be removed as by removeDistortion().
 TEST(Usac_TwoViewGeometry, lenses)
 {
     const Scene scene = sceneOf(3);
@@ -299,7 +300,7 @@ TEST(Usac_TwoViewGeometry, lenses)
     EXPECT_NE(0, cv::norm(a.F, estimateTwoViewGeometry(pairOf(scene), twoPixels()).F));
 }
 
-//! Scores of the pair stand in the place of those of the options.
+//! Scores of the pair must have the same effect as scores of the parameters.
 TEST(Usac_TwoViewGeometry, scores)
 {
     SceneOptions options;

@@ -11,7 +11,7 @@ namespace {
 
 const int COUNT = 2000;
 
-//! A verifier that has learned an inlier ratio of good and of bad models.
+//! An SPRT verifier trained with inlier ratios of good (`epsilon`) and of bad (`delta`) models.
 class Trained
 {
 public:
@@ -26,7 +26,7 @@ public:
         verifier->adapt(context, state);
     }
 
-    //! Models with this ratio of inliers in their first blocks.
+    //! Adds bad models with the inlier ratio `delta` over `points` tested points.
     void learn(double delta, int points)
     {
         verifier->sampleTested(state, cvRound(delta * points), points);
@@ -62,7 +62,7 @@ struct Trial
     int tested;
 };
 
-//! A model of whose points this ratio are inliers, block by block as Ransac asks.
+//! Tests a model with this inlier ratio block by block, as Ransac does.
 Trial testModel(const Verifier& verifier, double inlierRatio, int points, RNG& rng)
 {
     int tested = 0, inliers = 0;
@@ -115,7 +115,7 @@ TEST_P(Usac_Sprt, learnsBothRatios)
     }
 }
 
-//! Wald: the probability to drop a good model is at most 1 / A.
+//! By Wald, a good model must be rejected with a probability of at most 1 / A.
 TEST_P(Usac_Sprt, goodModelsAreKept)
 {
     const int TRIALS = 8000;
@@ -131,8 +131,8 @@ TEST_P(Usac_Sprt, goodModelsAreKept)
     }
 }
 
-//! Wald: a bad model is dropped after log A / C points on average; a decision waits for the end of
-//! its block.
+//! By Wald, a bad model must be rejected after log A / C points on average. The decision waits for
+//! the end of a block.
 TEST_P(Usac_Sprt, badModelsAreDropped)
 {
     const int TRIALS = 2000, ENDLESS = 100000;
@@ -152,11 +152,11 @@ TEST_P(Usac_Sprt, badModelsAreDropped)
     }
 }
 
-//! The threshold that costs least: a small one drops too many good models, a large one tests too
-//! many points.
+//! The decision threshold A must be the optimal one: a smaller one rejects too many good models, a
+//! larger one tests too many points.
 TEST_P(Usac_Sprt, thresholdSolvesWaldsEquation)
 {
-    // A - log A - 1 = C t_M / m_S: one and the same constant for all ratios
+    // A - log A - 1 = C t_M / m_S, in which t_M / m_S is the same for all ratios
     double constant = 0;
     for (size_t k = 0; k < sizeof(RATIOS) / sizeof(RATIOS[0]); ++k)
     {
@@ -204,7 +204,8 @@ TEST(Usac_SprtAdaptation, followsTheBestModelAndTheBadOnes)
     EXPECT_NEAR(0.6, sprt.test().epsilon, 1e-3);
 }
 
-//! Also where bad models have more inliers than the best one, or all points are inliers.
+//! The test must remain valid even if bad models have more inliers than the best one, or if all
+//! points are inliers.
 TEST(Usac_SprtAdaptation, staysATest)
 {
     const double ratios[][2] = {{0.1, 0.5}, {0.01, 0.01}, {1, 0.9}, {1, 1}, {1. / COUNT, 0}};

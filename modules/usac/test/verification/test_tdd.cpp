@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-//! A scene with exact matches, and what a verifier needs of it.
+//! A scene with exact matches, and a context for a verifier.
 struct Exact
 {
     Exact(ProblemType problem, int inliers, int outliers, const Params& params_ = Params())
@@ -36,7 +36,7 @@ struct Exact
     const Model truth;
 };
 
-//! Probability that d of n points, none twice, are among the inliers.
+//! Probability that d different points of n are all inliers.
 double acceptance(int inliers, int n, int d)
 {
     double p = 1;
@@ -67,7 +67,8 @@ Rate measure(const Exact& exact, const Verifier& verifier, const Model& model, i
     return rate;
 }
 
-//! The right model goes on with a probability of epsilon^d, points being drawn without repetition.
+//! The correct model must pass with a probability of about epsilon^d, with points drawn without
+//! repetition.
 TEST(Usac_Tdd, acceptsGoodModels)
 {
     const int TRIALS = 20000;
@@ -86,8 +87,9 @@ TEST(Usac_Tdd, acceptsGoodModels)
     }
 }
 
-//! A wrong model with the inlier ratio delta passes with probability delta^d, after (1 - delta^d) /
-//! (1 - delta) points on average; the reported inliers and tested points have the ratio delta.
+//! A wrong model with the inlier ratio delta must pass with probability delta^d, after (1 -
+//! delta^d) / (1 - delta) points on average. The ratio of reported inliers and tested points must
+//! be delta.
 TEST(Usac_Tdd, dropsWrongModels)
 {
     const int N = 400, TRIALS = 3000;
@@ -125,7 +127,7 @@ TEST(Usac_Tdd, dropsWrongModels)
     }
 }
 
-//! Each point is asked equally often, whatever its place.
+//! Each point must be tested equally often, whatever its position.
 TEST(Usac_Tdd, asksAllPoints)
 {
     const Exact exact(HOMOGRAPHY, 39, 1);
@@ -143,8 +145,8 @@ TEST(Usac_Tdd, asksAllPoints)
     EXPECT_NEAR(1, measure(pure, *createTddVerifier(100), pure.truth, 100, 1).passed, 1e-9);
 }
 
-//! The criteria allow for the good models that are dropped: epsilon^m epsilon^d in the place of
-//! epsilon^m.
+//! The termination criteria must take the rejected good models into account: a good sample has
+//! probability epsilon^m epsilon^d instead of epsilon^m.
 TEST(Usac_Tdd, terminationAllowsForIt)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -173,7 +175,8 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                         better = 1;
                         for (int i = 0; i < m; ++i)
                             better *= (more - i) / (50 - i);
-                        for (int i = 0; i < d; ++i)  // fewer inliers than points of the test: 0
+                        // 0 if there are fewer inliers than test points
+                        for (int i = 0; i < d; ++i)
                             better *= std::max((more - i) / (50 - i), 0.);
                     }
                     const std::vector<Ptr<Termination>>& both = exact.usac->components()
@@ -189,8 +192,8 @@ TEST(Usac_Tdd, terminationAllowsForIt)
             }
 }
 
-//! Through Params: right models, dropped ones in the report, more of them with more points, the
-//! same with threads.
+//! With this verification, models must be correct, the report must count rejected models, more test
+//! points must cost more samples, and threads must change nothing.
 TEST(Usac_Tdd, runs)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

@@ -85,7 +85,7 @@ PoseSample randomPoseSample(PoseSampleKind kind, RNG& rng)
     {
         for (int i = 0; i < 3; ++i)
             Y[i] = randomPoint(kind, rng);
-        if (kind == FLAT_TRIANGLE)  // the third one between the others
+        if (kind == FLAT_TRIANGLE)  // the third point nearly between the others
         {
             const Vec3d side = Y[1] - Y[0];
             Vec3d up = side.cross(Y[2] - Y[0]);

@@ -9,7 +9,7 @@
 
 namespace opencv_test {
 
-//! Three points and a pose that the images are exact for.
+//! Three points, and a pose for which their images are exact.
 struct PoseSample
 {
     cv::Vec3d X[3];
@@ -18,42 +18,42 @@ struct PoseSample
     double size;  //!< distance of the farthest point from their mean
 };
 
-//! What the points are like. No angle of a triangle is less than one degree from a line.
+//! How the points are placed. No angle of the triangle is within one degree of 0 or 180 degrees.
 enum PoseSampleKind {
-    CUBE,           //!< of side 2, at depth 3
-    FRONTAL_PLANE,  //!< parallel to the image
-    NEAR_PLANE,     //!< the same, but for 1e-4 in depth
+    CUBE,           //!< in a cube of side 2 at depth 3
+    FRONTAL_PLANE,  //!< on a plane parallel to the image
+    NEAR_PLANE,     //!< the same with variations of 1e-4 in depth
     FAR_AWAY,       //!< the depth is 100 times the size
-    VERY_FAR,       //!< 10 000 times
-    CLOSE,          //!< depths 0.01 to 1 of a cube of side 2
-    NARROW,         //!< a field of view of 5 degrees
-    WIDE,           //!< 120 degrees
-    FLAT_TRIANGLE,  //!< the least angle is one of 1 to 2 degrees
+    VERY_FAR,       //!< the depth is 10 000 times the size
+    CLOSE,          //!< depths 0.01 to 1, width and height 2
+    NARROW,         //!< in a field of view of 5 degrees
+    WIDE,           //!< in a field of view of 120 degrees
+    FLAT_TRIANGLE,  //!< the smallest angle is 1 to 2 degrees
     POSE_SAMPLE_KINDS
 };
 extern const char* const POSE_SAMPLE_NAMES[POSE_SAMPLE_KINDS];
 
 PoseSample randomPoseSample(PoseSampleKind kind, cv::RNG& rng);
 
-/** @brief Object coordinates, in a random pose, of points in camera coordinates.
+/** @brief A sample of points given in camera coordinates, with object coordinates in a random pose.
 
-The image points are projected from the rounded object coordinates in long double, so that only
-their own rounding to double is left.
-*/
+The image points are projected from the rounded object coordinates in long double, so that the only
+error is their own rounding to double. */
 PoseSample poseSampleOf(const cv::Vec3d (&Y)[3], cv::RNG& rng);
 
-//! A triangle of the circle of radius 1 around the axis of z, its corners at the angles (radians),
-//! seen from a point.
+//! A triangle on the circle of radius 1 around the z axis, with corners at these angles (radians),
+//! seen from `center`.
 PoseSample triangleSeenFrom(const cv::Vec3d& center, const double (&angles)[3], cv::RNG& rng);
 
-//! Of all angles of a triangle, the least that is missing to 0 or 180 degrees.
+//! Smallest difference in degrees between an angle of the triangle and 0 or 180 degrees.
 double flatness(const cv::Vec3d (&Y)[3]);
 
-//! Largest distance on the image plane; DBL_MAX if a point is not in front of the camera.
+//! Largest reprojection error on the normalized image plane; DBL_MAX if a point is not in front of
+//! the camera.
 double reprojectionError(const PoseSample& sample, const cv::Matx34d& pose);
 
-//! The larger one of the difference of the rotations (Frobenius norm) and that of the translations
-//! over the size.
+//! Maximum of the difference of the rotations (Frobenius norm) and the difference of the
+//! translations divided by the size.
 double poseDistance(const PoseSample& sample, const cv::Matx34d& a, const cv::Matx34d& b);
 
 }  // namespace opencv_test

@@ -17,12 +17,12 @@ using namespace cv;
 namespace {
 
 const double WIDTH = POSE_WIDTH, HEIGHT = POSE_HEIGHT, FOCAL = 600, MARGIN = 5;
-//! Depths of what is seen, and of the middle.
+//! Range of the depths of visible points, and depth of the middle.
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6;
-//! Of POSE_NEAR_PLANE and POSE_NEAR_LINE.
+//! Standard deviation of the noise of POSE_NEAR_PLANE and POSE_NEAR_LINE.
 const double ROUGHNESS = 0.02;
 const double CLUSTER_RADIUS = 0.1, OUTLIER_RADIUS = 0.5, OUTLIER_SQUARE = 80, SHORTEST_LINE = 200;
-//! Of POSE_OUTLIERS_PLACE, pixels.
+//! Standard deviation of the noise of POSE_OUTLIERS_PLACE in pixels.
 const double JITTER = 0.4;
 
 Vec3d randomInBall(RNG& rng, double radius)
@@ -44,7 +44,7 @@ bool inside(const Point2d& p)
     return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN;
 }
 
-//! Through a pixel if there were no distortion.
+//! The ray through a pixel without distortion, at depth 1.
 Vec3d rayOf(const Point2d& pixel)
 {
     return Vec3d((pixel.x - WIDTH / 2) / FOCAL, (pixel.y - HEIGHT / 2) / FOCAL, 1);
@@ -68,7 +68,7 @@ Matx33d rotationAround(const Vec3d& axis, double angle)
     return R;
 }
 
-//! Mild enough for a one to one map of the field of view.
+//! Coefficients so small that the field of view is mapped one to one.
 std::vector<double> makeDistortion(int coefficients)
 {
     CV_Assert(coefficients == 0 || coefficients == 4 || coefficients == 5 || coefficients == 8 ||
@@ -78,7 +78,7 @@ std::vector<double> makeDistortion(int coefficients)
     return std::vector<double>(all, all + coefficients);
 }
 
-//! The object in the coordinates of the camera.
+//! The object in camera coordinates.
 class Shape
 {
 public:
@@ -103,7 +103,7 @@ public:
         center = rayOf(Point2d(middle.x * WIDTH, middle.y * HEIGHT)) * MIDDLE;
     }
 
-    //! The i-th point; in sight, but for the distortion and what lies at the margin.
+    //! The i-th point. It is visible unless distortion or the margin of the image exclude it.
     Vec3d point(int i, RNG& rng) const
     {
         const Vec3d ray = rayOf(randomPixel(rng));
@@ -128,9 +128,9 @@ private:
     Vec3d onLine(RNG& rng) const { return line[0] + (line[1] - line[0]) * rng.uniform(0., 1.); }
 
     PoseShape kind;
-    Vec3d normal[2];  //!< planes normal * X = 1
-    Vec3d line[2];    //!< its ends
-    Vec3d center;     //!< of the cluster
+    Vec3d normal[2];  //!< of the planes normal * X = 1
+    Vec3d line[2];    //!< end points of the line
+    Vec3d center;     //!< center of the cluster
 };
 
 //! Makes the matches of one scene.
@@ -147,7 +147,7 @@ public:
         const double angle = rng.uniform(0., CV_PI);
         const Matx33d R = rotationAround(randomInBall(rng, 1), angle);
         const Vec3d middle = Vec3d(0, 0, MIDDLE) +
-                             randomInBall(rng, 1);  // of the object's coordinates
+                             randomInBall(rng, 1);  // origin of the object coordinates
         scene.pose = poseOf(R, middle * options.scale - R * options.offset);
         // the object turns around its middle and moves
         const double turned = rng.uniform(0.3, 0.6);
@@ -194,7 +194,7 @@ private:
                        (Y * options.scale - translationOf(scene.pose)));
     }
 
-    //! What the same pixel shows if the camera looks backwards.
+    //! The object point behind the camera that has the same image.
     Point3d throughCenter(const Point3d& X) const
     {
         const Matx33d R = rotationOf(scene.pose);
@@ -211,7 +211,7 @@ private:
         scene.truth.push_back(truth);
     }
 
-    //! Points of the object that a camera sees.
+    //! Adds points of the object that are visible with this pose.
     void addSeen(const Matx34d& pose, int count, uchar truth)
     {
         for (int found = 0, tries = 0; found < count; ++tries)
@@ -271,8 +271,8 @@ private:
     RNG rng;
     Shape shape;
     Point2d corner;               //!< of the square of POSE_OUTLIERS_CLUSTERED
-    Vec3d ball;                   //!< and the center of the ball
-    std::vector<Point2d> places;  //!< of POSE_OUTLIERS_PLACE
+    Vec3d ball;                   //!< center of the ball of POSE_OUTLIERS_CLUSTERED
+    std::vector<Point2d> places;  //!< image points of POSE_OUTLIERS_PLACE
 };
 
 }  // namespace

@@ -10,29 +10,28 @@
 
 namespace opencv_test {
 
-//! Size of the image, pixels.
+//! Size of the image in pixels.
 enum { POSE_WIDTH = 640, POSE_HEIGHT = 480 };
 
-//! Where the object points of a PoseScene are; all that the camera sees have depths of about 4 to
-//! 9.
+//! Where the object points of a PoseScene are. All visible points have depths of about 4 to 9.
 enum PoseShape {
     POSE_CLOUD,       //!< anywhere in the field of view
     POSE_PLANE,       //!< on one plane, tilted against the image by up to 30 degrees
-    POSE_NEAR_PLANE,  //!< the same, but for normal noise of 0.02 along the rays
-    POSE_TWO_PLANES,  //!< on two planes in turn, 20 degrees apart or more
+    POSE_NEAR_PLANE,  //!< the same with Gaussian noise of 0.02 along the rays
+    POSE_TWO_PLANES,  //!< alternately on two planes that are at least 20 degrees apart
     POSE_LINE,        //!< on one line, at least 200 pixels long, not parallel to the image
-    POSE_NEAR_LINE,   //!< the same, but for normal noise of 0.02 in each coordinate
+    POSE_NEAR_LINE,   //!< the same with Gaussian noise of 0.02 in each coordinate
     POSE_CLUSTER      //!< in one ball of radius 0.1, about 20 pixels across
 };
 
 //! What the wrong matches are like.
 enum PoseOutliers {
-    POSE_OUTLIERS_UNIFORM,      //!< object points as the true ones, image points anywhere
-    POSE_OUTLIERS_CLUSTERED,    //!< from one ball of radius 0.5 to one square of 80 pixels
+    POSE_OUTLIERS_UNIFORM,      //!< object points like the true ones, image points anywhere
+    POSE_OUTLIERS_CLUSTERED,    //!< from one ball of radius 0.5 to one square of side 80 pixels
     POSE_OUTLIERS_SECOND_POSE,  //!< true matches of another pose of the same object, with the same
                                 //!< noise
-    POSE_OUTLIERS_PLACE  //!< `structured` of them at one place of the image, but for 0.4 pixels;
-                         //!< the others uniform
+    POSE_OUTLIERS_PLACE  //!< `structured` of them at a few image points up to 0.4 pixels; the
+                         //!< others uniform
 };
 
 //! What a synthetic scene of absolute pose looks like.
@@ -44,25 +43,25 @@ struct PoseSceneOptions
           scale(1), offset(0, 0, 0), structured(0), places(1)
     {}
 
-    int size;            //!< different matches, >= 4
-    double inlierRatio;  //!< part of them that is true; at least 3 are
-    double noise;        //!< standard deviation in both image coordinates, pixels
+    int size;            //!< number of different matches, at least 4
+    double inlierRatio;  //!< fraction of them that is true; at least 3 are
+    double noise;        //!< standard deviation of both image coordinates in pixels
     uint64 seed;
     PoseShape shape;
-    int coefficients;  //!< of the distortion: 0, 4, 5, 8, 12 or 14
+    int coefficients;  //!< number of distortion coefficients: 0, 4, 5, 8, 12 or 14
     PoseOutliers outliers;
-    int behind;  //!< so many of the wrong matches are exact but for their object points, which are
+    int behind;  //!< number of wrong matches that are exact, except that their object points are
                  //!< behind the camera
-    int atCenter;  //!< of so many more the object points are at the center of the camera, the image
+    int atCenter;  //!< number of wrong matches with object points at the camera center and image
                    //!< points anywhere
-    int copies;    //!< each match is there so many times
-    //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing,
-    //! 1: all, near 0: upside down.
+    int copies;    //!< number of times that each match occurs
+    //! Probability that a true match has a better score than a wrong one, in (0, 1]. 0.5: the
+    //! scores are not informative; 1: they separate perfectly; near 0: they are reversed.
     double scoreInformation;
-    double scale;      //!< all lengths of the object are multiplied by that,
-    cv::Vec3d offset;  //!< and then its points moved by this
+    double scale;      //!< factor on all lengths of the object
+    cv::Vec3d offset;  //!< translation of the object points after scaling
     int structured,
-        places;  //!< POSE_OUTLIERS_PLACE: so many wrong matches, at so many places in turn
+        places;  //!< POSE_OUTLIERS_PLACE: number of such matches and of their image points
 };
 
 /** @brief Object points and their images, with the exact pose.
@@ -73,7 +72,7 @@ uniform, those of true matches are 1 - u^((1 - q) / q) with u uniform and q the 
 struct PoseScene
 {
     std::vector<cv::Point3d> object;
-    std::vector<cv::Point2d> image, clean;  //!< with and without noise; where `truth` is 0 the same
+    std::vector<cv::Point2d> image, clean;  //!< with and without noise; equal where `truth` is 0
     std::vector<float> scores;
     std::vector<uchar> truth;  //!< 1: a true match
     cv::Matx33d K;
@@ -87,19 +86,20 @@ struct PoseScene
 
 PoseScene makePoseScene(const PoseSceneOptions& options = PoseSceneOptions());
 
-//! Images of object points as cv::projectPoints has them. Points behind the camera are not told
-//! from others.
+//! Images of object points by cv::projectPoints. Points behind the camera are projected like those
+//! in front of it.
 std::vector<cv::Point2d> project(const PoseScene& scene, const cv::Matx34d& pose,
                                  const std::vector<cv::Point3d>& object);
 
-//! Distances in pixels of the image points from those of a pose, distortion included; infinite for
-//! a point that is not in front of the camera.
+//! Reprojection errors in pixels, with distortion; infinite for a point that is not in front of the
+//! camera.
 std::vector<double> pixelErrors(const PoseScene& scene, const cv::Matx34d& pose);
 
-//! Angle between the rotations of a pose and of the true one, degrees.
+//! Angle in degrees between the rotation of a pose and the true one.
 double rotationError(const PoseScene& scene, const cv::Matx34d& pose);
 
-//! Distance between the centers of the cameras over the depth of the scene.
+//! Distance between the camera center of a pose and the true one, divided by the depth of the
+//! scene.
 double centerError(const PoseScene& scene, const cv::Matx34d& pose);
 
 }  // namespace opencv_test

@@ -6,7 +6,8 @@
 #include "pose_scenes.hpp"
 #include "support/contracts.hpp"
 
-// The pose of a camera on synthetic scenes of every shape, with every lens, by every preset.
+// Tests of absolute poses on synthetic scenes of every shape, with every lens model and every
+// preset.
 
 namespace opencv_test {
 namespace {
@@ -29,7 +30,8 @@ Estimate estimate(const PoseScene& scene, const Params& params = Params())
     return result;
 }
 
-//! The contract of the result, and that the pose is the true one.
+//! Checks the promises about the result, and that the pose is correct within `degrees` of rotation
+//! and within `part` of the depth in position.
 void expectRight(const PoseScene& scene, const Estimate& found, const Params& params,
                  double degrees, double part)
 {
@@ -91,7 +93,7 @@ TEST(Usac_AbsolutePose, every_preset)
         if (params.sampler == SAMPLER_IMPORTANCE || params.ordering == ORDERING_INPUT_ORDER)
             params.scores.clear();
         Estimate found = estimate(scene, params);
-        params.threshold = found.report.threshold;  // that of LMedS
+        params.threshold = found.report.threshold;  // LMedS estimates it
         expectRight(scene, found, params, 0.6, 0.03);
     }
 }
@@ -102,7 +104,7 @@ TEST(Usac_AbsolutePose, inlier_ratios_and_sizes)
         for (int size : {20, 100, 1000})
         {
             if (percent * size < 1000)
-                continue;  // fewer than ten right ones
+                continue;  // fewer than ten inliers
             SCOPED_TRACE(cv::format("%d %% of %d", percent, size));
             PoseSceneOptions options;
             options.size = size;
@@ -114,7 +116,7 @@ TEST(Usac_AbsolutePose, inlier_ratios_and_sizes)
         }
 }
 
-//! Within a tenth of what least squares over the right matches gives, on average.
+//! The mean rotation error must be at most 1.1 times that of least squares over the true matches.
 TEST(Usac_AbsolutePose, as_accurate_as_least_squares)
 {
     double own = 0, best = 0;
@@ -172,8 +174,8 @@ TEST(Usac_AbsolutePose, points_behind_the_camera_are_no_inliers)
     expectRight(scene, found, Params(), 0.5, 0.02);
 }
 
-//! Points of space on a line, at one place or behind the camera: no pose and no fault, whatever the
-//! preset.
+//! Object points on a line, all equal or NaN, or image points all equal. No preset may raise an
+//! exception or return a pose; for the line a finite pose is allowed.
 TEST(Usac_AbsolutePose, degenerate_points)
 {
     PoseSceneOptions options;
@@ -193,7 +195,7 @@ TEST(Usac_AbsolutePose, degenerate_points)
             SCOPED_TRACE(cv::format("scene %d, %s", (int)s, preset.name));
             preset.params.maxIterations = 300;
             const Estimate found = estimate(scenes[s], preset.params);
-            if (s != 0)  // three points of a line with their own rounding may do
+            if (s != 0)  // rounding may make three points of the line solvable
             {
                 EXPECT_TRUE(found.model.empty());
             }
@@ -231,7 +233,8 @@ TEST(Usac_AbsolutePose, near_lines_clusters_and_copies)
         }
 }
 
-//! Focal lengths that differ, skew, and points that have been undistorted to K = I.
+//! Camera matrices with different focal lengths, a negative one or skew, and points undistorted to
+//! K = I.
 TEST(Usac_AbsolutePose, any_camera_matrix)
 {
     PoseScene scene = makePoseScene();
@@ -325,7 +328,7 @@ TEST(Usac_AbsolutePose, wrong_arguments_are_named)
                     "degeneracy");
 }
 
-//! Errors of the search, without the lens, by a residual of a program's own.
+//! A residual of the caller: the errors of the search, which do not include the lens.
 class PlainResidual : public Residual
 {
 public:
@@ -343,8 +346,8 @@ public:
     Ptr<Residual> builtIn;
 };
 
-//! The mask is that of the residual in use, whatever else is replaced, and of the lens again when
-//! it is put back.
+//! The mask must use the residual in use, here one without the lens, and the lens again when the
+//! built-in residual is restored.
 TEST(Usac_AbsolutePose, replaced_residual_makes_the_mask)
 {
     PoseSceneOptions options;

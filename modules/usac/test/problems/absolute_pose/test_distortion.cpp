@@ -9,14 +9,14 @@
 #include "problems/absolute_pose/pose_parameterization.hpp"
 #include "problems/kernels.hpp"
 
-// The lens against cv::projectPoints, the errors and their derivatives against differences.
+// The lens is compared with cv::projectPoints, the derivatives of errors with finite differences.
 
 namespace opencv_test {
 namespace {
 
 const int COEFFICIENTS[] = {4, 5, 8, 12, 14};
 
-//! Coefficients of an ordinary lens.
+//! Coefficients of a typical lens.
 Mat lens(int coefficients)
 {
     const double c[] = {-0.25, 0.08,  0.002,  -0.001, -0.01, 0.05, 0.02,
@@ -70,8 +70,8 @@ TEST(Usac_Distortion, is_that_of_projectPoints_and_inverted)
     }
 }
 
-//! r (1 - q / 4), q = r^2, turns back at q = 4 / 3: what lies further out must not be taken for an
-//! inlier there.
+//! r (1 - q / 4) with q = r^2 decreases beyond q = 4 / 3. Points further out are not visible;
+//! otherwise they would be projected onto other points and could be inliers.
 TEST(Usac_Distortion, ends_where_the_lens_folds)
 {
     const Distortion distortion(Mat(Matx14d(-0.25, 0, 0, 0)));
@@ -108,8 +108,8 @@ TEST(Usac_Distortion, of_any_depth_and_shape)
     EXPECT_LE(cv::norm(a - c), 1e-7);
 }
 
-//! A residual with or without lens: its derivatives, its columns and its behavior behind the
-//! camera.
+//! Checks a residual with a lens: its derivatives, its form for columns, and that points behind the
+//! camera have infinite errors.
 void checkResidual(const Residual& residual, const Matx33d& camera)
 {
     RNG rng(7);

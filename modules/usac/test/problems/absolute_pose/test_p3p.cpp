@@ -94,7 +94,7 @@ TEST(Usac_P3P, exactMillion)
     expectTruth(1000000);
 }
 
-//! What OpenCV finds, but for what reprojects with an error.
+//! The poses of OpenCV's solver that reproject the points without error.
 std::vector<Matx34d> posesOfOpenCV(const PoseSample& s, int method)
 {
     const std::vector<Point3d> X(s.X, s.X + 3);
@@ -114,7 +114,7 @@ std::vector<Matx34d> posesOfOpenCV(const PoseSample& s, int method)
     return result;
 }
 
-//! How many of `some` are not among `others`.
+//! Number of poses in `some` that are not in `others`.
 int countLacking(const PoseSample& s, const std::vector<Matx34d>& some,
                  const std::vector<Matx34d>& others)
 {
@@ -129,8 +129,9 @@ int countLacking(const PoseSample& s, const std::vector<Matx34d>& some,
     return result;
 }
 
-/** All poses that one of OpenCV's solvers finds. They in turn lose a few, or find them with such an
-error that they cannot be told from false ones: where a point is close to the center, 4 of 3100. */
+/** All poses that OpenCV's solvers find must be found. They in turn miss a few, or find them with
+errors so large that they cannot be distinguished from wrong poses: 4 of 3100 where a point is close
+to the camera center. */
 TEST(Usac_P3P, sameAsOpenCV)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -156,11 +157,11 @@ TEST(Usac_P3P, sameAsOpenCV)
     }
 }
 
-//! How far from a double solution rounding may take both.
+//! Tolerance for nearly double solutions, which rounding may move so far.
 const double DOUBLE_SOLUTION = 1e-5;
 
-//! The equations are singular where the center lies on the cylinder that stands on the circle of
-//! the triangle.
+//! The equations are singular if the camera center is on the cylinder through the circumscribed
+//! circle of the triangle, with its axis perpendicular to the triangle.
 TEST(Usac_P3P, dangerCylinder)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -184,7 +185,7 @@ TEST(Usac_P3P, dangerCylinder)
     }
 }
 
-//! Equilateral and isosceles triangles, seen along their axes of symmetry and from elsewhere.
+//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere.
 TEST(Usac_P3P, symmetric)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -206,7 +207,7 @@ TEST(Usac_P3P, symmetric)
     tally.expectSound("symmetric");
 }
 
-//! The center of the camera lies in the plane of the triangle.
+//! The camera center is in the plane of the triangle.
 TEST(Usac_P3P, coplanarWithTheCenter)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -226,7 +227,7 @@ TEST(Usac_P3P, coplanarWithTheCenter)
     tally.expectSound("coplanar");
 }
 
-//! The set of solutions does not depend on the order of the points.
+//! The set of solutions must not depend on the order of the points.
 TEST(Usac_P3P, anyOrder)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -255,7 +256,8 @@ TEST(Usac_P3P, anyOrder)
     }
 }
 
-//! The third point at such a distance from the line of the others, relative to theirs.
+//! A sample whose third point is at the distance `height` from the line of the others, as a
+//! multiple of the distance between these.
 PoseSample flatSample(double height, RNG& rng)
 {
     PoseSample s = randomPoseSample(CUBE, rng);
@@ -268,8 +270,8 @@ PoseSample flatSample(double height, RNG& rng)
     return s;
 }
 
-//! Points of a line, two points in one place, one ray twice: there is no model, whatever the
-//! rounding.
+//! If the points are collinear, two points coincide or two rays are equal, there must be no model,
+//! whatever the rounding.
 TEST(Usac_P3P, degenerate)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -286,7 +288,7 @@ TEST(Usac_P3P, degenerate)
         EXPECT_EQ(0u, solve(*solver, place.X, place.image).size());
         ray.image[k] = s.image[other];
         EXPECT_EQ(0u, solve(*solver, ray.X, ray.image).size());
-        ray.image[k].x += 4e-16 * ray.image[k].x;  // another number, but for its rounding the same
+        ray.image[k].x += 4e-16 * ray.image[k].x;  // differs by rounding only
         EXPECT_EQ(0u, solve(*solver, ray.X, ray.image).size());
         repeated.X[k] = s.X[other];
         repeated.image[k] = s.image[other];
@@ -298,8 +300,8 @@ TEST(Usac_P3P, degenerate)
     }
 }
 
-//! Far from the origin a small triangle on a line is not flat, but rounding is all that makes it
-//! so.
+//! Collinear points far from the origin, within 1e-8 of each other. They are a triangle only
+//! because of rounding, so that there must be no model.
 TEST(Usac_P3P, smallAndFlat)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -313,7 +315,8 @@ TEST(Usac_P3P, smallAndFlat)
     }
 }
 
-//! Whatever the angles of the triangle, what is returned is a rotation and fits.
+//! For triangles that are nearly lines, every returned pose must be a rotation and reproject the
+//! points.
 TEST(Usac_P3P, nearlyFlat)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -328,7 +331,7 @@ TEST(Usac_P3P, nearlyFlat)
     tally.expectSound("nearly flat");
 }
 
-//! No numbers, or such that their squares are none.
+//! Input that is not finite, or whose squares are not, must give no model.
 TEST(Usac_P3P, notFinite)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -349,8 +352,8 @@ TEST(Usac_P3P, notFinite)
     }
 }
 
-//! Nothing fits images and points that have nothing to do with each other, but what is found fits
-//! them.
+//! For images and points that do not belong together there is often no pose, but every returned
+//! pose must reproject the points.
 TEST(Usac_P3P, wrongMatches)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -373,7 +376,7 @@ TEST(Usac_P3P, wrongMatches)
     tally.expectSound("wrong matches");
 }
 
-//! Right angles, equal sides, points that are seen from the center of the camera in its own place.
+//! Small integer coordinates make right angles, equal sides, equal points and other special cases.
 TEST(Usac_P3P, smallIntegers)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();

@@ -6,7 +6,8 @@
 #include "pose_scenes.hpp"
 #include "opencv2/imgproc.hpp"
 
-// The synthetic scenes of absolute pose keep what their options promise: other tests rely on it.
+// Synthetic scenes of absolute poses must have the properties that their options ask for, because
+// other tests rely on them.
 
 namespace opencv_test {
 namespace {
@@ -31,7 +32,7 @@ std::vector<Point3d> trueObject(const PoseScene& scene)
     return result;
 }
 
-//! Standard deviations of points along the axes of their cloud, the largest first.
+//! Standard deviations of points along their principal axes, the largest first.
 Vec3d extents(const std::vector<Point3d>& points)
 {
     const PCA pca(Mat((int)points.size(), 3, CV_64F, (void*)points.data()), Mat(),
@@ -86,13 +87,14 @@ TEST(Usac_PoseScenes, poseIsExactForPointsWithoutNoise)
                     squares += scene.truth[i] ? noisy[i] * noisy[i] : 0;
                 }
                 EXPECT_NEAR(options.noise, std::sqrt(squares / 2 / countTrue(scene)),
-                            0.11);  // five deviations
+                            0.11);  // five standard deviations
                 EXPECT_LE(rotationError(scene, scene.pose), 1e-5);
                 EXPECT_LE(centerError(scene, scene.pose), 1e-12);
             }
 }
 
-//! The distortion moves points by pixels, and cv::undistortPoints takes it back.
+//! The distortion must move some points by at least 5 pixels, and cv::undistortPoints must invert
+//! it.
 TEST(Usac_PoseScenes, distortion)
 {
     for (int coefficients : COEFFICIENTS)
@@ -204,7 +206,8 @@ TEST(Usac_PoseScenes, clusteredOutliers)
     EXPECT_LE(extents(object)[0], 0.5);
 }
 
-//! Behind the camera, on the ray of their image; at its center.
+//! Object points behind the camera must be on the line of the ray of their image; other points must
+//! be at the camera center. All of them must be wrong matches.
 TEST(Usac_PoseScenes, pointsThatNoCameraSees)
 {
     PoseSceneOptions options;

@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-//! An isosceles triangle, seen from the plane that it is symmetric to.
+//! An isosceles triangle, seen from its plane of symmetry.
 Triangle isosceles(double side, double ray, double base, double sigma)
 {
     const double largest = std::max(ray, base);
@@ -16,7 +16,7 @@ Triangle isosceles(double side, double ray, double base, double sigma)
     return T;
 }
 
-//! Of the conic a23 Q12 - a12 Q23 in p, q, w, where a_ij = Q_ij are the equations of
+//! Determinant of the conic a23 Q12 - a12 Q23 in p, q, w, where a_ij = Q_ij are the equations of
 //! TriangleDepths.
 double determinantOf(const Triangle& T)
 {
@@ -25,7 +25,7 @@ double determinantOf(const Triangle& T)
     return determinant(Matx33d(1 - T.a12, pq, pw, pq, -T.a12, qw, pw, qw, T.s12 - T.a12 * T.s23));
 }
 
-//! Largest error of the three equations.
+//! Largest absolute error of the three equations.
 double violation(const Triangle& T, const TriangleDepths& d)
 {
     const double w2 = d.w + T.sigma * d.p, w3 = d.w + T.sigma * d.q;
@@ -68,9 +68,9 @@ TEST(Usac_TriangleDepths, solutionsFit)
     EXPECT_GT(total, 20000);
 }
 
-/** Of an isosceles triangle the conics of the first and of the second point are mirror images.
-Where one is degenerate, so is the other: the cubic of their pencil has neither a constant nor a
-leading coefficient. Nothing special happens to the solutions. */
+/** For an isosceles triangle, the conics of the first and of the second point are mirror images. If
+one is degenerate, so is the other, and the cubic of their pencil has neither a constant nor a
+leading coefficient. The number of solutions must nevertheless be that of a nearby triangle. */
 TEST(Usac_TriangleDepths, bothConicsDegenerate)
 {
     RNG rng(2);

@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! A motion, and how the scene looks; no wrong matches.
+//! A camera motion, and how the scene looks; there are no outliers.
 struct Case
 {
     const char* name;
@@ -35,7 +35,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.nam
 
 typedef testing::TestWithParam<Case> Usac_Essential5;
 
-//! Consecutive fives of the matches of a scene are the samples.
+//! Number of samples in a scene. Each sample has five consecutive matches.
 enum { SAMPLES = 500 };
 
 Scene sceneOf(const Case& c, uint64 seed, double noise)
@@ -114,7 +114,7 @@ TEST_P(Usac_Essential5, finds_the_motion_of_exact_points)
     EXPECT_LE(models, 6 * samples);
 }
 
-//! Polynomials of degree 3 in x, y, z.
+//! Exponents of x, y and z in the monomials up to degree 3. A Cubic has a coefficient for each.
 const int MONOMIALS[20][3] = {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1},
                               {1, 0, 2}, {0, 3, 0}, {0, 2, 1}, {0, 1, 2}, {0, 0, 3},
                               {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0}, {0, 1, 1},
@@ -122,7 +122,7 @@ const int MONOMIALS[20][3] = {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1,
 typedef std::array<long double, 20> Cubic;
 typedef Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> MatrixXl;
 
-//! sum += factor a b; the degree must not exceed 3
+//! sum += factor * a * b, where the degree of the product must not exceed 3
 void addProduct(const Cubic& a, const Cubic& b, long double factor, Cubic& sum)
 {
     for (int i = 0; i < 20; ++i)
@@ -134,7 +134,7 @@ void addProduct(const Cubic& a, const Cubic& b, long double factor, Cubic& sum)
                     sum[k] += factor * a[i] * b[j];
 }
 
-//! The ten constraints on N (x, y, z, 1)^T, a row each.
+//! The ten constraints on E = N (x, y, z, 1)^T as coefficients of cubics, one per row.
 MatrixXl constraintsOn(const MatrixXl& N)
 {
     Cubic E[3][3], EEt[3][3], zero = {}, trace = {};
@@ -175,8 +175,9 @@ MatrixXl constraintsOn(const MatrixXl& N)
     return C;
 }
 
-/** All essential matrices of five points by the eigenvectors of the action matrix
-@cite stewenius2006recent, in long double: nothing of it is in the solver. */
+/** All essential matrices of five points from the eigenvectors of the action matrix @cite
+stewenius2006recent, in long double. The solver uses another method, so that their errors are
+independent. */
 std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
 {
     MatrixXl A(5, 9), G(4, 4);
@@ -195,7 +196,8 @@ std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
     const MatrixXl N = Eigen::JacobiSVD<MatrixXl>(A, Eigen::ComputeFullV).matrixV().rightCols(4) *
                        Q;
     const MatrixXl C = constraintsOn(N), S = C.leftCols(10).fullPivLu().solve(C.rightCols(10));
-    MatrixXl action = MatrixXl::Zero(10, 10);  // of x on x2 xy xz y2 yz z2 x y z 1
+    // matrix of the multiplication by x in the basis x2 xy xz y2 yz z2 x y z 1
+    MatrixXl action = MatrixXl::Zero(10, 10);
     action.topRows(6) = -S.topRows(6);
     action(6, 0) = action(7, 1) = action(8, 2) = action(9, 6) = 1;
     const Eigen::EigenSolver<MatrixXl> eigen(action);

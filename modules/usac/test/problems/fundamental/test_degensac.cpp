@@ -16,8 +16,8 @@ struct Outcome
     std::vector<double> errors;
 };
 
-//! Estimates F in scenes that differ in their seeds only. Success: the points off the plane fit as
-//! well.
+//! Estimates F in scenes that differ only in their seeds. A success is an error below 2 pixels over
+//! the true matches off the plane.
 Outcome estimateScenes(const SceneOptions& common, int scenes, const Params& params)
 {
     Outcome outcome;
@@ -71,7 +71,7 @@ TEST(Usac_Degensac, dominantPlanes)
     EXPECT_GE(with, without + 5 * SCENES / 10) << "of " << 5 * SCENES;
 }
 
-//! Where plane and parallax alone must find the model.
+//! Without local optimization, plane and parallax alone must find the model.
 TEST(Usac_Degensac, withoutLocalOptimization)
 {
     SceneOptions options;
@@ -99,7 +99,7 @@ TEST(Usac_Degensac, generalScenesAreNotWorse)
     }
 }
 
-//! recover() on its own: it may replace a model only by a better one.
+//! recover() alone may replace a model only by a better one.
 TEST(Usac_Degensac, neverRaisesTheCost)
 {
     int replaced = 0, detected = 0, tried = 0;
@@ -115,7 +115,7 @@ TEST(Usac_Degensac, neverRaisesTheCost)
         const Context context(usac->points(), usac->components(), params, arena);
         usac->components().start(context);
         const Ptr<Degeneracy> degensac = createDegensac();
-        std::vector<int> good;  // samples of inliers only
+        std::vector<int> good;  // true matches, from which samples are drawn
         for (int i = 0; i < scene.size(); ++i)
             if (scene.truth[usac->points().inputIndex[i]])
                 good.push_back(i);
@@ -156,7 +156,8 @@ TEST(Usac_Degensac, neverRaisesTheCost)
     EXPECT_LT(detected, tried);
 }
 
-//! Exact samples with a known number of points on the plane: found from five on.
+//! Samples of exact points, of which a known number is on a plane. A plane must be detected from
+//! five points on.
 TEST(Usac_Degensac, detectsFiveOfSeven)
 {
     SceneOptions options;
@@ -203,8 +204,8 @@ TEST(Usac_Degensac, detectsFiveOfSeven)
         EXPECT_LE(found[planar], tried[planar] * 10 / 100) << planar << " on the plane";
 }
 
-//! A model without a sample whose inliers are on a plane, as after a local optimization, is mended
-//! as well.
+//! A model without a sample (as after a local optimization) whose inliers are mostly on a plane
+//! must be corrected, too.
 TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
 {
     int mended = 0;
@@ -241,7 +242,8 @@ TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
     EXPECT_GE(mended, SCENES * 8 / 10);
 }
 
-//! Seven matches and more, and a model that no seven points have given.
+//! Random matches with the model F, for which there is no plane. recover() with and without a
+//! sample must not change the model.
 void expectNoPlane(const Model& F, double threshold)
 {
     RNG rng(5);
@@ -271,14 +273,15 @@ void expectNoPlane(const Model& F, double threshold)
     }
 }
 
-//! A matrix of rank 1 has no epipole, and so no plane.
+//! A matrix of rank 1 or 0 has no unique epipole, so that no plane can be found.
 TEST(Usac_Degensac, noEpipole)
 {
     expectNoPlane(Matx33d(1, 0, 0, 0, 0, 0, 0, 0, 0), 10);
     expectNoPlane(Matx33d::zeros(), 10);
 }
 
-//! The first match lies on the epipole of image 2: it is on the plane of any two others.
+//! The first match is at the epipole of image 2 and therefore on the plane of any two other
+//! matches. No plane may be detected.
 TEST(Usac_Degensac, matchOnTheEpipole)
 {
     expectNoPlane(Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-3);

@@ -19,7 +19,7 @@ Params paramsOf(const Params& preset)
     return params;
 }
 
-//! Sum of truncated squared errors.
+//! Sum over all matches of the squared error in thresholds, truncated at 1.
 double costOf(const Scene& scene, const cv::Matx33d& F)
 {
     double cost = 0;
@@ -42,8 +42,8 @@ SceneOptions planarScene(int size, double plane, double inliers, uint64 seed,
     return options;
 }
 
-//! A scene, its points as the estimator sees them, the plane's homography from its matches, and the
-//! rest of the points.
+//! A scene, its points in the estimator's coordinates, the homography of the plane from its
+//! matches, the indices of all points off the plane, and the refined true model.
 struct Parallax
 {
     explicit Parallax(const SceneOptions& options)
@@ -74,9 +74,9 @@ struct Parallax
             ->fit(p, right.data(), (int)right.size(), 0, truth, 20);
     }
 
-    //! Where a search begins: an epipole that is not the scene's.
+    //! The model with which a search begins: the plane with an epipole that is not the scene's.
     Model wrong() const { return crossMatrix(cv::Vec3d(0.3, -0.2, 1)) * H; }
-    //! Before a search for that model's successor.
+    //! Prepares a search that begins with wrong().
     void begin(PlaneParallax& parallax, Model& model, Quality& quality) const
     {
         model = wrong();
@@ -95,7 +95,8 @@ struct Parallax
     Model truth;
 };
 
-//! Runs that end with a model that is worse than the true one, refined, by more than one outlier.
+//! Number of runs whose model has a cost higher than the refined true model by more than one
+//! outlier.
 int searchFailures(const Params& preset, int size, double plane, double inliers, int scenes)
 {
     int failures = 0;
@@ -111,7 +112,8 @@ int searchFailures(const Params& preset, int size, double plane, double inliers,
     return failures;
 }
 
-//! With 300 pairs of 208 points these were 0, 2, 2, 7, 15, 28 and 8 %.
+//! For comparison, with 300 random pairs of 208 points off the plane, 0, 2, 2, 7, 15, 28 and 8 % of
+//! the runs fail.
 TEST(Usac_PlaneParallax, fewSearchFailures)
 {
     const double cells[][2] = {{0.6, 0.5},  {0.8, 0.5},  {0.9, 0.7}, {0.95, 0.9},
@@ -124,7 +126,7 @@ TEST(Usac_PlaneParallax, fewSearchFailures)
     EXPECT_LE(searchFailures(Params::fast(), 500, 0.95, 0.7, 40), 2);
 }
 
-//! The epipole in the image, far away and at infinity.
+//! The epipole is in the image, far away or at infinity. The search must find it for each motion.
 TEST(Usac_PlaneParallax, allMotions)
 {
     const Motion motions[] = {MOTION_GENERAL, MOTION_FORWARD, MOTION_SIDEWAYS, MOTION_RECTIFIED,
@@ -144,14 +146,14 @@ TEST(Usac_PlaneParallax, allMotions)
             EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality));
             EXPECT_NEAR(1, cv::norm(Matx33d(model)), 1e-9);
             EXPECT_EQ(p.context.rate(model).cost, quality.cost);
-            // no optimization of all seven parameters, so a little more than the optimum
+            // not all seven parameters are optimized, so the cost is a little above the minimum
             found += quality.cost <= p.context.rate(p.truth).cost + 5;
         }
         EXPECT_GE(found, SCENES - 1) << "motion " << m;
     }
 }
 
-//! Nothing off the plane but outliers: each line is looked at once, at most.
+//! Only outliers are off the plane. The search must be bounded: it tries each line at most once.
 TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
 {
     const int sizes[] = {20, 200, 1000, 6000};
@@ -168,14 +170,14 @@ TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
         EXPECT_LE(lines, 450)
             << "about 2 % of the points suit a chance epipole, whatever their number";
         EXPECT_LE(parallax.fits(), lines);
-        // what was found would not be found again, and a second look costs nothing
+        // a second search must find nothing and must try no further line
         EXPECT_FALSE(parallax.search(p.context, 0.01, 0, model, quality));
         EXPECT_EQ(lines, parallax.lines());
     }
 }
 
-//! Only models that matter: if 100 inliers off the plane are wanted, few lines are enough to say
-//! no.
+//! If at least 100 inliers off the plane are required, few lines must suffice to reject all
+//! epipoles.
 TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
 {
     const Parallax p(planarScene(1000, 0.95, 0.5, 4));
@@ -193,7 +195,7 @@ TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
     EXPECT_LE(quality.cost, p.context.rate(p.truth).cost + 5);
 }
 
-//! More points off the plane than vote.
+//! More points are off the plane than can vote for an epipole (MAX_POINTS).
 TEST(Usac_PlaneParallax, manyPointsOffThePlane)
 {
     const Parallax p(planarScene(6000, 0.8, 0.5, 5));
@@ -207,7 +209,8 @@ TEST(Usac_PlaneParallax, manyPointsOffThePlane)
     EXPECT_LT(parallax.lines(), 300);
 }
 
-//! A point with many matches is no epipole, nor is one that is there several times.
+//! Neither a point with many matches nor a match that occurs several times may be taken for the
+//! epipole.
 TEST(Usac_PlaneParallax, repeatedPoints)
 {
     int found = 0;
@@ -231,7 +234,7 @@ TEST(Usac_PlaneParallax, repeatedPoints)
         found += quality.cost <= p.context.rate(p.truth).cost + 8;
     }
     EXPECT_GE(found, SCENES - 2);
-    // one match, fifty times: no second line, no epipole
+    // one match fifty times has no second line and thus no epipole
     const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)),
         same2(50, cv::Point2d(-0.5, 0.25));
     const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);
@@ -251,7 +254,7 @@ TEST(Usac_PlaneParallax, repeatedPoints)
     EXPECT_EQ(0, parallax.fits());
 }
 
-//! A plane with nothing or one point off it.
+//! With no point or a single one off the plane, the search must find nothing.
 TEST(Usac_PlaneParallax, fewPoints)
 {
     const Parallax p(planarScene(100, 1, 1, 6));

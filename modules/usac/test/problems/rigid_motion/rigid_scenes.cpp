@@ -14,10 +14,10 @@ using namespace cv;
 
 namespace {
 
-//! Of RIGID_NEAR_PLANE and RIGID_NEAR_LINE.
+//! Standard deviation of the noise of RIGID_NEAR_PLANE and RIGID_NEAR_LINE.
 const double ROUGHNESS = 0.02;
 const double CLUSTER_RADIUS = 0.1, OUTLIER_RADIUS = 0.3, OUTLIER_SIDE = 4, FARTHEST_MOVED = 3;
-//! Of RIGID_OUTLIERS_PLACE, thresholds.
+//! Standard deviation of the noise of RIGID_OUTLIERS_PLACE in thresholds.
 const double JITTER = 0.25;
 
 Vec3d randomInCube(RNG& rng, double half)
@@ -98,7 +98,7 @@ private:
         return Matx33d::eye() * c + cross * s + (a * a.t()) * (1 - c);
     }
 
-    //! The motion of the coordinates that have been scaled and moved.
+    //! The motion between coordinates after scaling and translation, from the motion before.
     Matx34d placed(const Matx34d& motion) const
     {
         const Matx33d A = linearPart(motion);
@@ -106,7 +106,7 @@ private:
         return motionFrom(1, A, t * options.unit + options.offset2 - A * options.offset1);
     }
 
-    //! Of space 1.
+    //! A point of space 1.
     Vec3d shapePoint()
     {
         const Vec3d cube = randomInCube(rng, 1);
@@ -177,10 +177,10 @@ private:
     const RigidSceneOptions& options;
     RigidScene& scene;
     RNG rng;
-    const Matx33d axes;         //!< of the plane or the line
-    Matx34d near, other;        //!< motions before the coordinates are scaled and moved
-    Vec3d ball1, ball2;         //!< centers of RIGID_OUTLIERS_CLUSTERED
-    std::vector<Vec3d> places;  //!< of RIGID_OUTLIERS_PLACE
+    const Matx33d axes;         //!< axes of the plane or the line
+    Matx34d near, other;        //!< motions before scaling and translation
+    Vec3d ball1, ball2;         //!< centers of the balls of RIGID_OUTLIERS_CLUSTERED
+    std::vector<Vec3d> places;  //!< points of RIGID_OUTLIERS_PLACE
 };
 
 }  // namespace

@@ -11,28 +11,27 @@
 
 namespace opencv_test {
 
-//! Where the points of a RigidScene are in space 1, about the origin before they are scaled and
-//! moved.
+//! Where the points of a RigidScene are in space 1, near the origin before scaling and translation.
 enum RigidShape {
     RIGID_CLOUD,       //!< anywhere in a cube of side 2
-    RIGID_PLANE,       //!< in a square of side 2 on any plane
-    RIGID_NEAR_PLANE,  //!< the same, but for normal noise of 0.02 across it
+    RIGID_PLANE,       //!< in a square of side 2 on a random plane
+    RIGID_NEAR_PLANE,  //!< the same with Gaussian noise of 0.02 across the plane
     RIGID_LINE,        //!< on a segment of length 2
-    RIGID_NEAR_LINE,   //!< the same, but for normal noise of 0.02 in each coordinate
+    RIGID_NEAR_LINE,   //!< the same with Gaussian noise of 0.02 in each coordinate
     RIGID_CLUSTER      //!< in one ball of radius 0.1
 };
 
 //! What the wrong matches are like.
 enum RigidOutliers {
-    RIGID_OUTLIERS_UNIFORM,  //!< in space 1 as the true ones, in space 2 anywhere in a cube of side
-                             //!< 4 around them
+    RIGID_OUTLIERS_UNIFORM,  //!< in space 1 like the true ones, in space 2 anywhere in a cube of
+                             //!< side 4 around them
     RIGID_OUTLIERS_CLUSTERED,      //!< from one ball of radius 0.3 to another
     RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
-    RIGID_OUTLIERS_PLACE  //!< `structured` of them in space 2 at one place, but for a quarter of
+    RIGID_OUTLIERS_PLACE  //!< `structured` of them at a few points of space 2 up to a quarter of
                           //!< the threshold; the others uniform
 };
 
-//! What a synthetic scene of two spaces looks like. Lengths are in units of `unit`.
+//! What a synthetic scene of two spaces looks like. Lengths are multiples of `unit`.
 struct RigidSceneOptions
 {
     RigidSceneOptions()
@@ -41,22 +40,22 @@ struct RigidSceneOptions
           unit(1), offset1(0, 0, 0), offset2(0, 0, 0), structured(0), places(1)
     {}
 
-    int size;            //!< different matches, >= 4
-    double inlierRatio;  //!< part of them that is true; at least 3 are
+    int size;            //!< number of different matches, at least 4
+    double inlierRatio;  //!< fraction of them that is true; at least 3 are
     double
-        noise;  //!< standard deviation in each coordinate of space 2, times the scale of the model
+        noise;  //!< standard deviation of each coordinate of space 2, divided by `modelScale`
     uint64 seed;
     RigidShape shape;
     RigidOutliers outliers;
-    int copies;  //!< each match is there so many times
-    //! Probability that a true match has a better score than a wrong one: 0.5: scores tell nothing,
-    //! 1: all, near 0: upside down.
+    int copies;  //!< number of times that each match occurs
+    //! Probability that a true match has a better score than a wrong one, in (0, 1]. 0.5: the
+    //! scores are not informative; 1: they separate perfectly; near 0: they are reversed.
     double scoreInformation;
-    double modelScale;           //!< of the motion; 1: a rigid one
-    double unit;                 //!< all coordinates are multiplied by that,
-    cv::Vec3d offset1, offset2;  //!< and then the points of each space moved by these
+    double modelScale;           //!< scale of the motion; 1: a rigid motion
+    double unit;                 //!< factor on all coordinates
+    cv::Vec3d offset1, offset2;  //!< translations of both spaces after scaling
     int structured,
-        places;  //!< RIGID_OUTLIERS_PLACE: so many wrong matches, at so many places in turn
+        places;  //!< RIGID_OUTLIERS_PLACE: number of such matches and of their points in space 2
 };
 
 /** @brief Points of two spaces, with the exact motion between them.
@@ -67,34 +66,34 @@ uniform, those of true matches are 1 - u^((1 - q) / q) with u uniform and q the 
 struct RigidScene
 {
     std::vector<cv::Point3d> points1, points2,
-        clean2;  //!< clean2: without noise; where `truth` is 0 as points2
+        clean2;  //!< clean2: points2 without noise where `truth` is 1, else as points2
     std::vector<float> scores;
     std::vector<uchar> truth;  //!< 1: a true match
     cv::Matx34d motion;        //!< [s R t]: point of space 2 = s R point of space 1 + t
     cv::Matx34d secondMotion;  //!< of RIGID_OUTLIERS_SECOND_MOTION
-    double unit;               //!< of space 2: the option `unit` times that of the model
+    double unit;               //!< of space 2: the product of the options `unit` and `modelScale`
     double
-        threshold;  //!< that suits the noise: 3.5 standard deviations, 0.035 units if there is none
+        threshold;  //!< 3.5 standard deviations of the noise, or 0.035 units without noise
 
     int size() const { return (int)points1.size(); }
 };
 
 RigidScene makeRigidScene(const RigidSceneOptions& options = RigidSceneOptions());
 
-//! What a motion makes of a point.
+//! The point of space 2 to which a motion maps a point of space 1.
 cv::Vec3d moved(const cv::Matx34d& motion, const cv::Point3d& point);
 
-//! Distances in space 2 of the points from where a motion takes their counterparts.
+//! Distances in space 2 between the mapped points of space 1 and their counterparts.
 std::vector<double> distancesOf(const RigidScene& scene, const cv::Matx34d& motion);
 
-//! Angle between the rotations of a motion and of the true one, degrees.
+//! Angle in degrees between the rotation of a motion and the true one.
 double rotationError(const RigidScene& scene, const cv::Matx34d& motion);
 
-//! Root mean square over the true matches of the distance between where the two take a point, in
-//! units of the scene.
+//! Root mean square distance over the true matches between the points to which the motion and the
+//! true motion map them, in units of the scene.
 double motionError(const RigidScene& scene, const cv::Matx34d& motion);
 
-//! [scale * R, t].
+//! The matrix [scale * R, t].
 cv::Matx34d motionFrom(double scale, const cv::Matx33d& R, const cv::Vec3d& t);
 
 }  // namespace opencv_test

@@ -11,8 +11,8 @@
 
 namespace opencv_test {
 
-//! Pairs of points of space as Correspondences, as solvers see them; they live as long as this
-//! object.
+//! Pairs of 3-D points as Correspondences for solvers; they are valid as long as this object
+//! exists.
 class SpacePoints
 {
 public:
@@ -40,7 +40,7 @@ public:
     }
 
     const cv::usacv20::Correspondences& view() const { return points; }
-    //! 0, 1, 2, ...
+    //! The indices of all points: 0, 1, 2, ...
     const int* indices() const { return all.data(); }
 
 private:

@@ -12,7 +12,7 @@
 
 #include <numeric>
 
-// Rigid motions of many points by least squares in closed form, and their parameterization.
+// Least squares for rigid motions in closed form, and their parameterization.
 
 namespace opencv_test {
 namespace {
@@ -69,8 +69,8 @@ double costOf(const RigidScene& scene, const std::vector<double>& weights, const
 const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE, RIGID_NEAR_PLANE, RIGID_NEAR_LINE,
                              RIGID_CLUSTER};
 
-/** The derivatives of the cost by the six or seven parameters of a motion, by finite differences,
-are zero, and every step that is not small raises it. */
+/** The derivatives of the cost by the parameters, from finite differences, must be zero, and random
+other motions must have a higher cost. */
 template <bool SCALED>
 void expectMinimum(const RigidScene& scene, const std::vector<double>& weights)
 {
@@ -139,7 +139,8 @@ TEST(Usac_RigidLeastSquares, sameAsOpenCV)
         }
 }
 
-//! The same error as three components, of which the library knows nothing.
+//! The error of the problem in three components, as a residual of the caller. There is no closed
+//! form for it.
 class OwnError : public Residual
 {
 public:
@@ -176,7 +177,7 @@ public:
     }
 };
 
-//! Steps of Gauss and Newton for a residual of one's own arrive where the closed form is.
+//! For a residual of the caller, Gauss-Newton steps must reach the minimum of the closed form.
 TEST(Usac_RigidLeastSquares, sameAsBySteps)
 {
     RNG rng(2);
@@ -189,7 +190,7 @@ TEST(Usac_RigidLeastSquares, sameAsBySteps)
                 SCOPED_TRACE(cv::format("shape %d, seed %d, scaled %d", shape, seed, scaled));
                 RigidScene scene = sceneOf(shape, 0.01, seed);
                 for (int i = 0; i < scene.size();
-                     ++i)  // near where the steps begin, as after a search
+                     ++i)  // outliers are moderate, so that the start is near the minimum
                     if (!scene.truth[i])
                         scene.points2[i] = Point3d(moved(scene.motion, scene.points1[i]) * 1.02);
                 const std::vector<double> weights = randomWeights(scene.size(), rng);
@@ -207,7 +208,8 @@ TEST(Usac_RigidLeastSquares, sameAsBySteps)
     }
 }
 
-//! A million times their extent from the origin, where six of the sixteen digits are gone.
+//! The points are a million times their extent away from the origin, where six of sixteen digits
+//! are lost.
 TEST(Usac_RigidLeastSquares, farFromTheOrigin)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -228,7 +230,7 @@ TEST(Usac_RigidLeastSquares, farFromTheOrigin)
         }
 }
 
-//! Points of a line, few points, no weight: there is no motion.
+//! Collinear points, too few points and weights of 0 must give no motion.
 TEST(Usac_RigidLeastSquares, refused)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -257,7 +259,8 @@ TEST(Usac_RigidLeastSquares, refused)
         }
 }
 
-//! A mirror image is no motion: the best rotation has determinant 1, and nothing near it is better.
+//! A mirror image is no rigid motion. The determinant of the best rotation must be 1, and no motion
+//! near it may be better.
 TEST(Usac_RigidLeastSquares, mirrored)
 {
     for (int seed = 1; seed <= 20; ++seed)
@@ -278,7 +281,8 @@ TEST(Usac_RigidLeastSquares, mirrored)
     }
 }
 
-//! A matrix with entries that are not finite has no closest rotation: the result is not finite.
+//! A matrix with entries that are not finite has no closest rotation; the result must not be
+//! finite.
 TEST(Usac_RigidLeastSquares, closestRotationOfNoNumbers)
 {
     for (double value : {NAN, INFINITY, -INFINITY})
@@ -325,7 +329,7 @@ void checkParameters()
     EXPECT_LE((A - basis.transpose() * sums.JtJ * basis).norm(), 1e-12 * A.norm());
     EXPECT_LE((b - basis.transpose() * sums.Jtr).norm(), 1e-12 * b.norm());
     EXPECT_TRUE(here.hasFullRank());
-    // of a matrix that is no rotation, the closest motion
+    // for a matrix that is no rotation, the closest motion
     Matx34d rough = Matx34d(model);
     for (int k = 0; k < 12; ++k)
         rough.val[k] += rng.gaussian(0.05);

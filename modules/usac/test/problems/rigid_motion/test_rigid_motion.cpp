@@ -4,7 +4,7 @@
 
 #include "contracts/rigid_contracts.hpp"
 
-// Motions of space on synthetic scenes of every shape, by every preset.
+// Tests of 3-D motions on synthetic scenes of every shape, with every preset.
 
 namespace opencv_test {
 namespace {
@@ -16,7 +16,7 @@ Estimate estimate(ProblemType type, const RigidScene& scene)
     return estimate(type, scene, params);
 }
 
-//! With a scale where the problem has one.
+//! Options with a scale if the problem has one.
 RigidSceneOptions optionsOf(ProblemType type)
 {
     RigidSceneOptions options;
@@ -24,7 +24,8 @@ RigidSceneOptions optionsOf(ProblemType type)
     return options;
 }
 
-//! The contract of the result, and that the motion is the true one.
+//! Checks the promises about the result, and that the motion is correct within `degrees` of
+//! rotation and `error` units of the scene.
 void expectRight(ProblemType type, const RigidScene& scene, const Estimate& found, double threshold,
                  double degrees, double error)
 {
@@ -74,13 +75,13 @@ TEST_P(Usac_RigidMotion, every_shape_and_kind_of_outliers)
                 const RigidScene scene = makeRigidScene(options);
                 const double degrees = shape == RIGID_NEAR_LINE
                                            ? 10
-                                           : 0.4;  // 0.02 across a line say little
+                                           : 0.4;  // a line hardly determines a rotation
                 expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, degrees,
                             0.005);
             }
 }
 
-//! The rotation of a small ball far from nothing is determined by its size.
+//! The rotation of a small ball is less accurate, because the noise is larger relative to its size.
 TEST_P(Usac_RigidMotion, clusters)
 {
     RigidSceneOptions options = optionsOf(problem());
@@ -116,7 +117,7 @@ TEST_P(Usac_RigidMotion, inlier_ratios_and_sizes)
         for (int size : {20, 100, 1000, 20000})
         {
             if (percent * size < 1000)
-                continue;  // fewer than ten right ones
+                continue;  // fewer than ten inliers
             SCOPED_TRACE(cv::format("%d %% of %d", percent, size));
             RigidSceneOptions options = optionsOf(problem());
             options.size = size;
@@ -139,7 +140,8 @@ TEST_P(Usac_RigidMotion, a_hundred_thousand_points)
     expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 0.02, 0.001);
 }
 
-//! Of the sample alone, and a bit more: right ones, which nothing contradicts.
+//! As many true matches as a sample, or a few more: the motion must be found. With fewer than three
+//! points there must be no model.
 TEST_P(Usac_RigidMotion, few_points)
 {
     for (int size : {3, 4, 5, 20})
@@ -171,7 +173,7 @@ TEST_P(Usac_RigidMotion, few_points)
     }
 }
 
-//! Within a twentieth of least squares over the right matches, on average.
+//! The mean error must be at most 1.05 times that of least squares over the true matches.
 TEST_P(Usac_RigidMotion, as_accurate_as_least_squares)
 {
     double own = 0, best = 0;
@@ -215,9 +217,9 @@ TEST_P(Usac_RigidMotion, exact_points)
         }
 }
 
-/** Other units and origins, the threshold with them: the same mask. Powers of two change no bit of
-the search; by other factors a point that is on the threshold to the last digits may change sides.
-*/
+/** The unit and the origin of the points change, and the threshold with the unit. The mask must be
+the same. Powers of two change no bit of the search; with other factors, only points at the
+threshold up to rounding could change sides. */
 TEST_P(Usac_RigidMotion, units_and_origins)
 {
     for (int seed = 1; seed <= 5; ++seed)
@@ -265,7 +267,7 @@ TEST_P(Usac_RigidMotion, threads_give_the_same_bits)
     }
 }
 
-//! Rows that a depth camera has no depth for.
+//! Some rows are not finite, as where a depth camera measures no depth. They must not be inliers.
 TEST_P(Usac_RigidMotion, rows_of_no_numbers)
 {
     RigidScene scene = makeRigidScene(optionsOf(problem()));
@@ -284,7 +286,7 @@ TEST_P(Usac_RigidMotion, rows_of_no_numbers)
         EXPECT_EQ(0, found.mask.at<uchar>(i));
 }
 
-//! Points at one place or on a line, random ones: no model, and a reason.
+//! For equal, collinear or random points there must be no model, and a reason must be reported.
 TEST_P(Usac_RigidMotion, impossible_points)
 {
     std::vector<Point3d> same(100, Point3d(3, 4, 5)), line, random1, random2;
@@ -312,7 +314,7 @@ TEST_P(Usac_RigidMotion, impossible_points)
             scene.points2 = *seconds[i];
             const Estimate found = estimate(problem(), scene, preset.params);
             if (random && preset.params.quality == QUALITY_LMEDS)
-                continue;  // its threshold is as wide as it needs
+                continue;  // it may choose a large threshold
             EXPECT_TRUE(found.model.empty());
             EXPECT_EQ(0, countNonZero(found.mask));
             EXPECT_EQ(100, found.mask.rows);

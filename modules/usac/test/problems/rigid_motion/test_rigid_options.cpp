@@ -5,8 +5,8 @@
 #include "contracts/rigid_contracts.hpp"
 #include "support/run_context.hpp"
 
-// Parts of the search with motions of space: each component, a model to begin with, residuals of
-// one's own.
+// Tests of the search for 3-D motions with each component, with an initial model and with residuals
+// of the caller.
 
 namespace opencv_test {
 namespace {
@@ -38,7 +38,7 @@ struct Option
     int first, last;
 };
 
-//! Each value of each option finds the motion as well as the others.
+//! With each value of each option, the motion must be found accurately.
 TEST_P(Usac_RigidOptions, every_component)
 {
     const Option options[] = {
@@ -95,7 +95,7 @@ TEST_P(Usac_RigidOptions, every_termination)
         if (flags[k] == TERMINATION_MAGSAC)
         {
             params.quality = QUALITY_MAGSAC;
-            params.threshold = 3 * scene.threshold;  // what it suits
+            params.threshold = 3 * scene.threshold;  // a bound of the noise
         }
         const Estimate found = checkedMotion(problem(), scene, params);
         ASSERT_FALSE(found.model.empty());
@@ -106,7 +106,8 @@ TEST_P(Usac_RigidOptions, every_termination)
     }
 }
 
-//! Scores that tell right matches from wrong ones save samples where the criterion asks for them.
+//! Informative scores must save samples if the termination criterion (PROSAC's) takes them into
+//! account.
 TEST_P(Usac_RigidOptions, scores_save_samples)
 {
     double with = 0, without = 0;
@@ -130,7 +131,8 @@ TEST_P(Usac_RigidOptions, scores_save_samples)
     EXPECT_LT(with, 0.5 * without);
 }
 
-//! One sample finds nothing among nine wrong matches in ten: the motion comes from the one given.
+//! With 90 % outliers, a single sample finds no motion, so that it must come from the initial
+//! model.
 TEST_P(Usac_RigidOptions, initial_model)
 {
     RigidSceneOptions options = optionsOf(problem(), 0.1);
@@ -145,7 +147,7 @@ TEST_P(Usac_RigidOptions, initial_model)
         ASSERT_FALSE(first.model.empty());
         Params tracking = params;
         tracking.maxIterations = 1;
-        // the frame before: a bit off
+        // the motion of the previous frame differs slightly
         const Matx33d turn(1, -0.004, 0, 0.004, 1, 0, 0, 0, 1);
         Matx34d before = motionFrom(1, turn * first.motion().get_minor<3, 3>(0, 0),
                                     moved(first.motion(), Point3d()));
@@ -159,7 +161,7 @@ TEST_P(Usac_RigidOptions, initial_model)
             EXPECT_GE(tracked.report.inliers, 0.98 * first.report.inliers);
         }
         RNG rng(3);
-        for (int trial = 0; trial < 10; ++trial)  // a wrong one does no harm
+        for (int trial = 0; trial < 10; ++trial)  // a wrong initial model does no harm
         {
             Mat wrong(3, 4, CV_64F);
             rng.fill(wrong, RNG::NORMAL, 0, 1);
@@ -170,7 +172,7 @@ TEST_P(Usac_RigidOptions, initial_model)
     }
 }
 
-//! A threshold that is too small for the noise: the search may widen its reach.
+//! If the threshold is too small for the noise, a growing reach must improve the model.
 TEST_P(Usac_RigidOptions, widest_reach)
 {
     double narrow = 0, wide = 0;
@@ -193,8 +195,8 @@ TEST_P(Usac_RigidOptions, widest_reach)
     EXPECT_LT(wide, narrow);
 }
 
-//! The distance in space 2 by a residual of a program's own, with errors across weighted: a
-//! different metric.
+//! The distance in space 2 as a residual of the caller, in which errors along z have another
+//! weight.
 class OwnResidual : public Residual
 {
 public:
@@ -233,11 +235,11 @@ public:
     }
 
 private:
-    const double along;  //!< factor of the errors along z, as of a camera that measures depth worse
+    const double along;  //!< factor of errors along z; below 1 if depth is less accurate
 };
 
-//! What is scored, fitted and in the mask is the residual in use; with the same error it finds the
-//! same.
+//! A replaced residual must be used for scores, fits and the mask. If its errors are those of the
+//! built-in one, the motion must be nearly the same.
 TEST_P(Usac_RigidOptions, own_residual)
 {
     const RigidScene scene = makeRigidScene(optionsOf(problem(), 0.6));
@@ -274,7 +276,7 @@ TEST_P(Usac_RigidOptions, own_residual)
     }
 }
 
-//! An object is run again, with other points: the same as a new one.
+//! An object that is run again with other points must give the results of a new object.
 TEST_P(Usac_RigidOptions, run_again)
 {
     const Ptr<Usac> usac = Usac::create(problem(), makeRigidScene().points1,
@@ -283,7 +285,7 @@ TEST_P(Usac_RigidOptions, run_again)
     {
         RigidSceneOptions options = optionsOf(problem(), 0.5);
         options.size = size;
-        options.unit = 50;  // the default threshold suits it
+        options.unit = 50;  // suits the default threshold
         const RigidScene scene = makeRigidScene(options);
         usac->setPoints(scene.points1, scene.points2);
         for (int run = 0; run < 2; ++run)
@@ -299,8 +301,9 @@ TEST_P(Usac_RigidOptions, run_again)
     }
 }
 
-//! Of points of both spaces, against all distances; of space 2 alone where space 1 has another
-//! unit.
+//! The neighbors must be those with the smallest distances, found by exhaustive search. Distances
+//! are measured in both spaces for rigid motions, in space 2 for similarities, where space 1 may
+//! have another unit.
 TEST_P(Usac_RigidOptions, nearest_neighbors)
 {
     RigidSceneOptions options = optionsOf(problem(), 0.6);

@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "rigid_scenes.hpp"
 
-// The synthetic scenes of two spaces keep what their options promise: other tests rely on it.
+// Synthetic scenes of two spaces must have the properties that their options ask for, because other
+// tests rely on them.
 
 namespace opencv_test {
 namespace {
@@ -20,7 +21,7 @@ int countTrue(const RigidScene& scene)
     return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
 }
 
-//! Points 1 of the matches that are true, or of those that are not.
+//! Returns the points of the true matches if `right`, otherwise those of the wrong matches.
 std::vector<Point3d> select(const RigidScene& scene, const std::vector<Point3d>& points, bool right)
 {
     std::vector<Point3d> result;
@@ -30,7 +31,7 @@ std::vector<Point3d> select(const RigidScene& scene, const std::vector<Point3d>&
     return result;
 }
 
-//! Standard deviations of points along the axes of their cloud, the largest first.
+//! Standard deviations of points along their principal axes, the largest first.
 Vec3d extents(const std::vector<Point3d>& points)
 {
     const PCA pca(Mat((int)points.size(), 3, CV_64F, (void*)points.data()), Mat(),
@@ -88,7 +89,7 @@ TEST(Usac_RigidScenes, motionIsExactForPointsWithoutNoise)
                 const double sigma = std::sqrt(squares / 3 / countTrue(scene));
                 EXPECT_NEAR(options.noise * scale, sigma,
                             0.0019 * scale);              // five standard deviations
-                EXPECT_GE(within, countTrue(scene) - 5);  // 0.7 % are farther
+                EXPECT_GE(within, countTrue(scene) - 5);  // 0.7 % are above the threshold
                 EXPECT_LE(rotationError(scene, scene.motion), 1e-5);
                 EXPECT_LE(motionError(scene, scene.motion), 1e-12);
             }

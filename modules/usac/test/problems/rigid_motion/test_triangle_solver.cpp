@@ -7,14 +7,14 @@
 #include "space_points.hpp"
 #include "problems/rigid_motion/rigid_motion.hpp"
 
-// Rigid motions from three points, with and without a scale.
+// Tests of the solver for rigid motions from three points, with and without a scale.
 
 namespace opencv_test {
 namespace {
 
 typedef std::vector<Vec3d> Triangle;
 
-//! False if there is no model.
+//! Returns false if the solver gives no model.
 bool solve(bool scaled, const Triangle& from, const Triangle& to, Matx34d& motion)
 {
     const SpacePoints own(from, to);
@@ -26,7 +26,8 @@ bool solve(bool scaled, const Triangle& from, const Triangle& to, Matx34d& motio
     return count == 1;
 }
 
-//! Least height over longest side: 0.87 of an equilateral one, 0 of points on a line.
+//! Smallest height divided by the longest side: 0.87 for an equilateral triangle, 0 for collinear
+//! points.
 double thicknessOf(const Triangle& t)
 {
     double longest = 0;
@@ -45,7 +46,7 @@ enum Kind { CUBE, EQUILATERAL, RIGHT_ANGLE, NEEDLE, FLAT, THIN, FAR_FROM_THE_ORI
 const char* const NAMES[] = {"cube", "equilateral", "right angle",        "needle",
                              "flat", "thin",        "far from the origin"};
 
-//! The corners are in any order.
+//! A random triangle of this kind, with its corners in random order.
 Triangle randomTriangle(Kind kind, RNG& rng)
 {
     Triangle t(3);
@@ -71,7 +72,7 @@ Triangle randomTriangle(Kind kind, RNG& rng)
     return t;
 }
 
-//! Where a motion takes the corners, rounded once.
+//! The corners after a motion, rounded only once.
 Triangle movedCorners(const Matx34d& motion, const Triangle& from)
 {
     Triangle to(3);
@@ -93,8 +94,8 @@ Matx34d randomMotion(bool scaled, RNG& rng)
     return motionFrom(scale, R, scale * uniformVector(rng, -1., 1.));
 }
 
-//! Difference of the linear parts relative to the scale, or of where the mean goes relative to the
-//! triangle's size.
+//! Maximum of the difference of the linear parts, and of the difference of the mapped means divided
+//! by the size of the triangle; both relative to the scale.
 double motionDistance(const Matx34d& a, const Matx34d& truth, const Triangle& from)
 {
     const double scale = cv::norm(truth.get_minor<3, 3>(0, 0)) / std::sqrt(3.);
@@ -112,8 +113,8 @@ double largestNumber(const Triangle& t)
     return largest;
 }
 
-/** The angle by which the rounding of the corners alone may turn a triangle about its longest side:
-no solver does better. */
+/** The angle in radians by which rounding of the corners may rotate a triangle about its longest
+side. No solver can be more accurate. */
 double indeterminacyOf(const Triangle& from, const Triangle& to)
 {
     double result = 0;
@@ -122,9 +123,9 @@ double indeterminacyOf(const Triangle& from, const Triangle& to)
     return result;
 }
 
-/** The true motion within 1e-6, but for triangles so thin that their rounding hides it: those whose
-least height is less than some thirty million roundings of their coordinates, or about the part of
-their longest side below which they count as points of a line, 1.5e-8. */
+/** The true motion must be found within 1e-6, except for triangles so thin that rounding hides it.
+Their smallest height is less than some thirty million roundings of their coordinates, or less than
+about 1.5e-8 of their longest side, where they count as collinear. */
 void expectTruth(int samples)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -192,7 +193,8 @@ double costOf(const Matx34d& motion, const Triangle& from, const Triangle& to)
     return sum;
 }
 
-//! Triangles that have nothing to do with each other: it is the motion of least squares.
+//! For triangles that do not correspond to each other, the solver must return the motion of least
+//! squares.
 TEST(Usac_TriangleSolver, leastSquaresOfAnyTriangles)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -218,7 +220,7 @@ TEST(Usac_TriangleSolver, leastSquaresOfAnyTriangles)
     }
 }
 
-//! A mirror image of three points is a turned one.
+//! The mirror image of a triangle is a rotated triangle, so that an exact motion must be found.
 TEST(Usac_TriangleSolver, mirrored)
 {
     RNG rng(21);
@@ -258,8 +260,7 @@ TEST(Usac_TriangleSolver, anyOrderOfTheCorners)
     }
 }
 
-//! Points of a line and points in one place, but for their rounding: there is no model, in either
-//! space.
+//! Points that are collinear or equal up to rounding, in either space, must give no model.
 TEST(Usac_TriangleSolver, degenerate)
 {
     RNG rng(23);
@@ -285,7 +286,8 @@ TEST(Usac_TriangleSolver, degenerate)
     }
 }
 
-//! Half of them are on a line.
+//! With small integers as coordinates many triangles are collinear. Exactly these must give no
+//! model.
 TEST(Usac_TriangleSolver, smallIntegers)
 {
     RNG rng(24);
@@ -302,7 +304,7 @@ TEST(Usac_TriangleSolver, smallIntegers)
                 const Point2d p = integerPoint(rng, -1, 2);
                 t[side][k] = Vec3d(p.x, p.y, z);
             }
-            expected = expected && thicknessOf(t[side]) > 0;  // exact, or NaN
+            expected = expected && thicknessOf(t[side]) > 0;  // exact; NaN for equal points
         }
         Matx34d motion;
         const bool solved = solve(i % 2 != 0, t[0], t[1], motion);
@@ -314,7 +316,7 @@ TEST(Usac_TriangleSolver, smallIntegers)
     EXPECT_GT(none, 3000);
 }
 
-//! No numbers, or such that their squares are none.
+//! Input that is not finite, or whose squares are not, must give no model.
 TEST(Usac_TriangleSolver, notFinite)
 {
     const double wrong[] = {NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, 1e160};

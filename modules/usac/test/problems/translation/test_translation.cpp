@@ -6,14 +6,14 @@
 #include "support/contracts.hpp"
 #include "problems/registry.hpp"
 
-// Translations between two images: what particular to them the tests over all problems do not see.
+// Tests of translations between two images beyond those for all problems.
 
 namespace opencv_test {
 namespace {
 
 const Point2d TRUTH(37.25, -12.5);
 
-//! Matches of a translation with noise in image 2, then wrong ones anywhere.
+//! Matches of a translation with noise in image 2, followed by random ones.
 struct Matches
 {
     Matches(int right_, int wrong, double noise, uint64 seed, const Point2d& truth_ = TRUTH)
@@ -38,7 +38,7 @@ struct Matches
         return model;
     }
 
-    //! Distance from the true translation; infinite without a model.
+    //! Distance from the true translation in pixels; infinite without a model.
     double error(const Mat& model) const
     {
         return model.empty()
@@ -46,7 +46,7 @@ struct Matches
                    : std::hypot(model.at<double>(0, 2) - truth.x, model.at<double>(1, 2) - truth.y);
     }
 
-    //! That of the mean of the right displacements.
+    //! The error of the mean displacement of the true matches.
     double errorOfMean() const
     {
         Point2d sum;
@@ -60,7 +60,7 @@ struct Matches
     std::vector<Point2d> points1, points2;
 };
 
-//! The Problem, without a search.
+//! The problem and its solver for fits, without a search.
 struct Parts
 {
     Parts()
@@ -88,7 +88,7 @@ TEST(Usac_Translation, minimalSolver)
     }
 }
 
-//! The weighted mean, to the last digits also far from the origin.
+//! A fit must be the weighted mean of the displacements to the last digits, also if they are large.
 TEST(Usac_Translation, leastSquares)
 {
     const Parts parts;
@@ -118,7 +118,7 @@ TEST(Usac_Translation, leastSquares)
     }
 }
 
-//! From one point on.
+//! One exact match must suffice.
 TEST(Usac_Translation, fewExactPoints)
 {
     for (int count = 0; count <= 5; ++count)
@@ -139,7 +139,7 @@ TEST(Usac_Translation, fewExactPoints)
         }
 }
 
-//! Nearly as exact as the mean of the right matches, which knows them.
+//! The error must be nearly that of the mean of the true matches, which is the best possible one.
 TEST(Usac_Translation, inlierRatios)
 {
     for (int percent : {5, 10, 20, 30, 50, 70, 90})
@@ -171,14 +171,15 @@ TEST(Usac_Translation, everyPreset)
                 Report report;
                 const Mat model = estimateTranslation2D(matches.points1, matches.points2, params,
                                                         noArray(), report);
-                // PROSAC's own criterion ends the search of unsorted points early
+                // PROSAC's termination ends the search of unsorted points early
                 EXPECT_LE(matches.error(model), params.orderedEvery == 1 ? 0.6 : 0.3)
                     << preset.name << ", " << residual;
                 EXPECT_LE(report.chance, 1e-6);
             }
 }
 
-//! The motion of more matches, not one between them.
+//! With two motions, 6 pixels apart, the result must be the motion of more matches and not one
+//! between the two.
 TEST(Usac_Translation, twoMotions)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -191,8 +192,8 @@ TEST(Usac_Translation, twoMotions)
     }
 }
 
-//! An initial model that is none is taken for the translation that does to the center of the points
-//! what it does.
+//! An initial model that is no translation must be replaced by the translation that maps the center
+//! of the points in the same way.
 TEST(Usac_Translation, initialModelWithARotation)
 {
     const Matches matches(40, 1000, 0.5, 5);
@@ -206,7 +207,7 @@ TEST(Usac_Translation, initialModelWithARotation)
     EXPECT_LE(matches.error(matches.estimate(params)), 0.5);
 }
 
-//! Matches that share a place are one match: of right and wrong ones.
+//! An outlier that occurs 101 times must count as one match.
 TEST(Usac_Translation, repeatedMatches)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -221,8 +222,8 @@ TEST(Usac_Translation, repeatedMatches)
     }
 }
 
-//! cv::estimateTranslation2D of OpenCV 5 returns the last column of a matrix that cv::warpAffine
-//! takes.
+//! The model must have the form that cv::warpAffine takes. (cv::estimateTranslation2D of OpenCV 5
+//! returns only its last column.)
 TEST(Usac_Translation, form)
 {
     const Matches matches(50, 20, 0.2, 7);

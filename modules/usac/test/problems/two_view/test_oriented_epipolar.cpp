@@ -36,7 +36,8 @@ TEST(Usac_Orientation, trueModelsAreKept)
     }
 }
 
-//! Most models of samples with outliers violate the constraint, and no good model does.
+//! Most models of samples with outliers violate the oriented epipolar constraint and must be
+//! rejected.
 TEST(Usac_Orientation, wrongModelsAreRefused)
 {
     for (int problem = 1; problem < 3; ++problem)

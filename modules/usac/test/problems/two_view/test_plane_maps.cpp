@@ -12,7 +12,7 @@
 
 #include "opencv2/usac/geometry.hpp"
 
-// The affine map and the similarity between two images.
+// Tests of the affine map and the similarity between two images.
 
 namespace opencv_test {
 namespace {
@@ -58,7 +58,8 @@ struct MapScene
                                 : estimateSimilarity2D(points1, points2, params, mask, report);
     }
 
-    //! Root mean square over the right matches of the distance to where the true map takes them.
+    //! Root mean square distance over the true matches, in pixels, between the points to which a
+    //! map and the true map take them.
     double error(const Mat& map) const
     {
         double sum = 0;
@@ -171,7 +172,8 @@ TEST(Usac_PlaneMaps, parameters)
     checkParameters<SimilarityParameterization>(SIMILARITY);
 }
 
-//! Against the linear equations, which are the same problem here.
+//! A fit must agree with the solution of the linear equations, which has the same minimum for these
+//! maps.
 TEST(Usac_PlaneMaps, leastSquares)
 {
     for (int t = 0; t < 2; ++t)
@@ -183,7 +185,7 @@ TEST(Usac_PlaneMaps, leastSquares)
         for (int i = 0; i < 50; ++i)
         {
             scene.points1[i] = (scene.points1[i] - Point2d(320, 240)) *
-                               0.005;  // about 1, as in a search
+                               0.005;  // coordinates of about 1, as in a search
             scene.points2[i] *= 0.005;
             weights.push_back(rng.uniform(0.1, 1.));
             all.push_back(i);
@@ -217,7 +219,7 @@ TEST(Usac_PlaneMaps, everyPreset)
                 Report report;
                 const Mat map = scene.estimate(params, mask, report);
                 ASSERT_EQ(Size(3, 2), map.size()) << t << " " << presets[k].name;
-                // PROSAC's own criterion ends the search of unsorted points early
+                // PROSAC's termination ends the search of unsorted points early
                 EXPECT_LE(scene.error(map), params.orderedEvery == 1 ? 0.6 : 0.45)
                     << t << " " << presets[k].name;
                 EXPECT_EQ(report.inliers, countNonZero(mask));
@@ -231,7 +233,7 @@ TEST(Usac_PlaneMaps, everyPreset)
     }
 }
 
-//! Exactly what is within the threshold under the returned map.
+//! The mask must be 1 exactly where the error under the returned map is at most the threshold.
 TEST(Usac_PlaneMaps, mask)
 {
     for (int t = 0; t < 2; ++t)
@@ -258,7 +260,7 @@ TEST(Usac_PlaneMaps, mask)
         }
 }
 
-//! The error of OpenCV's method for the same at most, over many scenes.
+//! Summed over the scenes, errors must be at most 1.02 times those of OpenCV's RANSAC.
 TEST(Usac_PlaneMaps, besideOpenCV)
 {
     for (int t = 0; t < 2; ++t)

@@ -22,8 +22,9 @@ Scene sceneWith(int problem, OutlierModel outliers, uint64 seed)
     return makeScene((ProblemType)problem, options);
 }
 
-//! 30 % inliers against 35 % of matches to each of two targets, and against every second outlier on
-//! a line.
+//! The scenes have 30 % inliers. In one kind, 35 % of the matches lead to each of two points of
+//! image 2; in the other, half of the outliers lead to points of a line. The true model must be
+//! found, which fails without DEGENERACY_REPEATED.
 TEST_P(Usac_SharedPoints, targetsDoNotWin)
 {
     int wrongWithout = 0;
@@ -47,7 +48,8 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
     EXPECT_GE(wrongWithout, 5);
 }
 
-//! Distances of two matches in image 1 and in image 2.
+//! Matches share a point if they are close together in one image and far apart in the other. x1 and
+//! x2 are the distances of two matches in image 1 and in image 2.
 TEST(Usac_SharedPoints_Samples, shareATarget)
 {
     const struct
@@ -71,7 +73,7 @@ TEST(Usac_SharedPoints_Samples, shareATarget)
     }
 }
 
-//! What a new best model is worth after the check, and before.
+//! The quality of a model before and after the check for shared points.
 struct Checked
 {
     Checked(const Scene& scene, const std::vector<Point2d>& points1,
@@ -92,7 +94,7 @@ struct Checked
     Quality before, after;
 };
 
-//! Exact points on both sides of the second camera, of which some are near it.
+//! Exact points in front of and behind the second camera, some of them near it.
 Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     Matx33d R;
@@ -107,8 +109,9 @@ Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector
     return Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
 }
 
-/** Next to a camera the scales of the two images differ by far more than their sizes. But the other
-end of such a match is not anywhere: it is held to some thresholds. */
+/** Near a camera, points that are close together in one image are far apart in the other. They must
+nevertheless count in full, because the epipolar constraint determines the positions in the other
+image up to a few thresholds. */
 TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
 {
     Scene scene;
@@ -125,7 +128,8 @@ TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
     }
 }
 
-//! Every F whose epipole is the target has all of its matches; they are one.
+//! An F whose epipole is the target has all matches with the target as inliers. These must count as
+//! one.
 TEST(Usac_SharedPoints_Models, targetsCountOnce)
 {
     RNG rng(5);
@@ -155,8 +159,8 @@ TEST(Usac_SharedPoints_Models, targetsCountOnce)
     }
 }
 
-//! Right models keep their quality: each motion, epipoles among the points, a fourfold zoom, points
-//! one pixel apart.
+//! Correct models must keep their quality: with each motion, with epipoles among the points, with
+//! an image 2 that is four times as large, and with points one pixel apart.
 TEST_P(Usac_SharedPoints, rightModelsCountInFull)
 {
     for (int motion = MOTION_GENERAL; motion <= MOTION_CAR; ++motion)
@@ -175,7 +179,7 @@ TEST_P(Usac_SharedPoints, rightModelsCountInFull)
                     points2[i] *= 4;
                 model = Matx33d(0.25, 0, 0, 0, 0.25, 0, 0, 0, 1) * model;
             }
-            if (kind == 2)  // many points a pixel around each
+            if (kind == 2)  // many points one pixel around each
                 for (int i = scene.size(); i < 3 * scene.size(); ++i)
                 {
                     const Point2d shift(i % 3 - 1, i / 3 % 3 - 1);
@@ -190,7 +194,8 @@ TEST_P(Usac_SharedPoints, rightModelsCountInFull)
         }
 }
 
-//! A model drops out: the next one is not measured by it.
+//! A check that drops each new best model, or (`kept` 1) makes its cost so high that any other is
+//! better.
 class DropsEach : public Degeneracy
 {
 public:
