@@ -342,8 +342,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     the termination criteria except #TERMINATION_PROSAC, because samples from a subset may never
     consist of inliers of the best model, and `confidence` would not hold. But all samples count if
     more than half of the points outside the sample of the best model are its inliers. With
-    #TERMINATION_ORDER, every second one of the first samples follows a known order, and all samples
-    do once the order has been confirmed. 1: all samples are drawn in the sampler's way, and all
+    #TERMINATION_ORDER and a known order, every second one of the samples that come after 8 uniform
+    ones follows it, and all do once it is confirmed. 1: all are drawn in the sampler's way, and all
     count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default

@@ -39,8 +39,7 @@ class UsacV20Method(enum.IntEnum):
     USACV20_PROSAC = 0x4003  # for points that the caller has sorted, best first; Params.sorted()
     USACV20_MAGSAC = 0x4004  # MAGSAC++: score and fits marginalized over the noise scale; Params.magsacPlusPlus()
     USACV20_PARALLEL = 0x4005  # USACV20 with cv2.getNumThreads() threads and the same result; Params.parallel()
-    # the threshold is estimated from the data, the given one is the largest plausible; Params.automatic()
-    USACV20_AUTO = 0x4006
+    USACV20_AUTO = 0x4006  # the threshold is estimated from the data; the given value is its upper bound; Params.automatic()
 
 
 class ProblemType(enum.IntEnum):
@@ -61,7 +60,8 @@ class ThresholdType(enum.IntEnum):
     """What Params.threshold means."""
 
     THRESHOLD_GIVEN = 0  # the inlier threshold
-    THRESHOLD_ESTIMATED = 1  # The largest plausible inlier threshold, for example three to ten times the usual one
+    # threshold is the largest plausible inlier threshold, for example three to ten times the usual one
+    THRESHOLD_ESTIMATED = 1
 
 
 class SamplerType(enum.IntEnum):
@@ -69,7 +69,7 @@ class SamplerType(enum.IntEnum):
 
     SAMPLER_UNIFORM = 0  # all points are equally likely
     SAMPLER_PROSAC = 1  # from a growing set of the best points
-    SAMPLER_P_NAPSAC = 2  # P-NAPSAC: a point of PROSAC's set, and others from its growing neighborhood
+    SAMPLER_P_NAPSAC = 2  # P-NAPSAC: a point of PROSAC's set and other points from its growing neighborhood
     SAMPLER_NAPSAC = 3  # any point and its neighbors
     SAMPLER_IMPORTANCE = 4  # each point with probability proportional to Params.scores, for example inlier probabilities
 
@@ -116,7 +116,7 @@ class QualityType(enum.IntEnum):
     QUALITY_INLIERS = 0  # number of inliers
     QUALITY_MSAC = 1  # sum of truncated squared errors
     QUALITY_MLESAC = 2  # likelihood under a mixture of Gaussian inliers and uniform outliers
-    QUALITY_LMEDS = 3  # median of the squared errors; estimates the threshold
+    QUALITY_LMEDS = 3  # median of the squared errors; the threshold of the mask is estimated
     QUALITY_MAGSAC = 4  # likelihood marginalized over the noise scale
     QUALITY_MAGSAC_PLUS_PLUS = 5  # the robust loss whose weights are marginalized over the noise scale
 
@@ -124,13 +124,13 @@ class QualityType(enum.IntEnum):
 class VerificationType(enum.IntEnum):
     """How bad models are rejected early."""
 
-    VERIFICATION_NONE = 0  # no test; only a cost that is already too high ends the scoring
+    VERIFICATION_NONE = 0  # no test; scoring ends early only when the cost becomes too high
     VERIFICATION_SPRT = 1  # Wald's sequential probability ratio test
     VERIFICATION_TDD = 2  # Params.tddPoints random points must be inliers
 
 
 class LocalOptimizationType(enum.IntEnum):
-    """How each so-far-the-best model is improved."""
+    """How each model that is better than all before is improved."""
 
     LOCAL_OPTIMIZATION_NONE = 0  # nothing
     # least squares with a shrinking threshold; then, if the model is clearly better than the best one, graph cut and inner
@@ -147,12 +147,12 @@ class TerminationFlags(enum.IntFlag):
     """Termination criteria, a set of bits; the first that fires ends the search."""
 
     TERMINATION_STANDARD = 1  # with probability confidence there is no better model
-    TERMINATION_SPRT = 2  # the same, accounting for good models that SPRT rejects
+    TERMINATION_SPRT = 2  # the standard criterion, allowing for good models that SPRT rejects
     TERMINATION_P_NAPSAC = 4  # with probability confidence there is no significantly better model, see Params.relaxation
     TERMINATION_PROSAC = 8  # PROSAC's maximality and non-randomness on a set of best points
     TERMINATION_MAGSAC = 16  # the standard criterion marginalized over the noise scale
-    # modifies the others: with I inliers among N points, a sample of m points, drawn without replacement, is all-inlier with
-    # probability C(I, m) / C(N, m) instead of (I / N)^m
+    # modifies the other criteria: with I inliers among N points, a sample of m points, drawn without replacement, is all-
+    # inlier with probability C(I, m) / C(N, m) instead of (I / N)^m
     TERMINATION_EXACT = 32
     # PROSAC's criterion, if the inliers of the best model come early in a known order, and if samples of its outliers yield no
     # better model; no effect if runnersUp is 0
@@ -163,10 +163,11 @@ class DegeneracyFlags(enum.IntFlag):
     """Checks for degenerate configurations, a set of bits."""
 
     DEGENERACY_ORIENTATION = 1  # H: orientation of the sample; F, E: oriented epipolar constraint
-    # F: if a plane dominates a sample, F is computed by plane and parallax. E: twice as many samples if most inliers are on a
-    # plane
+    # F: if a plane dominates a sample, F is computed by plane and parallax. E: twice as many samples are drawn if most inliers
+    # are on a plane
     DEGENERACY_DEGENSAC = 2
-    # samples of matches that share a point (up to noise, if there are many such matches), and models supported by such matches
+    # rejects samples of matches that share a point (up to noise, if there are many such matches), and checks for models
+    # supported by such matches
     DEGENERACY_REPEATED = 4
 
 
@@ -192,7 +193,7 @@ class StopReason(enum.IntEnum):
     STOP_CUSTOM = 7  # a Termination component of the caller fired
     STOP_PROSAC = 8  # TERMINATION_PROSAC fired
     STOP_MAGSAC = 9  # TERMINATION_MAGSAC fired
-    # the best model has no more inliers than random matches can yield, see Params.significance: no model
+    # no model is returned: the best one has no more inliers than random matches can yield, see Params.significance
     STOP_NOT_SIGNIFICANT = 10
     STOP_ORDER = 11  # TERMINATION_ORDER fired
     STOP_TIME = 12  # Params.maxTime was reached: the model, if any, is the best so far
@@ -209,7 +210,7 @@ class TwoViewConfiguration(enum.IntEnum):
     TWO_VIEW_UNCALIBRATED = 3  # fundamental matrix: the focal lengths are unknown or wrong
     TWO_VIEW_PLANAR = 4  # plane seen by calibrated cameras with a baseline
     TWO_VIEW_PANORAMIC = 5  # pure rotation of a calibrated camera
-    TWO_VIEW_PLANAR_OR_PANORAMIC = 6  # one of these two, with unknown focal lengths
+    TWO_VIEW_PLANAR_OR_PANORAMIC = 6  # plane or pure rotation, with unknown focal lengths
     TWO_VIEW_WATERMARK = 7  # most inliers are at the borders of both images, with a common shift
 
 
