@@ -142,9 +142,9 @@ private:
     Sample* samples;            //!< samples of the batch
     uchar* counts;              //!< State::counts of each sample
     Hypotheses* batch;          //!< models of the samples; without threads, of `ahead` samples only
-    float* errorRows;  //!< a row of errors per thread; null: the score does not need them
-    int size;          //!< number of samples in the batch
-    int hypotheses;    //!< number of elements allocated for `batch`
+    float* errorRows;           //!< a row of errors per thread; null: the score does not need them
+    int size;                   //!< number of samples in the batch
+    int hypotheses;             //!< number of elements allocated for `batch`
     RunnersUp runnersUp;
     Alternatives alternatives;
     Sample sampleOfBest;

@@ -339,10 +339,9 @@ TEST(Usac_Flags, old_homography_calls_reach_calib3d)
     const Mat H = oldHomography(s.points1, s.points2, 0, 3, noArray(), 2000, 0.995);
     EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2)));
     EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, mask)));
-    EXPECT_TRUE(
-        sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
-                 // cv::RANSAC as an enumerator, without conversion to int
-                 cv::findHomography(s.points1, s.points2, RANSAC)));
+    EXPECT_TRUE(sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
+                         // cv::RANSAC as an enumerator, without conversion to int
+                         cv::findHomography(s.points1, s.points2, RANSAC)));
     cv::UsacParams params;
     params.threshold = 2;
     const Mat withParams = cv::findHomography(s.points1, s.points2, mask, params);

@@ -90,9 +90,8 @@ void checkKnn(const Pixels& pixels, int k)
         std::vector<int> coarser;
         for (int step = 0; step < LAYERS; ++step)
         {
-            const int layer = point % 2
-                                  ? step
-                                  : LAYERS - 1 - step;  // widest layer first for even points
+            const int layer = point % 2 ? step
+                                        : LAYERS - 1 - step;  // widest layer first for even points
             const std::vector<int> list = listOf(pixels, *knn, layer, point);
             const int expected = std::min(pixels.size(),
                                           std::max(k, std::min<int>(k << layer, WIDEST)) + 1);

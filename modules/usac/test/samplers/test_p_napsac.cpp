@@ -68,9 +68,7 @@ void expectGrowth(int ordering, int period)
     params.orderedEvery = period;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
-    const bool
-        known = ordering ==
-                ORDERING_INPUT_ORDER;  // the set grows only with ordered samples
+    const bool known = ordering == ORDERING_INPUT_ORDER;  // the set grows only with ordered samples
     GrowingSet set(draw.m, N);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
     for (int t = 1; t <= 20000; ++t)

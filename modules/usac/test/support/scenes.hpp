@@ -31,17 +31,17 @@ enum OutlierModel {
     OUTLIERS_SECOND_MODEL,  //!< true matches of another camera motion (H, affine maps: of another
                             //!< plane), in image 1 within a square of side 160 pixels
     // With these models, SceneOptions::structured wrong matches are so; the others are uniform.
-    OUTLIERS_SHIFT,  //!< shifted in image 2 by one common vector of 30 to 100 pixels, as for
-                     //!< repeated windows
-    OUTLIERS_PLANE,  //!< on a plane seen with another camera motion, from all of image 1
-    OUTLIERS_PLACE,  //!< at one point of image 2 up to 0.4 pixels, as from a watermark or a dead
-                     //!< pixel
+    OUTLIERS_SHIFT,     //!< shifted in image 2 by one common vector of 30 to 100 pixels, as for
+                        //!< repeated windows
+    OUTLIERS_PLANE,     //!< on a plane seen with another camera motion, from all of image 1
+    OUTLIERS_PLACE,     //!< at one point of image 2 up to 0.4 pixels, as from a watermark or a dead
+                        //!< pixel
     OUTLIERS_CLUSTERS,  //!< each point in one of five squares of side 20 pixels of its image
-    OUTLIERS_CENTER,  //!< both points about the center of their image by a Cauchy distribution,
-                      //!< each coordinate with probability 1/2 within 20 pixels
-    OUTLIERS_WINDOW,  //!< in image 2 up to 60 pixels per coordinate from the position in image 1,
-                      //!< as from a matcher with a search window
-    OUTLIERS_BORDER   //!< both points anywhere on the border of their image
+    OUTLIERS_CENTER,    //!< both points about the center of their image by a Cauchy distribution,
+                        //!< each coordinate with probability 1/2 within 20 pixels
+    OUTLIERS_WINDOW,    //!< in image 2 up to 60 pixels per coordinate from the position in image 1,
+                        //!< as from a matcher with a search window
+    OUTLIERS_BORDER     //!< both points anywhere on the border of their image
 };
 
 //! What the scores of a scene depend on; lower is better.
@@ -85,9 +85,8 @@ struct SceneOptions
     int places;      //!< OUTLIERS_PLACE: number of points of image 2, 1 or 2
     double noise;    //!< standard deviation of each of the four coordinates in pixels
     uint64 seed;
-    double
-        planeFraction;  //!< F, E: fraction of the true matches on one plane; other problems: all
-    bool frontalPlane;  //!< the plane is parallel to image 1; otherwise it is tilted
+    double planeFraction;  //!< F, E: fraction of the true matches on one plane; other problems: all
+    bool frontalPlane;     //!< the plane is parallel to image 1; otherwise it is tilted
     double nearest, farthest;  //!< depths of points off the plane, whose depth is about 6
     int duplicates;            //!< number of true matches that are copies of others
     int copies;  //!< number of times that each match occurs; `inliers` and `outliers` count
@@ -120,10 +119,10 @@ struct Scene
     std::vector<uchar> truth;     //!< 1: a true match
     std::vector<uchar> onPlane;   //!< 1: a true match on the plane
     std::vector<uchar> onSecond;  //!< 1: a wrong match that is consistent with the second motion
-    cv::Matx33d model;  //!< H, affine maps: last entry 1; F, E: unit Frobenius norm
-    cv::Matx33d F;      //!< of unit Frobenius norm, for all problems
-    cv::Matx33d K, R;   //!< both cameras have the same K; X2 = R X1 + t
-    cv::Vec3d t;        //!< of unit length
+    cv::Matx33d model;            //!< H, affine maps: last entry 1; F, E: unit Frobenius norm
+    cv::Matx33d F;                //!< of unit Frobenius norm, for all problems
+    cv::Matx33d K, R;             //!< both cameras have the same K; X2 = R X1 + t
+    cv::Vec3d t;                  //!< of unit length
 
     int size() const { return (int)points1.size(); }
 };

@@ -232,8 +232,7 @@ TEST(Usac_TwoViewRules, samples_of_a_collection)
     for (double samples : {known, known - 1})
     {
         double lost = 0;
-        for (int k = -1; k < 8;
-             ++k)  // -1: the known pairs; else a ratio between 0.25 and theirs
+        for (int k = -1; k < 8; ++k)  // -1: the known pairs; else a ratio between 0.25 and theirs
         {
             const double ratio = k < 0 ? 0.45 : 0.25 + 0.2 * (k + 0.5) / 8;
             const double part = rightSamples(5, 80, std::max((int)std::ceil(ratio * 80), 15));

@@ -50,8 +50,8 @@ struct PoseSceneOptions
     PoseShape shape;
     int coefficients;  //!< number of distortion coefficients: 0, 4, 5, 8, 12 or 14
     PoseOutliers outliers;
-    int behind;  //!< number of wrong matches that are exact, except that their object points are
-                 //!< behind the camera
+    int behind;    //!< number of wrong matches that are exact, except that their object points are
+                   //!< behind the camera
     int atCenter;  //!< number of wrong matches with object points at the camera center and image
                    //!< points anywhere
     int copies;    //!< number of times that each match occurs

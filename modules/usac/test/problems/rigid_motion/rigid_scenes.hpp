@@ -23,9 +23,9 @@ enum RigidShape {
 
 //! What the wrong matches are like.
 enum RigidOutliers {
-    RIGID_OUTLIERS_UNIFORM,  //!< in space 1 like the true ones, in space 2 anywhere in a cube of
-                             //!< side 4 around them
-    RIGID_OUTLIERS_CLUSTERED,      //!< from one ball of radius 0.3 to another
+    RIGID_OUTLIERS_UNIFORM,    //!< in space 1 like the true ones, in space 2 anywhere in a cube of
+                               //!< side 4 around them
+    RIGID_OUTLIERS_CLUSTERED,  //!< from one ball of radius 0.3 to another
     RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
     RIGID_OUTLIERS_PLACE  //!< `structured` of them at a few points of space 2 up to a quarter of
                           //!< the threshold; the others uniform
@@ -42,8 +42,7 @@ struct RigidSceneOptions
 
     int size;            //!< number of different matches, at least 4
     double inlierRatio;  //!< fraction of them that is true; at least 3 are
-    double
-        noise;  //!< standard deviation of each coordinate of space 2, divided by `modelScale`
+    double noise;  //!< standard deviation of each coordinate of space 2, divided by `modelScale`
     uint64 seed;
     RigidShape shape;
     RigidOutliers outliers;
@@ -72,8 +71,7 @@ struct RigidScene
     cv::Matx34d motion;        //!< [s R t]: point of space 2 = s R point of space 1 + t
     cv::Matx34d secondMotion;  //!< of RIGID_OUTLIERS_SECOND_MOTION
     double unit;               //!< of space 2: the product of the options `unit` and `modelScale`
-    double
-        threshold;  //!< 3.5 standard deviations of the noise, or 0.035 units without noise
+    double threshold;  //!< 3.5 standard deviations of the noise, or 0.035 units without noise
 
     int size() const { return (int)points1.size(); }
 };
