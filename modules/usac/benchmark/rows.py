@@ -8,8 +8,9 @@ import csv
 
 
 def read_rows(file, columns, option, take):
-    """Calls take(row) for each row of a CSV file. What lacks a column, or what `take` raises an error for, is named with file and
-    line. option: of the program that writes such files."""
+    """Calls take(row) for each row of a CSV file. Raises ValueError with file and line if a column
+    is missing or `take` raises an error. `option` names the program and its option that write such
+    files."""
     with open(file, newline="") as lines:
         rows = csv.DictReader(lines)
         missing = [name for name in columns if name not in (rows.fieldnames or ())]

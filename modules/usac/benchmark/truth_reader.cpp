@@ -24,7 +24,7 @@ std::string contentsOf(const std::string& file)
     return text.str();
 }
 
-//! `json` is a letter or a list of letters.
+//! True if `json`, a letter or a list of letters, contains the letter or is null.
 bool names(const Json& json, char letter)
 {
     if (json.isNull())
