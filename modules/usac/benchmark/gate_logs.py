@@ -14,8 +14,7 @@ PARTS = {"cpp": "C++", "perf": "performance", "python": "Python inside OpenCV", 
          "python_package_alone": "package without `cv2`", "benchmark": "benchmark", "opencv": "OpenCV's own", "sanitized": "C++ with sanitizers",
          "sources": "rules of the sources", "tsan": "ThreadSanitizer", "assertions": "assertions of libstdc++", "valgrind": "valgrind",
          "coverage": "coverage", "fuzz": "fuzzer", "lint": "lint"}
-GATE = ("cpp", "perf", "python", "consumer", "python_package", "python_package_alone", "benchmark", "opencv", "sanitized")  # of
-                                                                                                                            # run_tests.sh
+GATE = ("cpp", "perf", "python", "consumer", "python_package", "python_package_alone", "benchmark", "opencv", "sanitized")  # of run_tests.sh
 TOOLS = ("sanitized", "tsan", "assertions", "valgrind")
 COLUMNS = ("part", "passed", "failed", "more", "processor s", "commit", "date", "results")
 COUNTS = (r"^(\d+) passed, (\d+) failed$", r"^\[  PASSED  \] (\d+) tests?\.$")

@@ -51,7 +51,7 @@ struct Cell
     sideways   parallel to the image, 2 degrees
     rectified  along the rows, no rotation
     frontal    sideways without rotation over a plane parallel to the image (E and H: all points on
-    it; F would not be determined)
+               it; F would not be determined)
     aerial     rectified, depths within 10 % of their mean
 
 @return false for any other name. */
@@ -69,7 +69,7 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
     duplicates  generic, and half of the right matches repeat others
     copies      every match is there five times
     second      right matches of another model, 90 % as many as of the right model, from a square of
-    160 pixels
+                160 pixels
     partSecond  like second, but 70 % as many; the other wrong matches are generic
     shiftN      N percent of all matches shifted by the same 30 to 100 pixels, the others generic
     movingN     N percent of all matches on a plane with another motion, the others generic
@@ -83,7 +83,7 @@ better score than a wrong match. Names of misleading scores:
 
     second  the best scores are those of the second motion, the others random
     place   the best scores are those of the right matches in a square of 160 pixels, the others
-    random
+            random
     near    the score is better the nearer the match is to a point of image 1, right or wrong
 
 @return false for anything else. */

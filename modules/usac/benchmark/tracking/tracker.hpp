@@ -42,8 +42,8 @@ public:
     double meanSamples() const;  //!< per frame
     double meanCpuMs() const;    //!< per frame
     double meanRecovery()
-        const;  //!< mean number of frames after a jump until the first success; all of them if none
-                //!< succeeds
+        const;  //!< mean number of frames after a jump until the first success, all if there is
+                //!< none
     int frames() const { return (int)errors.size(); }
 
 private:

@@ -37,8 +37,8 @@ def _placeOfParams(args: Tuple[Any, ...]) -> int:
 
 
 def _form(args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Tuple[str, ...]:
-    """Returns the names of the arguments of the form that is called, which the types of the arguments tell. In each form a Params may
-    stand in place of the flag."""
+    """Returns the argument names of the form of the call, which is determined by the types of the
+    arguments. In each form a Params may replace the flag."""
     place = _placeOfParams(args)
     if "params" in kwargs or "dist_coeff1" in kwargs or "dist_coeff2" in kwargs or (place == 6):
         return _PARAMS
@@ -126,7 +126,7 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
                         v["cameraMatrix2"], v["dist_coeff1"], v["dist_coeff2"],
                         ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "dist_coeff1", "dist_coeff2"))[:2]
     place = _placeOfParams(args)
-    if place >= 0 and len(args) == place + 2:  # (..., params, mask)
+    if place >= 0 and len(args) == place + 2:  # the form (..., params, mask)
         args, kwargs = args[:place + 1], dict(kwargs, mask=args[place + 1])
     defaults = dict(_DEFAULTS, focal=1.0, pp=(0.0, 0.0)) if form is _FOCAL else _DEFAULTS
     v = bind(_NAME, form, 2 if form is _FOCAL else form.index("method"), defaults, args, kwargs)

@@ -31,7 +31,8 @@ SIZE_MAX = 2**64 - 1
 
 def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
               kwargs: Dict[str, Any]) -> bool:
-    """Returns whether a call has OpenCV's form with `params`. A Params in place of the flag is not this form."""
+    """Returns whether a call has OpenCV's form with the argument `params`. A Params in place of the
+    flag is a call of the other form."""
     if "params" in kwargs:
         if method in kwargs:
             raise fail("{}: params and {} are given, both say what to use".format(function, method))
@@ -47,7 +48,8 @@ def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace
 
 
 def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str, Any], others: typing.Sequence[str]) -> None:
-    """Raises an exception for numbers that belong to a flag but come with a Params, which has them as fields."""
+    """Raises an exception if one of the numbers `others`, which belong to a flag, is given in
+    addition to a Params, which has its own fields for them."""
     for name in others:
         if values[name] is not defaults[name] and values[name] is not None:
             raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))
@@ -62,7 +64,8 @@ def flag(value: Any, name: str = "method") -> int:
 
 
 def found(result: Any, given: Any) -> Any:
-    """Returns the compiled part's result of a call with a flag, the mask in the caller's array."""
+    """Returns (model, mask) of a call with a flag. `result` comes from the compiled part; its mask
+    is written to the caller's array `given` if possible."""
     model, mask = result
     return model, output(given, NO_POINTS.copy() if mask is None else mask)
 
@@ -152,7 +155,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
         v = bind("findFundamentalMat", _FUNDAMENTAL_OF_PARAMS, 3, dict(mask=None), args, kwargs)
     else:
         last = args[5] if len(args) == 6 else None
-        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV has this form, too
+        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV also has this form, where the sixth argument is the mask
             args, kwargs = args[:5], dict(kwargs, mask=last)
         v = bind("findFundamentalMat", _FUNDAMENTAL, 2, _FUNDAMENTAL_DEFAULTS, args, kwargs)
         if isinstance(v["method"], Params):
@@ -169,7 +172,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
 _MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
-_MAP_NAMES = {"from": "from_"}  # C++ name and Python name: `from` is a keyword of Python
+_MAP_NAMES = {"from": "from_"}  # C++ name: Python name, since `from` is a keyword
 _MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
                                      refineIters=10)
 

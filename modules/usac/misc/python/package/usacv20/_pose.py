@@ -33,8 +33,9 @@ _DEFAULTS: Dict[str, Any] = dict(rvec=None, tvec=None, useExtrinsicGuess=False, 
 
 
 def _opencvFlag(value: int) -> int:
-    """Returns a flag by the number that it has in the OpenCV of this package. SOLVEPNP_* have other numbers in OpenCV 5 than in 4: if a
-    cv2 of the other version was imported, the number is taken for that cv2's, and converted by its name."""
+    """Converts a flag to its value in the OpenCV of this package. The values of SOLVEPNP_* differ
+    between OpenCV 4 and 5: if a cv2 of the other version was imported, the flag is taken as a value
+    of that cv2 and converted by name."""
     cv2 = sys.modules.get("cv2")
     own: Dict[str, int] = {} if IN_TREE else native.solvePnPFlags
     theirs: Dict[str, int] = {name: int(getattr(cv2, name)) for name in dir(cv2)
@@ -42,7 +43,7 @@ def _opencvFlag(value: int) -> int:
     if all(theirs.get(name, number) == number for name, number in own.items()):
         return value
     if not 0 <= value <= max(max(own.values()), max(theirs.values())):
-        return value  # of the flags that are the same in all versions, or none at all
+        return value  # a flag with the same value in all versions, or no flag
     names = sorted(name for name, number in theirs.items() if number == value)
     for name in names:
         if name in own:
@@ -126,7 +127,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
 
 def _withFlag(v: Dict[str, Any]) -> Any:
     guess = _truth(v["useExtrinsicGuess"], "useExtrinsicGuess")
-    # Copies: what is written to them must not reach the caller's arrays if there is no pose.
+    # Copies, so that the caller's arrays do not change if there is no pose.
     rvec = array(v["rvec"], "rvec").copy() if guess and v["rvec"] is not None else None
     tvec = array(v["tvec"], "tvec").copy() if guess and v["tvec"] is not None else None
     return native.solvePnPRansac(
@@ -137,7 +138,7 @@ def _withFlag(v: Dict[str, Any]) -> Any:
 
 
 def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:
-    """Returns the results as cv2 does, in the caller's arrays where they fit."""
+    """Returns the results as cv2 does, written to the caller's arrays where they fit."""
     retval, rvec, tvec, inliers = result
     if not retval:
         given = [value if value is None or isinstance(value, np.ndarray) else np.asarray(value) for value in (v["rvec"], v["tvec"])]

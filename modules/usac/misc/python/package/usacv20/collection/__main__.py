@@ -11,7 +11,7 @@ def _run() -> int:
     try:
         from ._command import main
         return main()
-    except KeyboardInterrupt:  # before anything was begun
+    except KeyboardInterrupt:  # interrupted before any work started
         return 130
 
 
