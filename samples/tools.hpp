@@ -37,7 +37,7 @@ struct Result
     cv::Mat model, mask;
     double milliseconds;  //!< median of the runs
     int iterations;       //!< -1: unknown
-    double error;         //!< -1: unknown
+    double error;         //!< -1: unknown; the unit depends on the sample
     std::string errorText;
 };
 

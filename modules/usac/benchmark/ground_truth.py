@@ -151,9 +151,9 @@ def _strecha_camera(file):
 
 
 def kitti(folder, step=1):
-    """KITTI odometry of Geiger, Lenz and Urtasun: the left grey camera, frames i and i + step of each sequence with poses.
+    """KITTI odometry of Geiger, Lenz and Urtasun: the left gray camera, frames i and i + step of each sequence with poses.
 
-    <folder>/poses/<NN>.txt: a frame a line, 3 x 4, camera -> world
+    <folder>/poses/<NN>.txt: one frame on each line, 3 x 4, camera -> world
     <folder>/sequences/<NN>/calib.txt: line `P0:`, 3 x 4; <folder>/sequences/<NN>/image_0/<six digits>.png
 
     A folder with pairs_with_gt.txt is read as FM-Bench publishes KITTI, see tanks_and_temples."""
@@ -249,14 +249,14 @@ def _quaternion(q):
 def tanks_and_temples(folder):
     """Tanks and Temples of Knapitsch et al. as FM-Bench of Bian et al. publishes it: F only.
 
-    <folder>/pairs_with_gt.txt: a pair a line, numbers of both images, then F (x2' F x1 = 0) by rows
-    <folder>/pairs_which_dataset.txt: the subset of each pair, a line each
+    <folder>/pairs_with_gt.txt: one pair on each line, the numbers of both images, then F (x2' F x1 = 0) by rows
+    <folder>/pairs_which_dataset.txt: the subset of each pair, one on each line
     <folder>/<subset>/Images/<eight digits>.jpg"""
     return _fm_bench(folder)
 
 
 def cpc(folder):
-    """Community Photo Collection of Wilson and Snavely as FM-Bench publishes it; files as those of tanks_and_temples."""
+    """Community Photo Collection of Wilson and Snavely as FM-Bench publishes it; the files have the form of those of tanks_and_temples."""
     return _fm_bench(folder)
 
 
@@ -287,8 +287,8 @@ def one_dsfm(folder):
     the reference reconstruction.
 
     <folder>/gt_bundle.out: reconstruction, Bundler's format v0.3; a focal length of 0 is no camera
-    <folder>/list.txt: the image of each camera, first word of the line; relative to <folder> or to <folder>/images
-    <folder>/EGs.txt: a two-view geometry a line, the first two words are the numbers of the cameras"""
+    <folder>/list.txt: the image of each camera, the first word of each line; relative to <folder> or to <folder>/images
+    <folder>/EGs.txt: one two-view geometry on each line; the first two words are the numbers of the cameras"""
     scene = os.path.basename(os.path.abspath(folder))
     cameras = _bundler_cameras(folder)
     file = os.path.join(folder, "EGs.txt")

@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-/** The command line. */
+/** The options of usac_benchmark's command line. */
 struct Options
 {
     std::vector<std::string> lists, methods;
@@ -29,8 +29,8 @@ struct Options
     bool parse(int argc, char** argv);
 
 private:
-    double threshold, confidence;  // 0: not given
-    int maxIterations;             // 0: not given
+    double threshold, confidence;  // 0: default
+    int maxIterations;             // 0: default
 };
 
 }  // namespace benchmark

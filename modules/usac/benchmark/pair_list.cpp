@@ -12,7 +12,7 @@ namespace benchmark {
 
 namespace {
 
-//! "a/b/c.d" -> "a/b", "c.d" -> ".".
+//! The folder of a path: "a/b/c.d" gives "a/b", "c.d" gives ".".
 std::string folderOf(const std::string& path)
 {
     const size_t slash = path.find_last_of("/\\");

@@ -202,7 +202,7 @@ def geometric_mean(values):
 
 def draw_scatter(results, look, time):
     """Draws median error over median time: small markers for the lists, large markers for the
-    geometric means over the lists on which each method solves at least half of the runs."""
+    geometric means over the lists on which each method solves more than half of the runs."""
     problems = _problems(results)
     figure, panels = plt.subplots(1, len(problems), figsize=(max(3.4 * len(problems) + 0.8, 4.8), 3.9), layout="constrained",
                                   squeeze=False)

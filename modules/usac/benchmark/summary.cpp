@@ -69,7 +69,8 @@ std::vector<double> medianPerPair(const std::vector<Run>& runs, double Run::*fig
     return result;
 }
 
-//! Area under the cumulative distribution of the pose error up to `threshold` degrees, in percent.
+//! Area under the cumulative distribution of the pose error from 0 to `threshold` degrees, in
+//! percent of the threshold.
 double areaUnderCurve(const std::vector<Run>& runs, double threshold)
 {
     std::vector<double> parts;

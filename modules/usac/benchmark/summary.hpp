@@ -40,7 +40,7 @@ std::vector<Summary> summarize(const ListResult& result, int baseline);
 
 /** Averages over lists for all methods, as in Table 2 of the paper.
 
-The error is averaged over the lists on which every method solves at least half of the runs. Ratios
+The error is averaged over the lists on which every method solves more than half of the runs. Ratios
 are averaged by geometric means.
 @param lists the summaries of all methods for each list. */
 std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists);

@@ -4,15 +4,15 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Makes synthetic collections of photographs of streets and courts with repeated windows and known
-cameras, and counts which pairs the verification keeps.
+cameras, and counts which pairs the verification accepts (keeps).
 
     streets.py --seeds 3 --layout street court
     streets.py --significance 1e-4 1e-8 1e-12
 
 Facades have windows of one or two kinds in a grid, and unique points besides. All windows of a kind
-have the same parts (before and behind the plane of the facade) and nearly the same descriptors;
-descriptors change with the viewing direction. Matches are mutual nearest neighbors of the
-descriptors that pass a ratio test of 0.8. So images without a common point have matches between
+have the same parts (in front of and behind the plane of the facade) and nearly the same
+descriptors; descriptors change with the viewing direction. Matches are mutual nearest neighbors of
+the descriptors that pass a ratio test of 0.8. So images without a common point have matches between
 different windows, and many of these agree with a motion that no camera has made. Scales and angles
 of key points follow from the surface, with the noise of photographs (0.13 octaves and 3.5 degrees
 for the Gaussian part, measured with COLMAP's SIFT on eleven surveyed collections).
@@ -48,7 +48,7 @@ Floats = npt.NDArray[np.float64]
 
 SIZE, FOCAL = (1600, 1200), 1400.0  # pixels
 DIMENSIONS = 8  # of a descriptor; few, so that different things can look alike
-PLACES = 100  # least number of different windows of a facade
+PLACES = 100  # at least the number of windows of a facade
 OVERLAP = 30  # least number of points that both images see
 SCALE_NOISE, ANGLE_NOISE = 0.13, np.radians(3.5)  # octaves, radians; of two points' difference
 
@@ -64,9 +64,9 @@ class Facade(NamedTuple):
 class Points(NamedTuple):
     """The points of the scene."""
 
-    position: Floats  # P x 3
-    along: Floats  # P x 3
-    normal: Floats  # P x 3
+    position: Floats  # P x 3, meters
+    along: Floats  # P x 3, horizontal direction of the facade
+    normal: Floats  # P x 3, of the facade
     size: Floats  # P, meters
     angle: Floats  # P, radians, in the plane of the facade
     descriptor: Floats  # P x DIMENSIONS

@@ -40,7 +40,7 @@ def rotation(rng):
 
 
 def images(count, rng):
-    """Keypoint i of each image is point i of the scene."""
+    """Yields the number, name and keypoints of each image; keypoint i is point i of the scene."""
     X = rng.uniform([-3, -2.2, 7], [3, 2.2, 12], (KEYPOINTS, 3))
     for number in range(count):
         x = (X + rng.uniform(-1, 1, 3)) @ rotation(rng).T

@@ -10,7 +10,7 @@
 
 namespace benchmark {
 
-/** How well covariances describe the errors of models: counts over scenes. */
+/** Statistics over many scenes on how well covariances describe the errors of models. */
 class Calibration
 {
 public:

@@ -13,7 +13,7 @@
 
 namespace benchmark {
 
-/** The command line of usac_scale. */
+/** The options of usac_scale's command line. */
 struct ScaleOptions
 {
     std::vector<ProblemType> problems;
@@ -42,7 +42,7 @@ private:
     void parseKinds(const cv::CommandLineParser& parser, const Arguments& arguments);
     void parseScenes(const cv::CommandLineParser& parser, const Arguments& arguments);
 
-    int maxIterations;  // 0: not given
+    int maxIterations;  // 0: default
 };
 
 }  // namespace benchmark

@@ -172,7 +172,7 @@ bool Cell::options(int spare, SceneOptions& result) const
     if (result.scoreModel == SCORES_OF_SECOND && kind != "second" && kind != "partSecond")
         return false;  // there is no second motion
     if (problem == cv::usacv20::HOMOGRAPHY && planeOf(kind) > 0)
-        return false;  // all of its right matches are on a plane
+        return false;  // all right matches of H are on a plane
     if (result.structured != INT_MAX && result.structured > result.outliers)
         return false;
     if (motion == "frontal" && problem == cv::usacv20::FUNDAMENTAL)

@@ -13,7 +13,7 @@
 
 namespace benchmark {
 
-/** The command line of usac_structured. */
+/** The options of usac_structured's command line. */
 struct StructuredOptions
 {
     bool search, accuracy;

@@ -18,7 +18,7 @@ class TrueModel
 public:
     enum { MAX_DIRECTIONS = 9 };
 
-    //! The model that made the scene.
+    //! Starts from the model that the scene was made with.
     explicit TrueModel(const opencv_test::Scene& scene);
 
     /** Least squares of the transfer (H) or Sampson distances of the noisy points, starting from

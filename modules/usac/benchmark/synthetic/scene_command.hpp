@@ -13,7 +13,7 @@
 
 namespace benchmark {
 
-/** The command line of usac_synthetic. */
+/** The options of usac_synthetic's command line. */
 struct SceneCommand
 {
     std::string folder, name;

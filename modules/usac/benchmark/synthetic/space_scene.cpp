@@ -69,7 +69,7 @@ public:
         X2 = move(X1);
     }
 
-    //! The i-th wrong match.
+    //! Makes the i-th wrong match.
     void wrong(int i, RNG& rng, Vec3d& X1, Vec3d& X2) const
     {
         if (options.outlierModel == opencv_test::OUTLIERS_SECOND_MODEL && i < options.inliers / 2)

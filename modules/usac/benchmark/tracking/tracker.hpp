@@ -37,8 +37,8 @@ public:
     Beginning begins() const { return beginning; }
     int limit() const { return params.maxIterations; }
 
-    double medianError() const;  //!< a failure counts as infinite
-    double failures() const;     //!< percent
+    double medianError() const;  //!< median of the errors; failures count as infinite
+    double failures() const;     //!< percentage of frames that failed
     double meanSamples() const;  //!< per frame
     double meanCpuMs() const;    //!< per frame
     double meanRecovery()

@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-/** The command line of usac_tracking. */
+/** The options of usac_tracking's command line. */
 struct TrackingOptions
 {
     std::vector<ProblemType> problems;

@@ -135,7 +135,7 @@ ARGUMENTS = {
 
 
 class Problem:
-    """A row of the table."""
+    """A row of the table of problems."""
 
     def __init__(self, type, name, plural, arguments):
         self.type, self.function, self.batch, self.kind = type, "estimate" + name, "estimate" + plural, arguments

@@ -17,7 +17,7 @@ try:
 except ImportError:  # in cv2.usacv20 there is no package usacv20
     Camera = None
 
-# Number of the model, its name, parameters.
+# For each lens: number of its model, name, parameters.
 LENSES = ((2, "SIMPLE_RADIAL", [800, 400, 300, -.2]), (3, "RADIAL", [800, 400, 300, -.25, .06]),
           (4, "OPENCV", [800, 810, 400, 300, -.25, .06, 1e-3, -2e-3]),
           (6, "FULL_OPENCV", [800, 810, 400, 300, -.25, .06, 1e-3, -2e-3, .01, .02, .01, .003]))

@@ -256,7 +256,7 @@ class Usac:
 
     @property
     def points(self) -> Correspondences:
-        """Copies of the points as the components see them."""
+        """Copies of the points in the form that components see."""
         return Correspondences(*self._usac.points())
 
     def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike, scores: Optional[npt.ArrayLike] = None) -> None:

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pictures of matches, drawn by cv2 or, if that cannot be imported, by matplotlib."""
+"""Draws pictures of matches with cv2 or, if cv2 cannot be imported, with matplotlib."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args
     are replaced by the caller's names; `names` maps the former to the latter."""
     try:
         return function(*args)
-    except Exception as mistake:  # not BaseException: KeyboardInterrupt passes
+    except Exception as mistake:  # not BaseException, so that KeyboardInterrupt is not caught
         if not isinstance(mistake, errorClass()):
             raise
         old = str(getattr(mistake, "err", ""))

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""findEssentialMat: OpenCV's arguments in their four forms, a flag or a Params."""
+"""findEssentialMat with OpenCV's arguments in their four forms, and with a flag or a Params."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
     cameraMatrix -- 3x3 camera matrix of both images; cameraMatrix1, cameraMatrix2: of each
     focal, pp -- focal length and principal point (x, y) of both images in pixels; default 1 and (0, 0)
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 numbers, the distortion as in cv2.undistortPoints; None: none
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is; in its place a
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; in its place a
         Params can be, in all forms
     prob -- probability that the result is the best model; default 0.999
     threshold -- inlier threshold, Sampson distance in pixels; default 1

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""findHomography, findFundamentalMat, estimateAffine2D, estimateAffinePartial2D: OpenCV's arguments, a flag or a Params."""
+"""findHomography, findFundamentalMat, estimateAffine2D and estimateAffinePartial2D with OpenCV's
+arguments, and with a flag or a Params."""
 
 from __future__ import annotations
 
@@ -91,13 +92,13 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
 
     cv2.findHomography with a flag of this module or of OpenCV, or with all options.
 
-    srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type; with 3 in the place of 2, homogeneous
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type; with 3 instead of 2, homogeneous
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     maxIters -- upper bound of the number of samples; default 2000
     confidence -- probability that the result is the best model; default 0.995
-    params -- Params in the place of the flag; also method=params
+    params -- Params in place of the flag; also method=params
     retval -- 3x3 array of float64, or None if there is none
     mask -- Nx1 array of uint8, 1 for inliers"""
     if isOptions("findHomography", _HOMOGRAPHY, "method", 2, 2, args, kwargs):
@@ -143,12 +144,12 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     cv2.findFundamentalMat with a flag of this module or of OpenCV, or with all options.
 
     points1, points2 -- N points of each image in pixels, as for findHomography
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, Sampson distance in pixels; default 3
     confidence -- probability that the result is the best model; default 0.99
     maxIters -- upper bound of the number of samples; default, and None, 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
-    params -- Params in the place of the flag; also method=params
+    params -- Params in place of the flag; also method=params
     retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and seven points: up to three in 9x3)
     mask -- Nx1 array of uint8, 1 for inliers"""
     if isOptions("findFundamentalMat", _FUNDAMENTAL, "method", 2, 2, args, kwargs):
@@ -216,12 +217,12 @@ def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
 
     from_, to -- N points of each image in pixels, as for findHomography
     inliers -- Nx1 array of uint8 or bool that receives the mask, or None
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
     maxIters -- upper bound of the number of samples; default 2000
     confidence -- probability that the result is the best model; default 0.99
     refineIters -- upper bound of the steps of the last polish, 0: none; default 10
-    params -- Params in the place of the flag; also method=params
+    params -- Params in place of the flag; also method=params
     retval -- 2x3 array of float64, [A t], or None if there is none
     inliers -- Nx1 array of uint8, 1 for inliers"""
     return _findMap("estimateAffine2D", ProblemType.AFFINITY, args, kwargs)

@@ -27,7 +27,7 @@ _MARK = "_usacv20Patch"
 
 
 def _essentialPlace(args: Tuple[Any, ...]) -> int:
-    """Returns the place of `method` among the positional arguments of findEssentialMat."""
+    """Returns the position of `method` among the positional arguments of findEssentialMat."""
     if len(args) > 2 and isinstance(args[2], numbers.Real):
         return 4  # (points1, points2, focal, pp, method, ...)
     if len(args) > 4 and args[4] is not None and not isinstance(args[4], numbers.Real):

@@ -228,7 +228,7 @@ class Params:
         return ((name, getattr(self, name)) for name in _FIELDS)
 
     def _differing(self) -> typing.Iterator[Tuple[str, Any]]:
-        """Returns the fields that have another value than the default."""
+        """Yields the fields whose values differ from the default."""
         default = Params()
         return ((name, value) for name, value in self._items() if not _same(value, getattr(default, name)))
 

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""solvePnPRansac: OpenCV's arguments, a flag or a Params."""
+"""solvePnPRansac with OpenCV's arguments, and with a flag or a Params."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     cv2.solvePnPRansac with a flag of this module or of OpenCV, or with all options: the pose of a camera, x ~ K (R X + t).
 
     objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3, any type
-    imagePoints -- their N images in pixels: Nx2, 2xN, Nx1x2 or 1xNx2
+    imagePoints -- their N image points in pixels: Nx2, 2xN, Nx1x2 or 1xNx2
     cameraMatrix -- 3x3 camera matrix K
     distCoeffs -- 4, 5, 8, 12 or 14 numbers, the distortion; None: none
     rvec, tvec -- arrays of 3 float64 that receive rotation vector and translation, or None; with useExtrinsicGuess they hold a
@@ -96,7 +96,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     reprojectionError -- inlier threshold in pixels of the image as it was taken; default 8
     confidence -- probability that the result is the best model; default 0.99
     inliers -- array of int32 that receives the indices of the inliers if it has their number, or None
-    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV; SOLVEPNP_* are those of the cv2
+    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV; SOLVEPNP_* are those of the cv2
         that has been imported, if there is one, by their names: their numbers differ between OpenCV 4 and 5
     params -- Params; the form has five results, as OpenCV has it; flags=params gives four
     retval -- False if there is no pose; rvec and tvec are then those given

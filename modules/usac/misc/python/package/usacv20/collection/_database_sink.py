@@ -27,7 +27,7 @@ VERSION = 3
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
 
-# As COLMAP 3.8 makes it.
+# The table as COLMAP 3.8 creates it.
 _GEOMETRIES = """CREATE TABLE IF NOT EXISTS two_view_geometries (pair_id INTEGER PRIMARY KEY NOT NULL, rows INTEGER NOT NULL,
 cols INTEGER NOT NULL, data BLOB, config INTEGER NOT NULL, F BLOB, E BLOB, H BLOB, qvec BLOB, tvec BLOB)"""
 _OWN = (

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Libraries that only some commands need."""
+"""Imports libraries that only some commands need."""
 
 from __future__ import annotations
 
