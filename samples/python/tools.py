@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 try:
-    import usacv20 as usacv20  # the package, next to any cv2
+    import usacv20 as usacv20  # the package, which works with any cv2
 except ImportError:
     try:
         from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the same, of an OpenCV that was built with the module

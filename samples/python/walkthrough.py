@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""From two images to verified matches, step by step, with the package usacv20 next to any cv2, or
-with cv2.usacv20.
+"""From two images to verified matches, step by step, with the package usacv20 and any cv2, or with
+cv2.usacv20.
 
 A script in cells: run it as a whole, or cell by cell in an editor that supports `# %%`. It needs
 the package (pip install modules/usac) or an OpenCV that was built with the module, and cv2 and

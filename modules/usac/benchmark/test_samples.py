@@ -126,7 +126,7 @@ class AbsolutePoseTest(SampleTest):
             c if c in "0123456789.-+e" else " " for c in given.rsplit("[R t] =", 1)[1].split("]\n\n")[0]).split()]).reshape(3, 4)
         place = 800 * pose[:2, 3] / pose[2, 3] + [319.5, 239.5]  # the image of the object's middle, pixels
         self.assertLess(np.abs(place - [300, 220]).max(), 1, given)
-        self.assertLess(abs(pose[2, 3] - 2), 0.02, given)  # depth: 400 pixels wide (2 x 200) seen at focal length 800
+        self.assertLess(abs(pose[2, 3] - 2), 0.02, given)  # depth 2: the object (width 1) is 400 pixels wide at focal length 800
         self.assertLess(np.abs(pose[:, :3] - np.diag([1, -1, -1])).max(), 0.02, given)
 
     @needsCpp

@@ -48,8 +48,8 @@ public:
 
     void require(bool condition, const std::string& name, const std::string& what) const;
 
-    //! Raises an error unless the member `problem`, a letter or a list of letters, contains the
-    //! letter or is null.
+    //! Raises an error unless the member `problem` is null or contains the letter. The member is a
+    //! letter or a list of letters.
     void requireProblem(char letter) const;
 
 private:

@@ -21,8 +21,8 @@ struct SceneCommand
     ProblemType problem;               //!< of the generator; unused for views and motions of space
     int pairs;                         //!< number of scenes
     opencv_test::SceneOptions images;  //!< of the first scene; each next seed is larger by 1
-    ViewOptions view;                  //!< likewise for views
-    SpaceOptions space;                //!< likewise for motions of space
+    ViewOptions view;                  //!< as `images`, for views
+    SpaceOptions space;                //!< as `images`, for motions of space
 
     //! isView: the scenes are views of object points; isSpace: motions of space; neither: image
     //! pairs

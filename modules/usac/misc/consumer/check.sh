@@ -142,7 +142,7 @@ uninstalled()
 }
 
 # Builds the library inside another CMake project, by add_subdirectory and by FetchContent, each
-# configured from scratch. There is no build type, so nothing is optimized; the build tests for
+# configured from scratch. There is no build type, so nothing is optimized; the build checks for
 # warnings of C++20 (those of GCC include C++23). The second project reuses the library of the
 # first, which has the same options, so nothing is compiled twice.
 parent() # name, option of CMake

@@ -14,7 +14,7 @@ from usac_common import cv, needsCv2, once, package
 try:
     from usacv20.collection._cameras import Camera
     from usacv20.collection._pair import CollectionError
-except ImportError:  # in cv2.usacv20 there is no package usacv20
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     Camera = None
 
 # For each lens: number of its model, name, parameters.

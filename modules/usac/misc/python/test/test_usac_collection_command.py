@@ -23,7 +23,7 @@ from usac_common import once, package
 
 try:
     from usacv20.collection._command import main
-except ImportError:  # in cv2.usacv20 there is no package usacv20
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 
 NAMES = {1: "day/a.jpg", 2: "day/b.jpg", 3: "night/c.jpg", 4: "d.jpg"}

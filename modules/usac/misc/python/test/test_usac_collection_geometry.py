@@ -20,7 +20,7 @@ try:
     from usacv20.collection._pair import CollectionError, Configuration, Pair, View
     from usacv20.collection._poses import quaternion
     from usacv20.collection._settings import Settings
-except ImportError:  # in cv2.usacv20 there is no package usacv20
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 
 K = np.array([[900., 0, 500], [0, 900, 400], [0, 0, 1]])

@@ -21,7 +21,7 @@ from usac_common import once, package
 try:
     from usacv20.collection import _lists
     from usacv20.collection._lists import inOrder
-except ImportError:  # in cv2.usacv20 there is no package usacv20
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 
 

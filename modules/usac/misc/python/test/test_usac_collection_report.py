@@ -32,7 +32,7 @@ try:
     from usacv20.collection._report import report, summarize
     from usacv20.collection._report_graph import graphOf, indexed, matrixOf
     from usacv20.collection._report_table import COLMAP, OURS, PAIRS, VERIFIED, Results, withoutNumbers
-except ImportError:  # in cv2.usacv20 there is no package usacv20
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 try:
     from matplotlib.image import imread

@@ -29,7 +29,7 @@ try:
     from usacv20.collection._list_results import TABLE, openResults, readResults
     from usacv20.collection._pair import CollectionError, Configuration, TwoView
     from usacv20.collection._settings import Settings
-except ImportError:  # in cv2.usacv20 there is no package usacv20
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 
 FORMATS = (".sqlite", ".npz") + ((".h5",) if h5py is not None else ())

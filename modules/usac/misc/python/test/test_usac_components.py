@@ -133,9 +133,9 @@ class SamplerTest(unittest.TestCase):
         counted = usac_.run()[2]
         usac_.components.sampler = Good()
         inliers = PLANE.inliers.mean()
-        self.assertGreater(inliers, 0.5)  # so many inliers that the criterion holds even if no samples count
+        self.assertGreater(inliers, 0.5)  # if more than half are inliers, all samples count anyway
         self.assertEqual(usac_.run()[2].stop, counted.stop)
-        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])  # few matches are right now, so no criterion may end the search
+        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])  # few matches are right now, and no sample counts, so no criterion may end the search
         self.assertEqual(usac_.run()[2].stop if usac_.run()[0] is not None else usac.STOP_MAX_ITERATIONS, usac.STOP_MAX_ITERATIONS)
 
     def test_wrong_samples(self):

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the unchanged Python samples with the package next to any cv2, or with cv2.usacv20, on
-OpenCV's sample images.
+"""Tests of the unchanged Python samples on OpenCV's sample images, with the package and any cv2, or
+with cv2.usacv20.
 
 OPENCV_SAMPLES_DATA_PATH  folder of these images (samples/data of OpenCV's source); without them the
 tests are skipped

@@ -16,7 +16,7 @@ import numpy as np
 try:
     from usacv20.collection._lists import ListSource
     from usacv20.collection._pair import CollectionError, Fault
-except ImportError:  # in cv2.usacv20 there is no package usacv20
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 try:
     import h5py

@@ -101,11 +101,11 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
     cameraMatrix -- 3x3 camera matrix of both images; cameraMatrix1, cameraMatrix2: of each
     focal, pp -- focal length and principal point (x, y) of both images in pixels; default 1 and (0, 0)
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 numbers, the distortion as in cv2.undistortPoints; None: none
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; in its place a
-        Params can be, in all forms
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; in all
+        forms a Params can replace the flag
     prob -- probability that the result is the best model; default 0.999
     threshold -- inlier threshold, Sampson distance in pixels; default 1
-    maxIters -- upper bound of the number of samples; default, and None, 1000
+    maxIters -- upper bound of the number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params
     retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and five points: up to ten of them in 30x3)

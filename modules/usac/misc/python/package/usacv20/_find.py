@@ -147,7 +147,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, Sampson distance in pixels; default 3
     confidence -- probability that the result is the best model; default 0.99
-    maxIters -- upper bound of the number of samples; default, and None, 1000
+    maxIters -- upper bound of the number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params in place of the flag; also method=params
     retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and seven points: up to three in 9x3)

@@ -91,7 +91,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     cameraMatrix -- 3x3 camera matrix K
     distCoeffs -- 4, 5, 8, 12 or 14 numbers, the distortion; None: none
     rvec, tvec -- arrays of 3 float64 that receive rotation vector and translation, or None; with useExtrinsicGuess they hold a
-        pose that is rated and optimized before the first sample
+        pose that is tested and optimized before the first sample
     iterationsCount -- upper bound of the number of samples; default 100
     reprojectionError -- inlier threshold in pixels of the image as it was taken; default 8
     confidence -- probability that the result is the best model; default 0.99
