@@ -18,9 +18,9 @@ struct Summary
 {
     Summary();
 
-    int lists;       //!< number of lists; 0: the method does not solve the problem, or no pair
-                     //!< could be read
-    int errorLists;  //!< number of lists that `medianError` averages
+    int lists;            //!< number of lists; 0: the method does not solve the problem, or no pair
+                          //!< could be read
+    int errorLists;       //!< number of lists that `medianError` averages
     double medianError;   //!< pixels; P, R and M: degrees; infinite for failures
     double medianCenter;  //!< of ProblemKind::centerError; infinite for failures
     double failures;      //!< percent

@@ -18,10 +18,10 @@ struct Verdict
     bool failed;  //!< a search failure: worse, and not close to the true model
     bool far;  //!< RMS distance of the noise-free right matches is above three thresholds and three
                //!< times the noise
-    bool wrong;    //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
-    bool none;     //!< no model; sets worse, failed, far and wrong, too
-    double error;  //!< RMS distance of the noise-free right matches, pixels; infinite without a
-                   //!< model
+    bool wrong;        //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
+    bool none;         //!< no model; sets worse, failed, far and wrong, too
+    double error;      //!< RMS distance of the noise-free right matches, pixels; infinite without a
+                       //!< model
     double poseError;  //!< degrees; negative for H and F
 };
 

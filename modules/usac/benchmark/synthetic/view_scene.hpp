@@ -20,12 +20,12 @@ struct ViewOptions
     {}
 
     int inliers, outliers;
-    int duplicates;    //!< number of right matches that are copies of others
-    double noise;      //!< standard deviation of each image coordinate, pixels
-    bool onPlane;      //!< true: object points on a plane, tilted by at most 50 degrees from the
-                       //!< image plane; false: depths from 4 to 9
-    double thickness;  //!< if on a plane: standard deviation of the distances from the plane, as a
-                       //!< fraction of its distance from the camera
+    int duplicates;     //!< number of right matches that are copies of others
+    double noise;       //!< standard deviation of each image coordinate, pixels
+    bool onPlane;       //!< true: object points on a plane, tilted by at most 50 degrees from the
+                        //!< image plane; false: depths from 4 to 9
+    double thickness;   //!< if on a plane: standard deviation of the distances from the plane, as a
+                        //!< fraction of its distance from the camera
     double distortion;  //!< first radial coefficient
     /** OUTLIERS_UNIFORM: an object point with a random point of the image. OUTLIERS_CLUSTERED:
     object points that are visible in a square of 80 pixels, with points of another such square.

@@ -15,9 +15,9 @@ struct SequenceOptions
     ProblemType problem;  //!< HOMOGRAPHY or ABSOLUTE_POSE
     int size;             //!< number of matches in a frame
     double inliers;       //!< inlier ratio
-    double noise;  //!< standard deviation of each image coordinate, pixels
-    double speed;  //!< a speed of 1 moves image points by about 1.4 pixels a frame
-    int jump;      //!< number of the frame before which the camera jumps to another place
+    double noise;         //!< standard deviation of each image coordinate, pixels
+    double speed;         //!< a speed of 1 moves image points by about 1.4 pixels a frame
+    int jump;             //!< number of the frame before which the camera jumps to another place
     int seed;
 };
 

@@ -37,13 +37,12 @@ public:
     Beginning begins() const { return beginning; }
     int limit() const { return params.maxIterations; }
 
-    double medianError() const;  //!< median of the errors; failures count as infinite
-    double failures() const;     //!< percentage of frames that failed
-    double meanSamples() const;  //!< per frame
-    double meanCpuMs() const;    //!< per frame
-    double meanRecovery()
-        const;  //!< mean number of frames after a jump until the first success, all if there is
-                //!< none
+    double medianError() const;   //!< median of the errors; failures count as infinite
+    double failures() const;      //!< percentage of frames that failed
+    double meanSamples() const;   //!< per frame
+    double meanCpuMs() const;     //!< per frame
+    double meanRecovery() const;  //!< mean number of frames after a jump until the first success,
+                                  //!< all if there is none
     int frames() const { return (int)errors.size(); }
 
 private:
