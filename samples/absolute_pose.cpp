@@ -2,10 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From images of a flat object to the pose of the camera: the object's own image gives points of
-// space (Z = 0), their matches in the scene are their images, cv::solvePnPRansac finds the pose,
-// and its axes are drawn into the scene. The pose of the first scene is the initial model of the
-// second. Without images a board is made and photographed here, and the true poses are known.
+// Finds the pose of a camera from images of a flat object. Points of the object's own image are
+// points of space (Z = 0), and their matches in the scene are the image points. cv::solvePnPRansac
+// finds the pose, and its axes are drawn into the scene. The pose of the first scene is the initial
+// model of the second. Without images, a synthetic board and its photographs are made, and the true
+// poses are known.
 
 #include <opencv2/usac/geometry.hpp>
 #include "tools.hpp"
@@ -23,8 +24,8 @@ struct Scene
     cv::Mat image, truth;
 };
 
-//! With the pictures' origin in the middle of the object, X to the right, Y up, Z to the viewer;
-//! the width is 1.
+//! Converts pixels of the object's image to points of space. The origin is the middle of the
+//! object, X points to the right, Y up, Z to the viewer; the width is 1.
 std::vector<cv::Point3f> placesInSpace(const std::vector<cv::Point2f>& pixels, cv::Size object)
 {
     std::vector<cv::Point3f> places;
@@ -34,7 +35,8 @@ std::vector<cv::Point3f> placesInSpace(const std::vector<cv::Point2f>& pixels, c
     return places;
 }
 
-//! From a file of OpenCV's calibration sample; without one, a focal length as many cameras have it.
+//! Reads a camera from a file of OpenCV's calibration sample; without a file, assumes a typical
+//! focal length and no distortion.
 Camera readCamera(const cv::CommandLineParser& parser, cv::Size size)
 {
     Camera camera;
@@ -63,7 +65,7 @@ cv::Mat poseOf(const cv::Mat& rvec, const cv::Mat& tvec)
     return pose;
 }
 
-//! Something to match everywhere: noise of three sizes.
+//! An image with features everywhere: noise of three sizes.
 cv::Mat texture(cv::Size size, int seed)
 {
     cv::RNG rng(seed);
@@ -79,7 +81,7 @@ cv::Mat texture(cv::Size size, int seed)
     return image;
 }
 
-//! What a lens makes of the image of a pinhole.
+//! Adds the lens distortion to the image of a pinhole camera.
 cv::Mat distort(const cv::Mat& image, const Camera& camera)
 {
     if (camera.distortion.empty())
@@ -96,8 +98,7 @@ cv::Mat distort(const cv::Mat& image, const Camera& camera)
     return result;
 }
 
-//! The board as a camera of this pose sees it, partly behind something and in front of something
-//! else.
+//! Renders the board as seen from a pose, partly occluded and in front of a background.
 Scene photograph(const cv::Mat& board, const cv::Vec3d& rvec, const cv::Vec3d& tvec, int seed,
                  const cv::CommandLineParser& parser)
 {
@@ -116,7 +117,7 @@ Scene photograph(const cv::Mat& board, const cv::Vec3d& rvec, const cv::Vec3d& t
                         cv::INTER_LINEAR, cv::BORDER_TRANSPARENT);
     scene.image = distort(scene.image, camera);
     board(cv::Rect(0, 0, 120, 160))
-        .copyTo(scene.image(cv::Rect(20, 300, 120, 160)));  // wrong, but consistent matches
+        .copyTo(scene.image(cv::Rect(20, 300, 120, 160)));  // causes wrong, but consistent matches
     texture(cv::Size(160, 140), seed + 1).copyTo(scene.image(cv::Rect(260, 150, 160, 140)));
     return scene;
 }
@@ -129,7 +130,7 @@ double angleBetween(const cv::Mat& a, const cv::Mat& b)
     return cv::norm(between) * 180 / CV_PI;
 }
 
-//! What all methods get.
+//! The input of all methods.
 struct Input
 {
     std::vector<cv::Point3f> objectPoints;
@@ -137,7 +138,7 @@ struct Input
     Camera camera;
 };
 
-//! The call a user writes; `Flag` is OpenCV's or this module's.
+//! Estimates the pose as a user does. `Flag` is the type of OpenCV's or this module's flags.
 template <class Flag>
 tools::Result estimate(const char* name, Flag flag, const Input& in, const tools::Settings& s)
 {
@@ -154,8 +155,8 @@ tools::Result estimate(const char* name, Flag flag, const Input& in, const tools
     });
 }
 
-//! The same with all that a flag does not know: the scores of the matches and, unless it is empty,
-//! the pose before.
+//! Estimates the pose with options that a flag does not have: the scores of the matches and, unless
+//! it is empty, the pose of the previous scene.
 tools::Result estimateWith(const char* name, const Input& in, const tools::Matches& matches,
                            const cv::Mat& before, const tools::Settings& s)
 {
@@ -186,7 +187,7 @@ tools::Result estimateWith(const char* name, const Input& in, const tools::Match
     return result;
 }
 
-//! Matches, axes and outline of the object.
+//! Draws matches, axes and outline of the object.
 cv::Mat draw(const cv::Mat& object, const Scene& scene, const tools::Matches& matches,
              const tools::Result& result, const Camera& camera)
 {
@@ -205,8 +206,8 @@ cv::Mat draw(const cv::Mat& object, const Scene& scene, const tools::Matches& ma
     return canvas;
 }
 
-/** Prints the table of a scene and draws it.
-@param before pose in the scene before; empty: none; becomes that in this one
+/** Prints the table of a scene and draws the scene.
+@param before input: pose in the previous scene, or empty; output: pose in this scene
 @return the exit code */
 int findPose(const cv::Mat& object, const Scene& scene, const cv::CommandLineParser& parser,
              cv::Mat& before, std::vector<cv::Mat>& pictures)

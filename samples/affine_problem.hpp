@@ -49,8 +49,8 @@ private:
     }
 };
 
-//! The map with the least (weighted) squares of the errors of some matches; false if these are on a
-//! line.
+//! Fits the affine map with the least sum of squared errors, optionally weighted, to some matches.
+//! @return false if their points are on a line
 inline bool fitAffine(const Correspondences& p, const int* indices, int count,
                       const double* weights, Model& A)
 {
@@ -69,7 +69,7 @@ inline bool fitAffine(const Correspondences& p, const int* indices, int count,
         }
     }
     const double size = cv::trace(N);
-    if (!(cv::determinant(N) > 1e-12 * size * size * size))  // also for NaN
+    if (!(cv::determinant(N) > 1e-12 * size * size * size))  // NaN fails, too
         return false;
     const cv::Matx<double, 3, 2> solution = N.inv() * r;
     A = solution.t();
@@ -102,7 +102,7 @@ public:
     cv::String name() const CV_OVERRIDE { return "affine"; }
     int dimension() const CV_OVERRIDE { return 6; }
     int errorDimension() const CV_OVERRIDE { return 2; }
-    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(100, 1); }  // only roughly
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(100, 1); }  // a rough estimate
     int normalization(int) const CV_OVERRIDE { return cv::usacv20::SCALE_EACH; }
 
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE

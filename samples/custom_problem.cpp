@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A problem of one's own: the affine map between two images, from three matches. All of the
-// machinery is there at once: samplers, verification, graph cut, polishing, criteria of
-// termination, threads, the report. The matches come from a text file with a row "x1 y1 x2 y2"
-// each, such as test_data/graf.txt.
+// A user-defined problem: the affine map between two images, from samples of three matches. It can
+// use all parts of the module: samplers, verification, graph cut, polishing, termination criteria,
+// threads, the report. The matches come from a text file with a row "x1 y1 x2 y2" for each match,
+// such as test_data/graf.txt.
 
 #include <iostream>
 #include "affine_problem.hpp"
@@ -30,7 +30,7 @@ int main(int argc, char** argv)
         std::vector<cv::Point2d> points1, points2;
         readMatches(parser.get<std::string>("@matches"), points1, points2);
         using namespace cv::usacv20;
-        Params params;  // P-NAPSAC, SPRT, graph cut, robust polishing
+        Params params;  // default: P-NAPSAC, SPRT, graph cut, robust polishing
         params.threshold = parser.get<double>("threshold");
         std::cout << points1.size() << " matches\n";
         const cv::Ptr<Usac> usac = Usac::create(cv::makePtr<custom::AffineProblem>(), points1,

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A component of one's own: another quality function takes the place of MSAC. The matches come from
-// a text file with a row "x1 y1 x2 y2" each (what follows in a row is ignored), such as
+// A user-defined component: another quality function replaces MSAC. The matches come from a text
+// file with a row "x1 y1 x2 y2" for each match (the rest of a row is ignored), such as
 // test_data/graf.txt.
 
 #include <iostream>
@@ -13,8 +13,8 @@
 
 namespace {
 
-//! Runs the estimator with the components of `params`, or with another quality function among them.
-//! @return the homography
+//! Runs the estimator with the components of `params`; `score` replaces the quality function unless
+//! it is empty. @return the homography
 cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1,
             const std::vector<cv::Point2d>& points2, const cv::usacv20::Params& params,
             const cv::Ptr<cv::usacv20::Score>& score)

@@ -2,15 +2,16 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A component of one's own: a sampler that spreads its samples over image 1 takes the place of the
-// default one.
+// A user-defined component: a sampler that spreads its samples over image 1 replaces the default
+// sampler.
 
 #include "spread_sampler.hpp"
 #include "tools.hpp"
 
 namespace {
 
-//! Runs the estimator with the components of `params`, or with another sampler among them.
+//! Runs the estimator with the components of `params`; `sampler` replaces the sampler unless it is
+//! empty.
 void run(const char* name, const tools::Matches& matches, const cv::usacv20::Params& params,
          const cv::Ptr<cv::usacv20::Sampler>& sampler)
 {

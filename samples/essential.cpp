@@ -2,13 +2,13 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From two images of calibrated cameras to the essential matrix and the pose, with the flags of
-// OpenCV and of this module side by side. OpenCV's chessboard images calibrate the two cameras and
-// tell the true pose.
+// Estimates the essential matrix and the pose from two images of calibrated cameras, and compares
+// flags of OpenCV with a flag of this module. OpenCV's chessboard images calibrate the two cameras
+// and give the true pose.
 
 #include "opencv2/core/version.hpp"
 #include "tools.hpp"
-#if CV_VERSION_MAJOR >= 5  // modules of their own
+#if CV_VERSION_MAJOR >= 5  // separate modules in OpenCV 5
 #include "opencv2/calib.hpp"
 #include "opencv2/objdetect.hpp"
 #endif
@@ -32,8 +32,8 @@ bool findCorners(const cv::Mat& image, cv::Size board, std::vector<cv::Point2f>&
     return true;
 }
 
-//! Calibrates both cameras and their relative pose from the pairs of chessboard images that a file
-//! lists.
+//! Calibrates both cameras and their relative pose from pairs of chessboard images, whose names are
+//! in a file.
 Stereo calibrate(const std::string& list, cv::Size board)
 {
     const cv::FileStorage fs(tools::findFile(list), cv::FileStorage::READ);
@@ -68,7 +68,8 @@ Stereo calibrate(const std::string& list, cv::Size board)
     return s;
 }
 
-//! The call a user writes; `Method` is OpenCV's or this module's.
+//! Estimates the essential matrix as a user does. `Method` is the type of OpenCV's or this module's
+//! flags.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const Stereo& stereo, const tools::Settings& s)
@@ -85,8 +86,8 @@ double degrees(double cosine)
     return std::acos(std::max(-1., std::min(1., cosine))) * 180 / CV_PI;
 }
 
-//! Angles between the true and the estimated rotation and direction of translation; `error` is the
-//! larger one.
+//! Computes the angles between the true and the estimated rotation, and between the directions of
+//! translation; `error` gets the larger one in degrees.
 void rate(tools::Result& result, const tools::Matches& matches, const Stereo& stereo)
 {
     std::vector<cv::Point2f> points1, points2;
@@ -100,7 +101,7 @@ void rate(tools::Result& result, const tools::Matches& matches, const Stereo& st
     result.errorText = cv::format("R %.2f, t %.2f deg", rotation, translation);
 }
 
-//! Epipolar lines are straight in images without distortion.
+//! Draws inliers and epipolar lines in undistorted images, where epipolar lines are straight.
 cv::Mat draw(const cv::Mat& image1, const cv::Mat& image2, const tools::Matches& matches,
              const Stereo& stereo, const tools::Result& result)
 {
@@ -133,7 +134,7 @@ int sample(const cv::CommandLineParser& parser)
         if (!results[i].model.empty())
             rate(results[i], matches, stereo);
 
-    // The same estimation once more, for what a flag does not tell.
+    // The same estimation again, for the report, which a call with a flag does not give.
     cv::usacv20::Report report;
     cv::usacv20::estimateEssential(matches.points1, matches.points2, stereo.K1, stereo.K2,
                                    stereo.dist1, stereo.dist2, settings.params(), cv::noArray(),
@@ -148,7 +149,7 @@ int sample(const cv::CommandLineParser& parser)
             cv::format(
                 "USACV20: %d of %d matches are inliers; some of them with their epipolar lines",
                 cv::countNonZero(ours.mask), (int)ours.mask.total()));
-    return tools::exitCode(ours, 10);  // degrees
+    return tools::exitCode(ours, 10);  // limit of the error in degrees
 }
 
 }  // namespace

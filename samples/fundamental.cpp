@@ -2,16 +2,16 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From two images to the fundamental matrix between them, with the flags of OpenCV and of this
-// module side by side.
+// Estimates the fundamental matrix between two images, and compares flags of OpenCV with a flag of
+// this module.
 
 #include "tools.hpp"
 
 namespace {
 
-/** True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. Disparities
-are rounded to a pixel, but the epipolar lines are the rows, so the rounding moves points along
-their lines and costs no accuracy. */
+/** Reads true correspondences of a rectified stereo pair from its disparities: x2 = x1 - disparity,
+0 is unknown. Disparities are rounded to a pixel. This moves points along the epipolar lines, which
+are the rows, and does not change the distance from them. */
 tools::Matches readTruth(const std::string& name)
 {
     tools::Matches truth;
@@ -40,7 +40,8 @@ double meanDistance(const cv::Matx33d& F, const tools::Matches& truth)
     return sum / truth.points1.size();
 }
 
-//! The call a user writes; `Method` is OpenCV's or this module's.
+//! Estimates the fundamental matrix as a user does. `Method` is the type of OpenCV's or this
+//! module's flags.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const tools::Settings& s)
@@ -70,7 +71,7 @@ int sample(const cv::CommandLineParser& parser)
             results[i].errorText = cv::format("%.3f px", results[i].error);
         }
 
-    // The same estimation once more, for what a flag does not tell.
+    // The same estimation again, for the report, which a call with a flag does not give.
     cv::usacv20::Report report;
     cv::usacv20::estimateFundamental(matches.points1, matches.points2, settings.params(),
                                      cv::noArray(), report);

@@ -2,15 +2,15 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// From two images of a plane to the homography between them, with the flags of OpenCV and of this
-// module side by side.
+// Estimates the homography between two images of a plane, and compares flags of OpenCV with a flag
+// of this module.
 
 #include "tools.hpp"
 
 namespace {
 
-//! Mean distance in image 2 between the places where both homographies map a grid of points of
-//! image 1.
+//! Mean distance in image 2, in pixels, between the points of a grid of image 1 mapped by both
+//! homographies.
 double meanDistance(const cv::Mat& H, const cv::Mat& truth, cv::Size size)
 {
     std::vector<cv::Point2d> grid, mapped, expected;
@@ -36,7 +36,8 @@ cv::Mat readTruth(const std::string& name)
     return truth;
 }
 
-//! The call a user writes; `Method` is OpenCV's or this module's.
+//! Estimates the homography as a user does. `Method` is the type of OpenCV's or this module's
+//! flags.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const tools::Settings& s)
@@ -53,8 +54,8 @@ std::vector<cv::Point2d> cornersOf(cv::Size size)
             cv::Point2d(0, size.height)};
 }
 
-/** Prints where the corners of image 1 are in image 2 and how sure that is, and draws the ellipses
-that hold them with 95 %, ten times as large. */
+/** Prints the corners of image 1 mapped to image 2 with their standard deviations, and draws their
+95 % confidence ellipses, ten times enlarged. */
 void drawCorners(cv::Mat canvas, const cv::Mat& H, const cv::Mat& covariance, cv::Size size)
 {
     std::vector<cv::Point2d> corners = cornersOf(size), mapped;
@@ -72,7 +73,7 @@ void drawCorners(cv::Mat canvas, const cv::Mat& H, const cv::Mat& covariance, cv
                   << std::endl;
         cv::Mat variances, axes;
         cv::eigen(C, variances, axes);
-        const double quantile = 5.99;  // of chi-square with two degrees of freedom, 95 %
+        const double quantile = 5.99;  // 95 % quantile of chi-square with two degrees of freedom
         const double scale = 10 * std::sqrt(quantile);
         const double angle = std::atan2(axes.at<double>(0, 1), axes.at<double>(0, 0));
         const cv::Size2f diameters((float)(2 * scale * std::sqrt(variances.at<double>(0))),
@@ -110,7 +111,7 @@ int sample(const cv::CommandLineParser& parser)
             results[i].errorText = cv::format("%.2f px", results[i].error);
         }
 
-    // The same estimation once more, for what a flag does not tell.
+    // The same estimation again, for the report, which a call with a flag does not give.
     cv::usacv20::Report report;
     cv::usacv20::Params params = settings.params();
     params.covariance = 1;

@@ -11,8 +11,8 @@
 
 namespace custom {
 
-/** The distance of a point of image 2 to the epipolar line of its counterpart: what one wants where
-the points of image 1 are exact, those of a map, say. */
+/** The distance in image 2 of a point from the epipolar line of its match. It is suitable if the
+points of image 1 are exact, for example those of a map. */
 class LineDistance : public cv::usacv20::Residual
 {
 public:
@@ -36,7 +36,7 @@ public:
             errors[i] = squared<double>(F, c[X1][i], c[Y1][i], c[X2][i], c[Y2][i]);
     }
 
-    //! With its sign, which the root of the square has lost.
+    //! The signed distance.
     int error(const Model& F, const double* match, double* out) const CV_OVERRIDE
     {
         const cv::Vec3d line = cv::Matx33d(F) * cv::Vec3d(match[0], match[1], 1);
@@ -44,7 +44,8 @@ public:
         return 1;
     }
 
-    //! Without this method it would be found by differences, 19 calls of error().
+    //! The distance and its derivatives. Without this method, finite differences would need 19
+    //! calls of error().
     int linearize(const Model& F, const double* match, double* out,
                   double* derivative) const CV_OVERRIDE
     {

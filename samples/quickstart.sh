@@ -3,13 +3,17 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the module against the OpenCV of the system and runs its samples on OpenCV's own image pairs: error against the
-# known truth, inliers, iterations and milliseconds beside cv::RANSAC and cv::USAC_DEFAULT, and pictures; then the Python package in
-# a virtual environment, and its samples. Does all its own set-up on Debian (as root or with sudo).
+# Builds the module against the OpenCV of the system and runs its samples on OpenCV's own image
+# pairs. They compare errors against the known truth, inliers, iterations and milliseconds with
+# those of cv::RANSAC and cv::USAC_DEFAULT, and write pictures. Then it installs the Python package
+# in a virtual environment and runs its samples. Installs what it needs on Debian (as root or with
+# sudo).
 #
-#   USAC_BUILD_DIR            everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac_quickstart
-#   CMAKE_ARGS                more options for the build of the Python package
-#   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package opencv-doc
+#   USAC_BUILD_DIR            folder for all files that this script writes; default
+#                             ${TMPDIR:-/tmp}/opencv_usac_quickstart
+#   CMAKE_ARGS                further options for the build of the Python package
+#   OPENCV_SAMPLES_DATA_PATH  folder of OpenCV's sample images; default: the one of Debian's package
+#                             opencv-doc
 
 set -eu
 [ $# = 0 ] || { echo "usage: quickstart.sh" >&2; exit 2; }
@@ -49,7 +53,8 @@ has_images()
     done
 }
 
-# Only the images of the package are unpacked: it is large, and minimal systems leave out all of /usr/share/doc.
+# Only the images of the package are unpacked: the package is large, and minimal systems do not
+# install files in /usr/share/doc.
 fetch_images()
 {
     echo "== fetching OpenCV's sample images"
@@ -100,7 +105,8 @@ python_sample() # name, arguments
     OPENCV_SAMPLES_DATA_PATH=$images "$work/venv/bin/python3" "$program" "$@" --output="$picture"
 }
 
-# The package takes the library that is built already: else `pip install modules/usac` compiles one of its own.
+# The package uses the existing build of the library; without opencv_usac_DIR, pip would compile the
+# library again.
 python_package()
 {
     echo

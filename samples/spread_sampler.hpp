@@ -11,14 +11,14 @@
 
 namespace custom {
 
-/** Draws the points of a sample from different cells of a grid over image 1, as long as enough of
-the cells hold points. A model from points far apart extrapolates less, at the price that local
-structures are found later. Its samples count for the criteria of termination (State::counts stays
-true): any point can be drawn. */
+/** Draws the points of a sample from different cells of a grid over image 1, as long as enough
+cells contain points. A model from distant points is more stable outside of its sample, but local
+structures are found later. Its samples count for the termination criteria (State::counts stays
+true), since any point can be drawn. */
 class SpreadSampler : public cv::usacv20::Sampler
 {
 public:
-    //! A run begins, with points that may be others than those of the last one.
+    //! Starts a run, whose points may differ from those of the last run.
     void start(const cv::usacv20::Context& context) CV_OVERRIDE { assign(context.points); }
 
     void sample(const cv::usacv20::Context& context, cv::usacv20::State& state,
@@ -48,7 +48,7 @@ private:
         return std::max(0, std::min((int)cell, DIVISIONS - 1));
     }
 
-    //! Sorts the points into cells and forgets the empty ones.
+    //! Sorts the points into cells and removes empty cells.
     void assign(const cv::usacv20::Correspondences& p)
     {
         using namespace cv::usacv20;

@@ -2,16 +2,16 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Takes the shake out of a sequence: the similarity from each frame to the next by
-// cv::estimateAffinePartial2D, a smooth path in the place of the shaky one, and each frame moved
-// onto it. The frames are the images of a folder; without one they are cut out of an image along a
-// shaky path, with something that moves by itself, and the true motions are known.
+// Stabilizes a sequence: estimates the similarity from each frame to the next by
+// cv::estimateAffinePartial2D, replaces the shaky path by a smooth one, and moves each frame onto
+// it. The frames are the images of a folder. Without a folder, they are windows of an image along a
+// shaky path, with an independently moving patch in front, and the true motions are known.
 
 #include "tools.hpp"
 
 namespace {
 
-//! Frames and, where they are known, the motions from each to the next.
+//! Frames and, if known, the true motions from each frame to the next.
 struct Sequence
 {
     std::vector<cv::Mat> frames;
@@ -25,7 +25,7 @@ cv::Matx33d square(const cv::Matx23d& m)
 
 cv::Matx23d rows(const cv::Matx33d& m) { return cv::Matx23d(m.val); }
 
-//! Turned and scaled about a center, and then moved.
+//! Rotation and scaling about a center, followed by a shift.
 cv::Matx23d motion(cv::Point2d center, double degrees, double scale, cv::Point2d shift)
 {
     cv::Matx23d m;
@@ -38,7 +38,7 @@ cv::Matx23d motion(cv::Point2d center, double degrees, double scale, cv::Point2d
 Sequence readFolder(const std::string& folder)
 {
     std::vector<cv::String> files;
-    cv::glob(folder, files);  // sorted
+    cv::glob(folder, files);  // returns sorted names
     Sequence sequence;
     for (size_t i = 0; i < files.size(); ++i)
     {
@@ -52,8 +52,8 @@ Sequence readFolder(const std::string& folder)
     return sequence;
 }
 
-//! What a shaking hand would film: windows of the image, and in front of them a patch on its own
-//! way.
+//! Simulates a hand-held camera: frames are windows of the image, with a patch in front that moves
+//! independently.
 Sequence shaken(const cv::Mat& image, int count)
 {
     const cv::Size size(image.cols * 5 / 8, image.rows * 5 / 8),
@@ -81,7 +81,7 @@ Sequence shaken(const cv::Mat& image, int count)
     return sequence;
 }
 
-//! Mean distance between the places where two motions take the corners of a frame.
+//! Mean distance between the corners of a frame moved by two motions, in pixels.
 double distance(const cv::Matx23d& a, const cv::Matx23d& b, cv::Size size)
 {
     double sum = 0;
@@ -90,8 +90,8 @@ double distance(const cv::Matx23d& a, const cv::Matx23d& b, cv::Size size)
     return sum;
 }
 
-//! The motions of all frames by one method; prints its line of the table. @return false if one has
-//! not been found
+//! Estimates the motions of all frames by one method and prints its line of the table. @return
+//! false if a motion was not found
 bool estimate(const char* name, int method, const Sequence& sequence,
               const std::vector<tools::Matches>& matches, const tools::Settings& s,
               std::vector<cv::Matx23d>& motions, double& meanError)
@@ -127,8 +127,9 @@ bool estimate(const char* name, int method, const Sequence& sequence,
     return lost == 0;
 }
 
-/** What moves each frame onto the smooth path: the means of x, y, angle and log scale over so many
-frames before and after. The path is that of the frame's middle. */
+/** Returns the transformations that move each frame onto the smooth path: moving averages of x, y,
+angle and log scale over `radius` frames before and after. The path is that of the frame's middle.
+ */
 std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv::Size size,
                                      int radius)
 {
@@ -145,7 +146,7 @@ std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv
     std::vector<cv::Matx23d> result;
     for (int k = 0; k < (int)path.size(); ++k)
     {
-        cv::Matx33d positions[2];  // of the frame, and on the smooth path
+        cv::Matx33d positions[2];  // on the original and on the smooth path
         for (int smooth = 0; smooth < 2; ++smooth)
         {
             const int first = std::max(k - smooth * radius, 0),
@@ -162,8 +163,8 @@ std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv
     return result;
 }
 
-//! The mean of the frames as they are and on the smooth path, side by side; what stands still is
-//! sharp.
+//! Draws the mean of the original frames and the mean of the stabilized frames side by side. In the
+//! latter, static objects are sharp.
 cv::Mat meanFrames(const std::vector<cv::Mat>& frames, const std::vector<cv::Matx23d>& moves,
                    const std::string& folder)
 {

@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// What the samples share: from two images to matches, the table, the pictures.
+// Functions that the samples share: matches of two images, the table, the pictures.
 
 #ifndef OPENCV_USACV20_SAMPLES_TOOLS_HPP
 #define OPENCV_USACV20_SAMPLES_TOOLS_HPP
@@ -27,17 +27,17 @@ namespace tools {
 struct Matches
 {
     std::vector<cv::Point2f> points1, points2;
-    std::vector<float> ratios;  //!< of the distances of the best and the second best match
+    std::vector<float> ratios;  //!< best / second best descriptor distance
 };
 
-//! What one method made of the matches.
+//! The result of one method.
 struct Result
 {
     std::string method;
     cv::Mat model, mask;
     double milliseconds;  //!< median of the runs
     int iterations;       //!< -1: unknown
-    double error;         //!< -1: unknown
+    double error;         //!< -1: unknown; the unit depends on the sample
     std::string errorText;
 };
 
@@ -48,7 +48,7 @@ struct Settings
           maxIterations(maxIterations_), runs(std::max(parser.get<int>("runs"), 1))
     {}
 
-    //! What the flag cv::USACV20 makes of the same settings.
+    //! The options that correspond to the flag cv::USACV20 with the same settings.
     cv::usacv20::Params params() const
     {
         cv::usacv20::Params params = cv::usacv20::Params::usacV20();
@@ -62,7 +62,7 @@ struct Settings
     int maxIterations, runs;
 };
 
-//! Finds a file by its path or among OpenCV's sample data.
+//! Returns the path of a file, which is a path itself or a name in OpenCV's sample data.
 inline std::string findFile(const std::string& name)
 {
     cv::samples::addSamplesDataSearchPath(
@@ -82,7 +82,8 @@ inline cv::Mat readImage(const std::string& name)
     return image;
 }
 
-//! RootSIFT: with the square roots of the L1-normalized entries, Euclidean distance is Hellinger's.
+//! Computes keypoints and RootSIFT descriptors, which are square roots of L1-normalized SIFT
+//! descriptors, so that their Euclidean distance is the Hellinger distance.
 inline void detect(const cv::Mat& image, int features, std::vector<cv::KeyPoint>& keypoints,
                    cv::Mat& descriptors)
 {
@@ -92,7 +93,8 @@ inline void detect(const cv::Mat& image, int features, std::vector<cv::KeyPoint>
     cv::sqrt(descriptors, descriptors);
 }
 
-//! Matches whose descriptor distance is below `ratio` times that of the second best match.
+//! Matches features. A match is accepted if its descriptor distance is below `ratio` times that of
+//! the second best match.
 inline Matches match(const cv::Mat& image1, const cv::Mat& image2,
                      const cv::CommandLineParser& parser)
 {
@@ -116,7 +118,8 @@ inline Matches match(const cv::Mat& image1, const cv::Mat& image2,
     return matches;
 }
 
-//! Runs estimate(mask), which returns the model, `runs` times.
+//! Runs estimate(mask), which returns the model, `runs` times. @return the result with the median
+//! time
 template <class Estimate>
 Result measure(const std::string& method, int runs, Estimate estimate)
 {
@@ -157,8 +160,7 @@ inline void printTable(const Matches& matches, const std::vector<Result>& result
     std::cout << std::endl;
 }
 
-//! Exit code of a sample: 0 if there is a model and, where the truth is known, its error is below
-//! the limit.
+//! Exit code of a sample: 0 if there is a model and its error, if known, is below the limit.
 inline int exitCode(const Result& result, double limit)
 {
     if (!result.model.empty() && result.error <= limit)
@@ -168,13 +170,13 @@ inline int exitCode(const Result& result, double limit)
     return 1;
 }
 
-//! The paper's limit of a failure: one hundredth of the diagonal of the image.
+//! The limit of the error in the paper: 1 % of the diagonal of the image, in pixels.
 inline double failureLimit(const cv::Mat& image)
 {
     return 0.01 * std::sqrt((double)image.cols * image.cols + (double)image.rows * image.rows);
 }
 
-//! Both images side by side in a light grey, for colors to stand out.
+//! Both images side by side in light gray, on which colors are visible.
 inline cv::Mat sideBySide(const cv::Mat& image1, const cv::Mat& image2)
 {
     cv::Mat canvas(std::max(image1.rows, image2.rows), image1.cols + image2.cols, CV_8UC3,
@@ -188,7 +190,7 @@ inline cv::Mat sideBySide(const cv::Mat& image1, const cv::Mat& image2)
     return canvas;
 }
 
-//! The k-th of a series of bright colors that differ well.
+//! The k-th of a series of bright colors that are easy to distinguish.
 inline cv::Scalar color(int k)
 {
     cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(k * 67 % 180, 255, 220)), bgr;
@@ -210,8 +212,8 @@ inline std::vector<int> someInliers(const cv::Mat& mask, int count)
     return inliers;
 }
 
-//! The images side by side with lines between some of the inliers; all ends are dots, red for
-//! outliers.
+//! Draws the images side by side with lines between some of the inliers. All points are dots, red
+//! for outliers.
 inline cv::Mat drawInliers(const cv::Mat& image1, const cv::Mat& image2, const Matches& matches,
                            const cv::Mat& mask, int lines = 60)
 {
@@ -250,7 +252,7 @@ inline void drawLine(cv::Mat image, const cv::Vec3d& line, const cv::Scalar& ink
         cv::line(image, a, b, ink, std::max(1, image.cols / 600), cv::LINE_AA);
 }
 
-//! The images side by side with some inliers and their epipolar lines under F.
+//! Draws the images side by side with some inliers and their epipolar lines under F.
 inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2,
                                  const Matches& matches, const cv::Mat& mask, const cv::Matx33d& F,
                                  int lines = 24)
@@ -276,7 +278,7 @@ inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2,
     return canvas;
 }
 
-//! Writes the picture, at most as wide as asked for, with a line of text below it.
+//! Writes the picture, not wider than the option `width`, with a line of text below it.
 inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& picture,
                          const std::string& text)
 {
@@ -294,7 +296,7 @@ inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& pic
     std::cout << "picture: " << file << std::endl;
 }
 
-//! Keys of cv::CommandLineParser that all samples have.
+//! Command line options (cv::CommandLineParser) that all samples have.
 inline std::string keys(const char* image1, const char* image2, const char* output)
 {
     return cv::format(
@@ -311,12 +313,12 @@ inline std::string keys(const char* image1, const char* image2, const char* outp
         image1, image2, output);
 }
 
-//! main(): runs sample(parser) and turns exceptions into a message and an exit code.
+//! The body of main(): runs sample(parser). Exceptions become a message and an exit code.
 template <class Sample>
 int runSample(int argc, char** argv, const std::string& keyList, const char* about, Sample sample)
 {
     cv::utils::logging::setLogLevel(
-        cv::utils::logging::LOG_LEVEL_ERROR);  // findFile() would tell of each file
+        cv::utils::logging::LOG_LEVEL_ERROR);  // otherwise findFile() logs each file
     try
     {
         cv::CommandLineParser parser(argc, argv, keyList);

@@ -10,8 +10,8 @@
 namespace custom {
 
 /** Tukey's biweight: the cost of a point is 1 - (1 - e^2 / t^2)^3 for an error e within the
-threshold t, 1 outside. It rises faster than MSAC's e^2 / t^2, so that a few exact points are worth
-more than many that are just within the threshold. */
+threshold t, and 1 outside. It rises faster than MSAC's e^2 / t^2, so that a few accurate points
+outweigh many points just within the threshold. */
 class TukeyScore : public cv::usacv20::Score
 {
 public:
@@ -20,7 +20,7 @@ public:
     {
         for (int i = 0; i < count; ++i)
         {
-            const bool inlier = squaredErrors[i] <= squaredThreshold;  // false for NaN
+            const bool inlier = squaredErrors[i] <= squaredThreshold;  // NaN is an outlier
             const double rest = inlier ? 1 - squaredErrors[i] / squaredThreshold : 0;
             sum.cost += 1 - rest * rest * rest;
             sum.inliers += inlier;

@@ -3,11 +3,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""From images of a flat object to the pose of the camera.
+"""Finds the pose of a camera from images of a flat object.
 
-The object's own image gives points of space (Z = 0), their matches in the scene are their images, usacv20.solvePnPRansac finds the
-pose, and its axes are drawn into the scene. The pose of the first scene is the initial model of the second. Without images a
-board is made and photographed here, and the true poses are known.
+Points of the object's own image are points of space (Z = 0), and their matches in the scene are the
+image points. usacv20.solvePnPRansac finds the pose, and its axes are drawn into the scene. The pose
+of the first scene is the initial model of the second. Without images, a synthetic board and its
+photographs are made, and the true poses are known.
 """
 
 import argparse
@@ -22,7 +23,8 @@ from tools import Array, Image, usacv20
 
 
 def places_in_space(pixels: Array, shape: Tuple[int, ...]) -> Array:
-    """With the origin in the middle of the object, X to the right, Y up, Z to the viewer; the width is 1."""
+    """Converts pixels of the object's image to points of space. The origin is the middle of the
+    object, X points to the right, Y up, Z to the viewer; the width is 1."""
     height, width = shape[:2]
     return np.array([((x - 0.5 * width) / width, (0.5 * height - y) / width, 0) for x, y in pixels], float).reshape(-1, 3)
 
@@ -33,7 +35,8 @@ def corners_of(shape: Tuple[int, ...]) -> Array:
 
 
 def read_camera(args: argparse.Namespace, shape: Tuple[int, ...]) -> Tuple[Array, Optional[Array]]:
-    """Camera matrix and distortion from a file of OpenCV's calibration sample, or a focal length as many cameras have it."""
+    """Returns camera matrix and distortion from a file of OpenCV's calibration sample; without a
+    file, a typical focal length and no distortion."""
     if args.camera:
         storage = cv2.FileStorage(tools.find_file(args.camera), cv2.FILE_STORAGE_READ)
         return storage.getNode("camera_matrix").mat(), storage.getNode("distortion_coefficients").mat()
@@ -46,7 +49,7 @@ def pose_of(rvec: Any, tvec: Any) -> Array:
 
 
 def texture(width: int, height: int, seed: int) -> Image:
-    """Something to match everywhere: noise of three sizes."""
+    """An image with features everywhere: noise of three sizes."""
     rng, image = np.random.RandomState(seed), np.zeros((height, width, 3))
     for step in (4, 12, 36):
         noise = rng.uniform(-1, 1, (height // step + 2, width // step + 2, 3))
@@ -56,7 +59,7 @@ def texture(width: int, height: int, seed: int) -> Image:
 
 
 def distort(image: Image, matrix: Array, distortion: Optional[Array]) -> Image:
-    """What a lens makes of the image of a pinhole."""
+    """Adds the lens distortion to the image of a pinhole camera."""
     if distortion is None:
         return image
     height, width = image.shape[:2]
@@ -67,7 +70,8 @@ def distort(image: Image, matrix: Array, distortion: Optional[Array]) -> Image:
 
 
 def photograph(board: Image, rvec: Any, tvec: Any, seed: int, args: argparse.Namespace) -> Tuple[Image, Array]:
-    """The board as a camera of this pose sees it, partly behind something and in front of something else; the true pose."""
+    """Renders the board as seen from a pose, partly occluded and in front of a background; also
+    returns the true pose."""
     image = texture(640, 480, seed)
     matrix, distortion = read_camera(args, image.shape)
     rvec, tvec = np.float64(rvec), np.float64(tvec)
@@ -76,7 +80,7 @@ def photograph(board: Image, rvec: Any, tvec: Any, seed: int, args: argparse.Nam
     homography = cv2.getPerspectiveTransform(corners, seen.reshape(4, 2).astype(np.float32))
     image = cv2.warpPerspective(board, homography, (640, 480), image, borderMode=cv2.BORDER_TRANSPARENT)
     image = distort(image, matrix, distortion)
-    image[300:460, 20:140] = board[:160, :120]  # wrong, but consistent matches
+    image[300:460, 20:140] = board[:160, :120]  # causes wrong, but consistent matches
     image[150:290, 260:420] = texture(160, 140, seed + 1)
     return image, pose_of(rvec, tvec)
 
@@ -88,7 +92,7 @@ def angle_between(a: Array, b: Array) -> float:
 
 def estimate(name: str, flag: int, places: Array, pixels: Array, camera: Tuple[Array, Optional[Array]],
              args: argparse.Namespace) -> tools.Result:
-    """The call a user writes; `flag` is OpenCV's or this module's."""
+    """Estimates the pose as a user does; `flag` is OpenCV's or this module's."""
     def call() -> Tuple[Optional[Array], Array]:
         found, rvec, tvec, inliers = usacv20.solvePnPRansac(
             places, pixels, camera[0], camera[1], iterationsCount=args.iterations, reprojectionError=args.threshold,
@@ -102,7 +106,8 @@ def estimate(name: str, flag: int, places: Array, pixels: Array, camera: Tuple[A
 
 def estimate_with(name: str, places: Array, pixels: Array, ratios: Array, camera: Tuple[Array, Optional[Array]],
                   before: Optional[Array], args: argparse.Namespace) -> tools.Result:
-    """The same with all that a flag does not know: the scores of the matches and the pose before, if there is one."""
+    """Estimates the pose with options that a flag does not have: the scores of the matches and,
+    unless it is None, the pose of the previous scene."""
     params = tools.usacv20_params(args, args.iterations)
     params.scores = ratios
     if before is not None:
@@ -117,7 +122,7 @@ def estimate_with(name: str, places: Array, pixels: Array, ratios: Array, camera
 
 def draw(board: Image, image: Image, points: Array, pixels: Array, result: tools.Result,
          camera: Tuple[Array, Optional[Array]]) -> Image:
-    """Matches, axes and outline of the object."""
+    """Draws matches, axes and outline of the object."""
     assert result.model is not None
     canvas = tools.draw_inliers(board, image, points, pixels, result.mask, 30)
     right = np.ascontiguousarray(canvas[:image.shape[0], board.shape[1]:])
@@ -132,7 +137,8 @@ def draw(board: Image, image: Image, points: Array, pixels: Array, result: tools
 
 def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
               args: argparse.Namespace) -> Tuple[tools.Result, Optional[Image]]:
-    """Prints the table of a scene. Returns the result of the last method and the picture, None without a pose."""
+    """Prints the table of a scene. Returns the result of the last method and the picture, which is
+    None if there is no pose."""
     points, pixels, ratios = tools.match_with_ratios(board, image, args)
     places, camera = places_in_space(points, board.shape), read_camera(args, image.shape)
     results = [estimate(name, flag, places, pixels, camera, args)

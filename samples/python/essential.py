@@ -3,8 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""From two images of calibrated cameras to the essential matrix and the pose, with the flags of OpenCV and of this module
-side by side. OpenCV's chessboard images calibrate the two cameras and tell the true pose."""
+"""Estimates the essential matrix and the pose from two images of calibrated cameras, and compares
+flags of OpenCV with a flag of this module. OpenCV's chessboard images calibrate the two cameras and
+give the true pose."""
 
 import sys
 from typing import Optional, Tuple
@@ -17,7 +18,8 @@ from tools import Array, Image, usacv20
 
 
 class Stereo:
-    """Two cameras and their relative pose, calibrated from the pairs of chessboard images that a file lists."""
+    """Two cameras and their relative pose, calibrated from pairs of chessboard images, whose names
+    are in a file."""
 
     def __init__(self, list_name: str, board: Tuple[int, int]) -> None:
         storage = cv2.FileStorage(tools.find_file(list_name), cv2.FILE_STORAGE_READ)
@@ -50,7 +52,8 @@ class Stereo:
 
 
 def rate(result: tools.Result, points1: Array, points2: Array, stereo: Stereo) -> None:
-    """Angles between the true and the estimated rotation and direction of translation; the larger one is the error."""
+    """Computes the angles between the true and the estimated rotation, and between the directions
+    of translation; the error is the larger one in degrees."""
     normalized1 = cv2.undistortPoints(points1, stereo.K1, stereo.dist1)
     normalized2 = cv2.undistortPoints(points2, stereo.K2, stereo.dist2)
     _, R, t, _ = cv2.recoverPose(result.model, normalized1, normalized2, np.eye(3), mask=result.mask.copy())
@@ -61,7 +64,7 @@ def rate(result: tools.Result, points1: Array, points2: Array, stereo: Stereo) -
 
 
 def draw(image1: Image, image2: Image, points1: Array, points2: Array, stereo: Stereo, result: tools.Result) -> Image:
-    """Epipolar lines are straight in images without distortion."""
+    """Draws inliers and epipolar lines in undistorted images, where epipolar lines are straight."""
     straight1 = cv2.undistort(image1, stereo.K1, stereo.dist1)
     straight2 = cv2.undistort(image2, stereo.K2, stereo.dist2)
     points1 = cv2.undistortPoints(points1, stereo.K1, stereo.dist1, P=stereo.K1).reshape(-1, 2)
@@ -89,7 +92,8 @@ def main() -> int:
             rate(result, points1, points2, stereo)
         results.append(result)
 
-    # The same estimation once more, for what a flag does not tell; 1000 is findEssentialMat's number of samples.
+    # The same estimation again, for the report, which a call with a flag does not give.
+    # findEssentialMat uses 1000 iterations, too.
     ours = results[-1]
     _, _, report = usacv20.estimateEssential(points1, points2, stereo.K1, stereo.K2, stereo.dist1, stereo.dist2,
                                                  tools.usacv20_params(args, 1000))
@@ -99,7 +103,7 @@ def main() -> int:
     if ours.model is not None:
         picture = draw(image1, image2, points1, points2, stereo, ours)
         tools.write_picture(args.output, picture, ours, "; some of them with their epipolar lines")
-    return tools.exit_code(ours, 10)  # degrees
+    return tools.exit_code(ours, 10)  # limit of the error in degrees
 
 
 if __name__ == "__main__":

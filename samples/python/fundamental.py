@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""From two images to the fundamental matrix between them, with the flags of OpenCV and of this module side by side."""
+"""Estimates the fundamental matrix between two images, and compares flags of OpenCV with a flag of
+this module."""
 
 import sys
 from typing import Any, Tuple
@@ -16,8 +17,9 @@ from tools import Array, usacv20
 
 
 def read_truth(name: str) -> Tuple[Array, Array]:
-    """True correspondences of a rectified stereo pair: x2 = x1 - disparity, 0: unknown. The epipolar lines are the rows,
-    so the rounding of disparities to a pixel moves points along their lines and costs no accuracy."""
+    """Reads true correspondences of a rectified stereo pair from its disparities: x2 = x1 -
+    disparity, 0 is unknown. Disparities are rounded to a pixel. This moves points along the
+    epipolar lines, which are the rows, and does not change the distance from them."""
     disparity = cv2.imread(tools.find_file(name), cv2.IMREAD_GRAYSCALE)
     y, x = (places.ravel() for places in np.mgrid[0:disparity.shape[0]:10, 0:disparity.shape[1]:10])
     d = disparity[y, x].astype(int)
@@ -52,7 +54,7 @@ def main() -> int:
             result.errorText = "%.3f px" % error
         results.append(result)
 
-    # The same estimation once more, for what a flag does not tell.
+    # The same estimation again, for the report, which a call with a flag does not give.
     ours = results[-1]
     _, _, report = usacv20.estimateFundamental(points1, points2, tools.usacv20_params(args, args.iterations))
     ours.iterations = report.iterations

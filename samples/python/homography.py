@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""From two images of a plane to the homography between them, with the flags of OpenCV and of this module side by side."""
+"""Estimates the homography between two images of a plane, and compares flags of OpenCV with a flag
+of this module."""
 
 import sys
 from typing import Any, Tuple
@@ -16,7 +17,8 @@ from tools import Array, Image, usacv20
 
 
 def mean_distance(H: Array, truth: Any, shape: Tuple[int, ...]) -> float:
-    """Mean distance in image 2 between the places where both homographies map a grid of points of image 1."""
+    """Mean distance in image 2, in pixels, between the points of a grid of image 1 mapped by both
+    homographies."""
     x, y = np.meshgrid(np.linspace(0, shape[1] - 1, 21), np.linspace(0, shape[0] - 1, 21))
     grid = np.dstack((x, y)).reshape(-1, 1, 2)
     difference = cv2.perspectiveTransform(grid, H) - cv2.perspectiveTransform(grid, truth)
@@ -32,7 +34,8 @@ def draw_outline(canvas: Image, H: Array, shape: Tuple[int, ...]) -> None:
 
 
 def draw_corners(canvas: Image, H: Array, covariance: Array, shape: Tuple[int, ...]) -> None:
-    """Prints where the corners of image 1 are and how sure that is; draws ellipses of 95 %, ten times as large."""
+    """Prints the corners of image 1 mapped to image 2 with their standard deviations, and draws
+    their 95 % confidence ellipses, ten times enlarged."""
     corners = np.array([[0, 0], [shape[1], 0], [shape[1], shape[0]], [0, shape[0]]], float)
     mapped = cv2.perspectiveTransform(corners.reshape(-1, 1, 2), H).reshape(-1, 2)
     right = np.ascontiguousarray(canvas[:, shape[1]:])
@@ -68,7 +71,7 @@ def main() -> int:
             result.errorText = "%.2f px" % error
         results.append(result)
 
-    # The same estimation once more, for what a flag does not tell.
+    # The same estimation again, for the report, which a call with a flag does not give.
     ours = results[-1]
     _, _, report = usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations).replace(covariance=1))
     ours.iterations = report.iterations

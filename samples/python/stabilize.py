@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Takes the shake out of a sequence of images: the similarity from each frame to the next, and a smooth path.
+"""Stabilizes a sequence of images: estimates the similarity from each frame to the next, and moves
+the frames onto a smooth path.
 
-The frames are the images of a folder or those of a video; without one they are cut out of an image along a shaky path, with
-something that moves by itself, and the true motions are known.
+The frames are the images of a folder or of a video. Without either, they are windows of an image
+along a shaky path, with an independently moving patch in front, and the true motions are known.
 """
 
 import argparse
@@ -40,7 +41,8 @@ def read_frames(path: str) -> List[Image]:
 
 
 def shaken(image: Image, count: int) -> Tuple[List[Image], List[Array]]:
-    """What a shaking hand would film: windows of the image, and in front of them a patch on its own way."""
+    """Simulates a hand-held camera: frames are windows of the image, with a patch in front that
+    moves independently. Returns the frames and the true motions between them."""
     height, width = image.shape[0] * 5 // 8, image.shape[1] * 5 // 8
     patch = image[:height // 2, -(width * 2 // 5):]
     middle, rng = (image.shape[1] / 2, image.shape[0] / 2), np.random.RandomState(1)
@@ -57,14 +59,15 @@ def shaken(image: Image, count: int) -> Tuple[List[Image], List[Array]]:
 
 
 def distance(a: Array, b: Array, shape: Tuple[int, ...]) -> float:
-    """Mean distance between the places where two motions take the corners of a frame."""
+    """Mean distance between the corners of a frame moved by two motions, in pixels."""
     corners = np.array([[x, y, 1] for x in (0, shape[1]) for y in (0, shape[0])], float)
     return float(np.linalg.norm(corners.dot((a - b).T), axis=1).mean())
 
 
 def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: Tuple[int, ...],
              args: argparse.Namespace) -> Tuple[List[Array], float, bool]:
-    """The motions, the mean error and whether all have been found; prints the line of the table."""
+    """Estimates all motions by one method and prints its line of the table. Returns the motions,
+    the mean error in pixels, and whether all motions were found."""
     motions, errors, inliers, lost, start = [], [], 0, 0, time.perf_counter()
     for points1, points2 in matches:
         motion, mask = usacv20.estimateAffinePartial2D(points1, points2, None, tools.flag_of(name), args.threshold,
@@ -82,7 +85,8 @@ def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: T
 
 
 def corrections(motions: List[Array], shape: Tuple[int, ...], radius: int) -> List[Array]:
-    """What moves each frame onto the smooth path: the means of x, y, angle and log scale over some frames."""
+    """Returns the transformations that move each frame onto the smooth path: moving averages of x,
+    y, angle and log scale."""
     middle = np.array([shape[1] / 2, shape[0] / 2, 1])
     path, to_first = [np.zeros(4)], np.eye(3)
     for motion in motions:

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What the samples share: from two images to matches, the table, the pictures."""
+"""Functions that the samples share: matches of two images, the table, the pictures."""
 
 import argparse
 import os
@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 try:
-    import usacv20 as usacv20  # the package, beside any cv2
+    import usacv20 as usacv20  # the package, which works with any cv2
 except ImportError:
     try:
         from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the same, of an OpenCV that was built with the module
@@ -30,7 +30,7 @@ DATA_FOLDERS = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), ".", "/usr/share
 
 
 class Result:
-    """What one method made of the matches."""
+    """The result of one method."""
 
     def __init__(self, method: str, model: Optional[Array], mask: Array, milliseconds: float) -> None:
         self.method, self.model, self.mask, self.milliseconds = method, model, mask, milliseconds
@@ -40,7 +40,7 @@ class Result:
 
 
 def find_file(name: str) -> str:
-    """A file by its path or among OpenCV's sample data."""
+    """Returns the path of a file, which is a path itself or a name in OpenCV's sample data."""
     for path in [name] + [os.path.join(folder, name) for folder in DATA_FOLDERS]:
         if os.path.isfile(path):
             return path
@@ -56,7 +56,7 @@ def read_image(name: str) -> Image:
 
 def arguments(about: Optional[str], image1: Optional[str], image2: str, output: str,
               threshold: float) -> argparse.ArgumentParser:
-    """Parser of the options that all samples have."""
+    """Returns a parser with the options that all samples have."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("image1", nargs="?", default=image1, help="a path or the name of one of OpenCV's sample images")
     parser.add_argument("image2", nargs="?", default=image2)
@@ -70,7 +70,8 @@ def arguments(about: Optional[str], image1: Optional[str], image2: str, output: 
 
 
 def _detect(image: Image, features: int) -> Tuple[Any, Array]:
-    """RootSIFT: with the square roots of the L1-normalized entries, Euclidean distance is Hellinger's."""
+    """Returns keypoints and RootSIFT descriptors, which are square roots of L1-normalized SIFT
+    descriptors, so that their Euclidean distance is the Hellinger distance."""
     keypoints, descriptors = cv2.SIFT_create(features).detectAndCompute(image, None)
     if descriptors is None:
         return keypoints, np.empty((0, 128), np.float32)
@@ -78,7 +79,8 @@ def _detect(image: Image, features: int) -> Tuple[Any, Array]:
 
 
 def match_with_ratios(image1: Image, image2: Image, args: argparse.Namespace) -> Tuple[Array, Array, Array]:
-    """Points of both images, N x 2, whose descriptors match clearly better than the second best, and by how much."""
+    """Returns the matched points of both images, N x 2, and the ratio of the descriptor distances
+    of the best and the second best match, which must be below args.ratio."""
     keypoints1, descriptors1 = _detect(image1, args.features)
     keypoints2, descriptors2 = _detect(image2, args.features)
     pairs = cv2.BFMatcher(cv2.NORM_L2).knnMatch(descriptors1, descriptors2, 2)
@@ -89,17 +91,19 @@ def match_with_ratios(image1: Image, image2: Image, args: argparse.Namespace) ->
 
 
 def match(image1: Image, image2: Image, args: argparse.Namespace) -> Tuple[Array, Array]:
-    """The points of match_with_ratios()."""
+    """Returns the points of match_with_ratios()."""
     return match_with_ratios(image1, image2, args)[:2]
 
 
 def flag_of(name: str) -> int:
-    """The flag of this name, this module's or OpenCV's: the functions of usacv20 take both."""
+    """Returns the flag of this name, this module's or OpenCV's; the functions of usacv20 accept
+    both."""
     return int(getattr(usacv20 if name.startswith("USACV20") else cv2, name))
 
 
 def measure(method: str, runs: int, estimate: Callable[[], Any]) -> Result:
-    """Runs estimate(), which returns model and mask, `runs` times."""
+    """Runs estimate(), which returns model and mask, `runs` times; returns the result with the
+    median time."""
     times = []
     for _ in range(max(runs, 1)):
         start = time.perf_counter()
@@ -109,7 +113,7 @@ def measure(method: str, runs: int, estimate: Callable[[], Any]) -> Result:
 
 
 def usacv20_params(args: argparse.Namespace, iterations: int) -> usacv20.Params:
-    """What the flag USACV20 makes of the same settings."""
+    """Returns the options that correspond to the flag USACV20 with the same settings."""
     return usacv20.Params(threshold=args.threshold, confidence=args.confidence, maxIterations=iterations)
 
 
@@ -124,7 +128,7 @@ def print_table(count: int, results: List[Result], runs: int) -> None:
 
 
 def exit_code(result: Result, limit: float) -> int:
-    """0 if there is a model and, where the truth is known, its error is below the limit."""
+    """Returns 0 if there is a model and its error, if known, is below the limit; otherwise 1."""
     if result.model is not None and (result.error is None or result.error <= limit):
         return 0
     print("%s: %s" % (result.method, "no model" if result.model is None else "the error is too large"), file=sys.stderr)
@@ -132,7 +136,7 @@ def exit_code(result: Result, limit: float) -> int:
 
 
 def failure_limit(image: Image) -> float:
-    """The paper's limit of a failure: one hundredth of the diagonal of the image."""
+    """The limit of the error in the paper: 1 % of the diagonal of the image, in pixels."""
     return 0.01 * float(np.hypot(image.shape[0], image.shape[1]))
 
 
@@ -161,7 +165,8 @@ def _some_inliers(mask: Array, count: int) -> List[int]:
 
 
 def draw_inliers(image1: Image, image2: Image, points1: Array, points2: Array, mask: Array, lines: int = 60) -> Image:
-    """The images side by side with lines between some of the inliers; all ends are dots, red for outliers."""
+    """Draws the images side by side with lines between some of the inliers. All points are dots,
+    red for outliers."""
     canvas = _side_by_side(image1, image2)
     shifted = points2 + np.array([image1.shape[1], 0], np.float32)
     for p, q, inlier in zip(points1, shifted, mask.ravel()):
@@ -173,7 +178,7 @@ def draw_inliers(image1: Image, image2: Image, points1: Array, points2: Array, m
 
 
 def _draw_line(image: Image, line: Array, color: Tuple[int, ...]) -> None:
-    """The part of the line a x + b y + c = 0 that is inside the image."""
+    """Draws the part of the line a x + b y + c = 0 that is inside the image."""
     height, width = image.shape[:2]
     a, b, c = line
     if abs(b) > abs(a):
@@ -186,7 +191,7 @@ def _draw_line(image: Image, line: Array, color: Tuple[int, ...]) -> None:
 
 def draw_epipolar_lines(image1: Image, image2: Image, points1: Array, points2: Array, mask: Array, F: Array,
                         lines: int = 24) -> Image:
-    """The images side by side with some inliers and their epipolar lines under F."""
+    """Draws the images side by side with some inliers and their epipolar lines under F."""
     canvas = _side_by_side(image1, image2)
     left = canvas[:image1.shape[0], :image1.shape[1]]
     right = canvas[:image2.shape[0], image1.shape[1]:]

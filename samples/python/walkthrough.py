@@ -3,12 +3,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""From two images to verified matches, step by step, with the package usacv20 beside any cv2, or with cv2.usacv20.
+"""From two images to verified matches, step by step, with the package usacv20 and any cv2, or with
+cv2.usacv20.
 
-A script in cells: run it as it is, or cell by cell in an editor that knows `# %%`. It needs the package (pip install
-modules/usac) or an OpenCV that was built with the module, cv2 and matplotlib (Debian: python3-opencv, python3-matplotlib); all pictures are written to one file."""
+A script in cells: run it as a whole, or cell by cell in an editor that supports `# %%`. It needs
+the package (pip install modules/usac) or an OpenCV that was built with the module, and cv2 and
+matplotlib (Debian: python3-opencv, python3-matplotlib). All pictures are written to one file."""
 
-# %% The images, two of OpenCV's own, and the matches of their features.
+# %% The images, two of OpenCV's sample images, and the matches of their features.
 import cv2
 import matplotlib
 import numpy as np
@@ -22,14 +24,15 @@ image1, image2 = tools.read_image(args.image1), tools.read_image(args.image2)
 points1, points2, ratios = tools.match_with_ratios(image1, image2, args)
 print("%d matches; the first: %s and %s" % (len(points1), points1[0], points2[0]))
 
-# %% The fundamental matrix by a flag, as with cv2.findFundamentalMat, and what OpenCV's best flag makes of the same matches.
+# %% The fundamental matrix by a flag, as with cv2.findFundamentalMat, and by OpenCV's best flag
+# from the same matches.
 theirs = tools.measure("USAC_MAGSAC", args.runs, lambda: cv2.findFundamentalMat(
     points1, points2, cv2.USAC_MAGSAC, args.threshold, args.confidence, 5000))
 ours = tools.measure("USACV20", args.runs, lambda: usacv20.findFundamentalMat(
     points1, points2, usacv20.USACV20, args.threshold, args.confidence, 5000))
 tools.print_table(len(points1), [theirs, ours], args.runs)
 
-# %% All options, the ratios of the matches among them, and a report of what was learned.
+# %% All options, including the ratios of the matches as scores, and a report of what was learned.
 params = usacv20.Params(threshold=args.threshold, confidence=args.confidence, scores=ratios)
 F, mask, report = usacv20.estimateFundamental(points1, points2, params)
 print(params)
@@ -37,7 +40,7 @@ print(report.describe())
 print("stopped by %s; random matches would give as good a model with a probability of at most %.2g" % (
     report.stop.name, report.chance))
 
-# %% A batch: the same pair with each of these thresholds, side by side on all cores.
+# %% A batch: the same pair with each of these thresholds, in parallel on all cores.
 thresholds = [0.5, 1.0, 2.0, 4.0]
 found = usacv20.estimateFundamentals([points1] * 4, [points2] * 4, [usacv20.Params(threshold=t) for t in thresholds])
 for threshold, result in zip(thresholds, found):
@@ -45,7 +48,7 @@ for threshold, result in zip(thresholds, found):
     print("threshold %.1f: %d inliers" % (threshold, np.count_nonzero(result[1])))
 
 # %% The pictures: inliers, and epipolar lines of some of them.
-matplotlib.use("agg")  # a file; without this line a window, or the notebook
+matplotlib.use("agg")  # draws to a file; without this line, in a window or the notebook
 from matplotlib import pyplot as plt  # noqa: E402
 
 if F is not None:

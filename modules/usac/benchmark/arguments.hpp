@@ -17,23 +17,24 @@ std::vector<std::string> splitNames(const std::string& names);
 //! Raises std::runtime_error with the text if the condition does not hold.
 void require(bool condition, const std::string& what);
 
-/** The value of an option as a number. cv::CommandLineParser takes "1.5" for the integer 1; here
-what is not a number all through raises std::runtime_error. */
+/** The value of an option as a number. cv::CommandLineParser reads "1.5" as the integer 1. These
+functions raise std::runtime_error unless the whole text is a number. */
 double numberOf(const cv::CommandLineParser& parser, const std::string& name);
 int integerOf(const cv::CommandLineParser& parser, const std::string& name);
-//! The same for a text that was given with an option.
+//! The same conversions for a text. `name` is the option that error messages name.
 double toNumber(const std::string& text, const std::string& name);
 int toInteger(const std::string& text, const std::string& name);
 
-/** What cv::CommandLineParser does not do: it keeps only one of repeated options and ignores
-unknown ones. */
+/** The options of a command line. cv::CommandLineParser keeps only one value of a repeated option
+and ignores unknown options; this class keeps all values and refuses unknown options. */
 class Arguments
 {
 public:
-    //! Raises std::runtime_error for anything that is no option of `parser`.
+    //! Raises std::runtime_error for an argument that is not an option of `parser` or has no value.
     Arguments(int argc, char** argv, const cv::CommandLineParser& parser);
 
-    //! All values of an option, each of which may hold several names between commas.
+    //! All values of a repeated option; a value that lists several names separated by commas is
+    //! split.
     std::vector<std::string> all(const std::string& name) const;
     bool given(const std::string& name) const;
 
@@ -41,8 +42,8 @@ private:
     std::vector<std::string> names, values;
 };
 
-//! What an option names, or else `fallback`, by default that of the parser. Nothing at all raises
-//! std::runtime_error.
+//! The names given with an option, or else those in `fallback`, or, if that is empty, the option's
+//! default in `parser`. Raises std::runtime_error if there is no name at all.
 std::vector<std::string> namesOf(const cv::CommandLineParser& parser, const Arguments& arguments,
                                  const std::string& option,
                                  const std::string& fallback = std::string());

@@ -7,7 +7,7 @@
 
 namespace benchmark {
 
-/** All that usac_benchmark does, for a program that has registered methods of its own
+/** Does all that usac_benchmark does. A program calls it after it has registered its own methods
 (registry.hpp):
 
     int program(int argc, char** argv)
@@ -16,11 +16,10 @@ namespace benchmark {
         return benchmark::runBenchmark(argc, argv);
     }
 
-    int main(int argc, char** argv) { return benchmark::runProgram(program, argc, argv);  //
-    program.hpp: exceptions become messages }
+    // program.hpp: runProgram prints exceptions as messages
+    int main(int argc, char** argv) { return benchmark::runProgram(program, argc, argv); }
 
-Takes the command line of usac_benchmark (doc/benchmark.md); a mistake in it raises
-std::runtime_error.
+Takes the command line of usac_benchmark (doc/benchmark.md). Wrong options raise std::runtime_error.
 @return the exit code: 0, or 2 if some pairs could not be read. */
 int runBenchmark(int argc, char** argv);
 

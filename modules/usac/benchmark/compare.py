@@ -5,10 +5,12 @@
 
 """Compares methods pair by pair in what `usac_benchmark --runs=FILE` has written.
 
-A median over a list of few pairs is the error on one of them; whether a method is better there, the other pairs must say. For each list:
-the ratio of the errors of two methods, geometric mean over the pairs, with the interval in which it lies with 95 % (bootstrap over the
-pairs); the pairs on which the first method is better or worse by more than two per cent, or alone finds a model; and on how many of
-those where it is worse its model has the lower cost, so that no better search would have helped. Markdown, to the standard output."""
+The median over a list of few pairs is the error on one of these pairs; a comparison pair by pair
+uses all of them. The table has for each list: the ratio of the errors of two methods as a geometric
+mean over the pairs, with its 95 % interval (bootstrap over the pairs); the number of pairs on which
+the first method is better, and on which it is worse, by more than two per cent or because only one
+of the methods finds a model; and the number of those worse pairs on which its model has the lower
+cost, so that a better search would not help. Markdown, to the standard output."""
 
 import argparse
 import math
@@ -19,7 +21,7 @@ import sys
 from rows import read_rows
 
 COLUMNS = ("list", "problem", "pair", "method", "error", "failed", "cost")
-SAME = 0.02  # errors that differ by less are the same
+SAME = 0.02  # relative difference of errors below which neither method is better
 
 
 class Pair:
@@ -36,7 +38,8 @@ class Pair:
 
 
 def read_pairs(files):
-    """{(problem, list): {pair: {method: Pair}}} in the order of the files. A failure has an infinite error."""
+    """Returns {(problem, list): {pair: {method: Pair}}} in the order of the files. A failed run has
+    an infinite error."""
     results = {}
     for file in files:
         read_rows(file, COLUMNS, "usac_benchmark --runs", lambda row: _add(results, row))
@@ -51,7 +54,7 @@ def _add(results, row):
 
 
 class Comparison:
-    """Of `method` with `other` on the pairs of a list that both have solved."""
+    """Compares `method` with `other` on the pairs of a list that both methods were run on."""
 
     def __init__(self, pairs, method, other):
         both = [(p[method], p[other]) for p in pairs.values() if method in p and other in p]
@@ -66,7 +69,7 @@ class Comparison:
         return math.exp(statistics.fmean(self.logs)) if self.logs else math.nan
 
     def interval(self, draws=2000):
-        """95 %, the same for the same errors."""
+        """The 95 % bootstrap interval of the ratio; the seed is fixed, so it is reproducible."""
         if len(self.logs) < 2:
             return math.nan, math.nan
         chance = random.Random(1)

@@ -12,17 +12,17 @@
 
 namespace benchmark {
 
-/** Puts components of one's own into an estimator that cv::usacv20::Usac::create has just made:
+/** Replaces components of an estimator that cv::usacv20::Usac::create has just made:
 
     usac.components().sampler = cv::makePtr<MySampler>();
 
-Called for each run, within the time measured. It makes new components each time, as they keep what
-they learned of the points, and the same ones, as the run that is timed and the one that makes the
-report must give the same model. */
+It is called for each run, within the measured time. It must make new components each time, since
+components keep what they learn of the points. It must always make the same components: the timed
+run and the run that makes the report must give the same model. */
 typedef std::function<void(cv::usacv20::Usac& usac)> ComponentChange;
 
-/** An estimator of this module with components of one's own. `+scores` and `{field=value}` do what
- they do for a * preset. */
+/** An estimator of this module with user-defined components. `+scores` and `{field=value}` in the
+ method's name act as they do for a preset. */
 class ComponentsMethod : public ModuleMethod
 {
 public:
@@ -38,15 +38,15 @@ private:
     ProblemSet problems;
 };
 
-/** For registerMethod:
+/** Makes the factory that registerMethod takes:
 
     registerMethod("custom:mine", withComponents(Params::usacV20(), [](Usac& usac) { ... }));
 
 @param params names the other components and their options. Threshold, confidence, limit of
-iterations and seed are those of the command line; `scores` those of the pair with `+scores`, else
-none.
-@param change is not empty, or std::runtime_error is raised
-@param problems for which the components can be used */
+iterations and seed come from the command line; `scores` are those of the pair if the name has
+`+scores`, otherwise none.
+@param change must not be empty; otherwise std::runtime_error is raised
+@param problems that the components can be used for */
 MethodFactory withComponents(const cv::usacv20::Params& params, const ComponentChange& change,
                              const ProblemSet& problems = ProblemSet());
 

@@ -5,9 +5,11 @@
 
 """Makes pairs for usac_benchmark from the images and the ground truth of public data sets.
 
-Matches: RootSIFT, the nearest neighbor of each feature of image 1 if the ratio of the distances to the nearest and the
-second nearest one is below a threshold; the ratio is the score. Ground truth: points annotated by hand where the data set
-has them, else the matches that agree with its homography, epipolar geometry or poses. No estimator takes part."""
+Matches: RootSIFT features. A feature of image 1 is matched with its nearest neighbor in image 2 if
+the ratio of the distances to the nearest and the second nearest neighbor is below a limit; this
+ratio is the score. Ground truth: points annotated by hand where the data set has them, otherwise
+the matches that agree with its homography, epipolar geometry or poses. No robust estimator is used.
+"""
 
 import argparse
 import functools
@@ -26,18 +28,19 @@ READERS = {"homogr": ground_truth.homogr, "evd": ground_truth.evd, "kusvod2": gr
            "strecha": ground_truth.strecha, "kitti": ground_truth.kitti, "tum": ground_truth.tum,
            "tanks_and_temples": ground_truth.tanks_and_temples, "cpc": ground_truth.cpc, "1dsfm": ground_truth.one_dsfm}
 VIDEOS = ("kitti", "tum")
-# Distance to the ground truth up to which a match is right: pixels, H; F and E.
+# Largest distance of a right match from the ground truth in pixels: for H; for F and E.
 TOLERANCE_H, TOLERANCE_F = 3.0, 1.0
 
 
 class NoPair(Exception):
-    """Two images that make no pair; the message says why."""
+    """Raised if two images give no usable pair; the message says why."""
 
 
 def detect(image, features):
-    """Points, N x 2, and RootSIFT descriptors: with the square roots of the L1-normalized entries, Euclidean distance is
-    Hellinger's. OpenCV doubles the image for the finest scale, which shifts all points by a quarter of a pixel; they are
-    brought to the convention that the center of the first pixel is 0,0."""
+    """Returns points, N x 2, and RootSIFT descriptors, which are square roots of L1-normalized SIFT
+    descriptors, so that their Euclidean distance is the Hellinger distance. OpenCV doubles the
+    image for the finest scale, which shifts all points by a quarter of a pixel; the shift is
+    undone, so that the center of the first pixel is at 0,0."""
     precise = "enable_precise_upscale" in cv2.SIFT_create.__doc__
     sift = cv2.SIFT_create(features, enable_precise_upscale=True) if precise else cv2.SIFT_create(features)
     keypoints, descriptors = sift.detectAndCompute(image, None)
@@ -49,8 +52,10 @@ def detect(image, features):
 
 @functools.lru_cache(maxsize=64)
 def _features_of(file, features):
-    """Size, points and descriptors of an image file; most images are in several pairs."""
-    # Cameras and poses are of the image as it is stored, whatever its EXIF data say about the photographer's hands.
+    """Returns size, points and descriptors of an image file. Cached, since most images are in
+    several pairs."""
+    # Cameras and poses refer to the image as it is stored, so the orientation in the EXIF data is
+    # ignored.
     image = cv2.imread(file, cv2.IMREAD_GRAYSCALE | cv2.IMREAD_IGNORE_ORIENTATION)
     if image is None:
         raise NoPair(file + ": no image")
@@ -58,8 +63,8 @@ def _features_of(file, features):
 
 
 def match(features1, features2, ratio, most):
-    """Points of both images and scores, in the order of the features of image 1; `most`: only so many, the best by score,
-    0: all."""
+    """Returns the points of both images and the scores, in the order of the features of image 1.
+    Only the `most` matches with the best scores are kept; 0 keeps all."""
     (points1, descriptors1), (points2, descriptors2) = features1, features2
     if len(descriptors2) < 2 or not len(descriptors1):
         return np.empty((0, 2)), np.empty((0, 2)), np.empty(0)
@@ -72,14 +77,14 @@ def match(features1, features2, ratio, most):
 
 
 def _undistort(points, K, distortion):
-    """Where a camera without distortion and with the same K would see the points."""
+    """Returns where a camera without distortion and with the same K would see the points."""
     if distortion is None or not len(points):
         return points
     return cv2.undistortPoints(points.reshape(-1, 1, 2), K, np.array(distortion, float), P=K).reshape(-1, 2)
 
 
 def _true_points(truth, points1, points2, known, tolerance):
-    """gt_points and gt_kind."""
+    """Returns the pair's gt_points and gt_kind."""
     if truth.points is not None:
         return truth.points, "annotated"
     if truth.H is not None:
@@ -93,7 +98,8 @@ def _true_points(truth, points1, points2, known, tolerance):
 
 
 def build(truth, args):
-    """The pair of a Truth. Raises NoPair if there are too few matches, or too few right ones."""
+    """Makes the pair of a Truth. Raises NoPair if there are too few matches, or too few right ones.
+    """
     size1, *features1 = _features_of(truth.image1, args.features)
     size2, *features2 = _features_of(truth.image2, args.features)
     points1, points2, scores = match(features1, features2, args.ratio, args.max)
@@ -139,7 +145,7 @@ def build_all(dataset, truths, args):
 
 
 class _Help(argparse.ArgumentDefaultsHelpFormatter, argparse.RawDescriptionHelpFormatter):
-    """Default values behind the options, descriptions as they are."""
+    """Shows default values of options and keeps the line breaks of descriptions."""
 
 
 def parse(arguments):

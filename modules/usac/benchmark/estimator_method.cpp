@@ -16,7 +16,7 @@ EstimatorMethod::EstimatorMethod(const MethodName& name, const Estimator& estima
       useScores(name.scores)
 {
     require(traits.takesScores || !useScores, name.full + ": takes no scores");
-    setFields();  // wrong names and values are told before anything runs
+    setFields();  // so that wrong field names and values are reported before any run
 }
 
 void EstimatorMethod::setFields()
@@ -52,7 +52,7 @@ void EstimatorMethod::setFields()
 void EstimatorMethod::prepare(const ImagePair& pair, const Settings& settings)
 {
     task.settings = settings;
-    setFields();  // what was asked for by name wins
+    setFields();  // again: fields in the method's name override `settings`
     task.points1 = pair.points1;
     task.points2 = pair.points2;
     task.spacePoints2 = pair.spacePoints2;

@@ -14,42 +14,44 @@
 
 namespace benchmark {
 
-//! What a whole estimator is given: all of a pair but the truth.
+//! The input of a whole estimator: a pair without its ground truth.
 struct Task
 {
     Settings settings;  //!< problem, threshold in pixels, confidence, limit of iterations, seed
     std::vector<cv::Point2f> points1, points2;  //!< pixels
-    std::vector<cv::Point3f> objectPoints;      //!< P, R, M: in the place of points1
-    std::vector<cv::Point3f> spacePoints2;      //!< R, M: in the place of points2
-    std::vector<float> scores;  //!< one a correspondence, lower is better; empty without `+scores`
+    std::vector<cv::Point3f> objectPoints;      //!< P, R, M: used instead of points1
+    std::vector<cv::Point3f> spacePoints2;      //!< R, M: used instead of points2
+    std::vector<float> scores;  //!< one for each match, lower is better; empty without `+scores`
     cv::Matx33d K1, K2;         //!< E: camera matrices; P: K2 alone; others: identity
-    std::vector<double> distortion;  //!< P: of the camera; empty: none
+    std::vector<double> distortion;  //!< P: lens distortion coefficients; empty: none
     std::map<std::string, double>
-        fields;  //!< the estimator's own, EstimatorTraits::fields or what the name says instead
+        fields;  //!< numbers of EstimatorTraits::fields, as changed by the method's name
 };
 
-/** Estimates a model. Called for each run; this call is what is measured. An exception counts as a
-failure.
-@return the model, of CV_64F as the functions of calib3d return it (3 x 3, A and S 2 x 3, P and R [R
-t], M [s R t]), or empty: none; mask, N values of CV_8U, or empty: all (for the pose); number of
-iterations, or -1 */
+/** Estimates a model. Each run calls it once, and this call is what is timed. An exception counts
+as a failure.
+@return the model, of type CV_64F and of the same form as the functions of calib3d return it (3 x 3;
+A and S 2 x 3; P and R [R t]; M [s R t]), or an empty matrix if there is none; the mask, N values of
+CV_8U, or an empty matrix if all matches are inliers (used for the pose); the number of iterations,
+or -1 if unknown */
 typedef std::function<Estimate(const Task& task)> Estimator;
 
-//! What a whole estimator can do.
+//! The abilities of a whole estimator.
 struct EstimatorTraits
 {
     explicit EstimatorTraits(const ProblemSet& problems_ = ProblemSet(), bool takesScores_ = false)
         : problems(problems_), takesScores(takesScores_)
     {}
 
-    ProblemSet problems;  //!< for which problems it is run
-    bool takesScores;     //!< false: `+scores` behind its name is refused
+    ProblemSet problems;  //!< the problems that it is run for
+    bool takesScores;     //!< false: `+scores` after its name is an error
     std::map<std::string, double>
-        fields;  //!< numbers of its own that `{field=value}` sets, and their defaults
+        fields;  //!< further numeric options that `{field=value}` sets, with defaults
 };
 
-/** A function that makes a model from points, be it of this module or not. `{field=value}` sets
-`threshold`, `confidence`, `maxIterations`, `seed` and the fields of its own. */
+/** A method that calls a function that makes a model from points, from this module or elsewhere.
+`{field=value}` sets `threshold`, `confidence`, `maxIterations`, `seed` and the fields in
+EstimatorTraits. */
 class EstimatorMethod : public Method
 {
 public:
@@ -59,7 +61,7 @@ public:
     bool solves(ProblemType problem) const CV_OVERRIDE { return traits.problems.has(problem); }
     void prepare(const ImagePair& pair, const Settings& settings) CV_OVERRIDE;
     void run(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
-    //! Raises std::runtime_error if the estimate has not the form that Estimator tells of.
+    //! Raises std::runtime_error if the estimate does not have the form that Estimator requires.
     void tell(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
 
 private:
@@ -72,7 +74,7 @@ private:
     Task task;
 };
 
-/** For registerMethod:
+/** Makes the factory that registerMethod takes:
 
     registerMethod("custom:mine", wholeEstimator([](const Task& task) -> Estimate { ... }));
 

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tables in Markdown of what usac_benchmark and usac_tracking write with --csv."""
+"""Makes Markdown tables from what usac_benchmark and usac_tracking write with --csv."""
 
 import collections
 import csv
@@ -13,7 +13,7 @@ CAPTION = ("Median error in pixels (geometric mean over the lists on which no me
 
 
 def read_tables(*files):
-    """{(problem, list): {method: {column: number}}} without the averages of the program."""
+    """Returns {(problem, list): {method: {column: number}}} without the rows of averages."""
     tables = collections.OrderedDict()
     for file in files:
         with open(file, newline="") as lines:
@@ -43,15 +43,18 @@ def number(value, form):
 
 
 def cell(row, digits=3, auc=True):
-    """Of one list: error / failures / milliseconds, of E and of F with poses the AUC at 10 degrees."""
+    """The cell of one list: error / failures / milliseconds, and the AUC at 10 degrees where there
+    are poses."""
     parts = [number(row["median_error"], "%%.%df" % digits), number(row["failures_percent"], "%.1f"),
              number(row["median_cpu_ms"], "%.2f")]
     return " / ".join(parts + [number(row["auc10"], "%.0f")] if auc and not math.isnan(row["auc10"]) else parts)
 
 
 def averages(tables, methods, names=None, baseline=None, hopeless=()):
-    """A row a method, a column a problem; with a baseline one more column for the time of all lists to its time. hopeless: methods
-    that may fail without a list being left out for it; their error is infinite then."""
+    """A table with a row for each method and a column for each problem. A baseline adds a column:
+    the geometric mean of the method's time over the baseline's time. A list on which one of the
+    methods has an infinite error is left out of the average errors. `hopeless` names methods for
+    which no list is left out; their average error may be infinite."""
     problems = list(dict.fromkeys(problem for problem, _ in tables))
     lists = {p: [table for (problem, _), table in tables.items() if problem == p] for p in problems}
     solved = {p: [t for t in lists[p] if all(math.isfinite(t[m]["median_error"]) for m in methods if m in t and m not in hopeless)]
@@ -81,7 +84,7 @@ def averages(tables, methods, names=None, baseline=None, hopeless=()):
 
 
 def best(table, rivals, column):
-    """(figure, name) of the rival with the lowest figure."""
+    """Returns (value, name) of the rival with the lowest value in the column."""
     return min(((table[m][column], m) for m in rivals if m in table), default=(math.nan, ""))
 
 
@@ -96,7 +99,9 @@ def single_lists(tables, methods, rivals):
 
 
 def losses(tables, method, rivals, fastest, margin=1.02):
-    """The lists on which a method has more error than the best of its rivals, more failures, or takes longer than `fastest`."""
+    """A table of the lists on which the method has more failures than the best rival, a larger
+    error than the best rival (by the factor `margin`), or takes longer than the method `fastest`
+    (by the same factor)."""
     rows = []
     for (problem, name), table in tables.items():
         own = table[method]
@@ -113,7 +118,7 @@ def losses(tables, method, rivals, fastest, margin=1.02):
 
 
 def ratios(table, methods, baseline):
-    """Methods of one list with all that a pose has."""
+    """A table of the methods on one list, with the figures that only poses have."""
     rows = []
     for m in methods:
         row = table[m]
@@ -125,7 +130,8 @@ def ratios(table, methods, baseline):
 
 
 def against(tables, methods, baseline):
-    """A row a list: errors and failures, then the time of the baseline and the others' time to it."""
+    """A table with a row for each list: errors and failures, then the baseline's time, then the
+    time of each method divided by it."""
     rows = []
     for (_, name), table in tables.items():
         errors = ["%s / %s" % (number(table[m]["median_error"], "%.3f"), number(table[m]["failures_percent"], "%.1f"))
@@ -137,7 +143,8 @@ def against(tables, methods, baseline):
 
 
 def tracking(file):
-    """Of usac_tracking --csv: a row for each limit, a column for each beginning."""
+    """A table from what usac_tracking writes with --csv: a row for each limit of samples, a column
+    for each kind of initial model."""
     rows = collections.OrderedDict()
     with open(file, newline="") as lines:
         for row in csv.DictReader(lines):

@@ -2,14 +2,16 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Figures that documents quote, and whether they are still true.
+"""Checks and fills in the figures that documents quote from measurements.
 
-A measurement is a file doc/measurements/NAME.md: a stamp (command, commit, date, machine ..) and a body. In the body, and in the
-documents that quote it, a block is what stands between a comment `figures: NAME/PART` and a comment `figures: end`. The text of a
-block in a document is that of the file; measure.py writes both.
+A measurement is a file doc/measurements/NAME.md: a stamp (command, commit, date, machine and so on)
+and a body. In the body and in the documents that quote it, a block is the text between a comment
+`figures: NAME/PART` and a comment `figures: end`. The text of a block in a document equals that in
+the file; measure.py writes both.
 
-The stamp has a digest of the rows of test_data/hashes.txt that belong to the presets and problems of the measurement: where these
-rows are others today, results have changed since, and the measurement is older than they are."""
+The stamp has a digest of the rows of test_data/hashes.txt that belong to the presets and problems
+of the measurement. If these rows differ today, results have changed since, and the measurement is
+older than the current results."""
 
 import glob
 import hashlib
@@ -20,7 +22,7 @@ import re
 FOLDER = "doc/measurements"
 HASHES = "test_data/hashes.txt"
 PYTHON_HASHES = "modules/usac/misc/python/test/hashes.json"
-INDEX = FOLDER + "/all.md"  # the list of all
+INDEX = FOLDER + "/all.md"  # the list of all measurements
 DOCUMENTS = ("README.md", "doc/*.md", INDEX, "modules/usac/README.md", "modules/usac/tutorials/**/*.markdown")
 BEGIN = re.compile(r"(?<!`)<!-- figures: (\S+) -->")
 END = "<!-- figures: end -->"
@@ -46,8 +48,9 @@ def write_text(path, text):
 
 
 class Rows:
-    """The stored hashes that a measurement depends on: those of some sets (all if none is named) with some parameters (all ..). The
-    lines about the machine that made the file are not among them."""
+    """The rows of hashes.txt that a measurement depends on: those of the given sets and parameters;
+    an empty tuple stands for all. Lines about the machine that made the file do not belong to them.
+    """
 
     def __init__(self, sets=(), params=()):
         self.sets, self.params = sets, params
@@ -57,7 +60,8 @@ class Rows:
         return (not self.sets or a in self.sets) and (not self.params or b in self.params)
 
     def digest(self, hashes):
-        """Of the text of hashes.txt."""
+        """The digest of these rows, given the text of hashes.txt. Raises FiguresError if there are
+        none."""
         rows = [line for line in hash_rows(hashes) if line.split()[0] in self]
         if not rows:
             raise FiguresError("%s: no row of the sets %s with the parameters %s" % (HASHES, self.sets, self.params))
@@ -65,12 +69,12 @@ class Rows:
 
 
 def hash_rows(hashes):
-    """`set:parameters iterations inliers hash hash`, in the order of the names."""
+    """The rows `set:parameters iterations inliers hash hash`, sorted by name."""
     return sorted(line for line in hashes.splitlines() if re.fullmatch(r"[^\s:#]+:\S+( \S+){4}", line))
 
 
 def find_blocks(text, file):
-    """[(name, start, end)] of what stands between the marks."""
+    """Returns [(name, start, end)] of the text between the marks of each block."""
     found, position = [], 0
     for begin in BEGIN.finditer(text):
         if begin.group(1) == "end":
@@ -86,12 +90,12 @@ def find_blocks(text, file):
 
 
 def blocks_of(text, file):
-    """{name: text}"""
+    """Returns {name: text} of the blocks."""
     return {name: text[start:end].strip() for name, start, end in find_blocks(text, file)}
 
 
 def block(name, text):
-    """As it stands in the body of a measurement."""
+    """A block with its marks, as it appears in the body of a measurement."""
     return "<!-- figures: %s -->\n\n%s\n\n%s\n" % (name, text.strip(), END)
 
 
@@ -100,7 +104,8 @@ def inline_block(name, text):
 
 
 def filled(text, file, contents):
-    """The text with the blocks that `contents` has. A block within a line stays there."""
+    """Returns the text with the blocks named in `contents` replaced. A block within a line stays
+    within the line."""
     for name, start, end in reversed(find_blocks(text, file)):
         if name in contents:
             new = contents[name].strip()
@@ -111,7 +116,7 @@ def filled(text, file, contents):
 
 
 class Measurement:
-    """A file of doc/measurements. stamp: {name of STAMP: text}."""
+    """A file of doc/measurements. `stamp` is {key of STAMP: text}."""
 
     def __init__(self, name, title, stamp, body):
         self.name, self.title, self.stamp, self.body = name, title, stamp, body.strip() + "\n"
@@ -152,8 +157,8 @@ def documents(root):
 
 
 class Project:
-    """The state of all figures. rows: {name of a measurement: its Rows}; current: those whose quotations in README.md must not be
-    older than the results."""
+    """The state of all figures. `rows` is {name of a measurement: its Rows}. `current` names the
+    measurements whose quotations in README.md must not be older than the results."""
 
     def __init__(self, root, rows, current):
         self.root, self.rows, self.current = root, rows, current
@@ -175,14 +180,14 @@ class Project:
                 self.mistakes.append(str(error))
 
     def is_older(self, name):
-        """Have results changed since?"""
+        """True if results have changed since the measurement."""
         return name in self.rows and self.measurements[name].stamp["results"] != self.rows[name].digest(self.hashes)
 
     def older(self):
         return [name for name in self.measurements if self.is_older(name)]
 
     def index(self):
-        """A table of all measurements, for INDEX."""
+        """A table of all measurements, for the file INDEX."""
         lines = ["| measurement | what | OpenCV | commit | date | results |", "|---|---|---|---|---|---|"]
         for name, m in self.measurements.items():
             lines.append("| [%s](%s.md) | %s | %s | %s | %s | %s |" % (
@@ -191,7 +196,7 @@ class Project:
         return "\n".join(lines)
 
     def contents(self):
-        """{name: text} of all blocks that a document may quote."""
+        """Returns {name: text} of all blocks that a document may quote."""
         found = {"hashes/cpp": str(len(hash_rows(self.hashes))),
                  "hashes/python": str(len(json.loads(read_text(os.path.join(self.root, PYTHON_HASHES))))),
                  "index": self.index()}
@@ -200,7 +205,7 @@ class Project:
         return found
 
     def fill(self):
-        """Writes the blocks of all documents; the names of those that changed."""
+        """Writes the blocks of all documents; returns the names of the changed documents."""
         contents, changed = self.contents(), []
         for document in documents(self.root):
             path = os.path.join(self.root, document)
@@ -212,7 +217,7 @@ class Project:
         return changed
 
     def check(self):
-        """All mistakes, one a line."""
+        """Returns all mistakes as a list of messages."""
         if self.mistakes:
             return self.mistakes
         contents, mistakes = self.contents(), []

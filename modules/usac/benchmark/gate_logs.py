@@ -2,8 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Counts of tests, coverage and times of what run_tests.sh and sanitize.sh have left in USAC_BUILD_DIR: NAME.log, NAME.commit, and
-NAME.before and NAME.after with the processor times of the shell. A part without a log keeps the row that it had."""
+"""Reads counts of tests, coverage and times from the files that run_tests.sh and sanitize.sh leave
+in USAC_BUILD_DIR. These are NAME.log, NAME.commit, and NAME.before and NAME.after with the
+processor times of the shell. A part without a log keeps its row in the table."""
 
 import datetime
 import os
@@ -25,7 +26,8 @@ class GateError(ValueError):
 
 
 def read_counts(log):
-    """(passed, failed) of a log; as run() of common.sh reads it, the last line of a kind counts."""
+    """Returns (passed, failed) from a log. As in run() of common.sh, the last line of a kind
+    counts."""
     for pattern in COUNTS:
         found = re.findall(pattern, log, re.M)
         if found:
@@ -36,7 +38,7 @@ def read_counts(log):
 
 
 def read_more(name, log):
-    """What else a log tells: coverage, and how long the fuzzer has run."""
+    """Returns what the log has besides the counts: coverage, or the run time of the fuzzer."""
     if name == "coverage":
         found = re.findall(r"^(lines|branches): [\d.]+% \((\d+) out of (\d+)\)$", log, re.M)
         if len(found) != 2:
@@ -51,7 +53,8 @@ def read_more(name, log):
 
 
 def read_seconds(before, after):
-    """Processor seconds between two outputs of the shell's `times`, whose second line is of the processes."""
+    """Processor seconds between two outputs of the shell's `times`, whose second line has the times
+    of the shell's child processes."""
     def seconds(text):
         numbers = [float(n) for n in re.findall(r"[\d.]+", text.splitlines()[1])]
         return 60 * (numbers[0] + numbers[2]) + numbers[1] + numbers[3]
@@ -59,7 +62,8 @@ def read_seconds(before, after):
 
 
 def read_row(folder, name, stamp):
-    """The row of a part, or None without a log. stamp(time, commit): (commit, digest) of what was tested; without NAME.commit then."""
+    """Returns the row of a part, or None without a log. stamp(time, commit) returns the (commit,
+    digest) that was tested; `commit` is empty if there is no file NAME.commit."""
     def text(suffix):
         with open(os.path.join(folder, name + suffix), encoding="utf-8", errors="replace") as file:
             return file.read()
@@ -85,7 +89,7 @@ def read_row(folder, name, stamp):
 
 
 def parse_table(text):
-    """{part: row} of the table of an older file."""
+    """Returns {part: row} of the table in an older file."""
     lines = [line.strip("| ").split(" | ") for line in text.splitlines() if re.match(r"\| [a-z_]+ \|", line)]
     return {row[0]: dict(zip(COLUMNS, row)) for row in lines if len(row) == len(COLUMNS) and row[0] in PARTS}
 
@@ -97,13 +101,13 @@ def table(rows):
 
 
 def outcome(row):
-    """`no finding` or the number of failures, and of which state."""
+    """The number of failures in words, with the date and the commit that was tested."""
     failed = "none failed" if row["failed"] == "0" else "%s failed" % row["failed"]
     return "%s (%s, %s)" % (failed, row["date"], row["commit"])
 
 
 def sentences(rows):
-    """{part: words for README} of the tools, and of `gate` if all its parts are there."""
+    """Returns {part: text for README} of the tools, and of `gate` if all its parts are there."""
     found = {name: "%s tests, %s" % (rows[name]["passed"], outcome(rows[name])) for name in TOOLS if name in rows}
     if "fuzz" in rows:
         found["fuzz"] = "%s, %s" % (rows["fuzz"]["more"], outcome(rows["fuzz"]).replace("none failed", "no finding"))

@@ -2,13 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Two views: relative pose, epipolar geometry and how far correspondences are from it. Needs NumPy only."""
+"""Two-view geometry: relative pose, epipolar geometry, and distances of correspondences from it.
+Needs NumPy only."""
 
 import numpy as np
 
 
 def relative_pose(camera1, camera2):
-    """R, t of x2 ~ R x1 + t."""
+    """Returns R, t with x2 ~ R x1 + t."""
     R = camera2.R @ camera1.R.T
     return R, camera2.t - R @ camera1.t
 
@@ -23,7 +24,8 @@ def _homogeneous(points):
 
 
 def sampson_distance(F, points1, points2):
-    """First-order distance, pixels, of the correspondences to the epipolar geometry x2' F x1 = 0."""
+    """First-order distance in pixels of the correspondences from the epipolar geometry x2' F x1 =
+    0."""
     x1, x2 = _homogeneous(points1), _homogeneous(points2)
     lines2, lines1 = x1 @ F.T, x2 @ F
     gradient = (lines1[:, :2] ** 2).sum(axis=1) + (lines2[:, :2] ** 2).sum(axis=1)
@@ -31,7 +33,8 @@ def sampson_distance(F, points1, points2):
 
 
 def transfer_error(H, points1, points2):
-    """Distance in image 2 of points2 to the points1 mapped by H; infinite where H maps to infinity."""
+    """Distance in image 2 between points2 and the points1 mapped by H; infinite where H maps a
+    point to infinity."""
     mapped = _homogeneous(points1) @ H.T
     with np.errstate(divide="ignore", invalid="ignore"):
         distance = np.linalg.norm(mapped[:, :2] / mapped[:, 2:] - points2, axis=1)
@@ -39,7 +42,7 @@ def transfer_error(H, points1, points2):
 
 
 def in_front(K1, K2, R, t, points1, points2):
-    """Which correspondences have positive depths a, b in a R x1 + t = b x2: the sides of the triangle of both rays."""
+    """Returns which correspondences have positive depths a, b in a R x1 + t = b x2."""
     rays1 = _homogeneous(points1) @ np.linalg.inv(K1).T @ R.T
     rays2 = _homogeneous(points2) @ np.linalg.inv(K2).T
     normals = np.cross(rays1, rays2)

@@ -2,11 +2,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Readers of what public data sets publish about their image pairs, one function a data set.
+"""Readers of the ground truth that public data sets publish about their image pairs, one function
+for each data set.
 
-Each takes a folder and returns a list of Truth. A file that is missing or has another form raises DataError. Numbers
-are taken as they are published, with the center of the first pixel at 0,0: so the annotated points of homogr agree best with
-matched features."""
+Each function takes a folder and returns a list of Truth. A file that is missing or has another form
+raises DataError. Coordinates are taken as published, with the center of the first pixel at 0,0;
+with this convention the annotated points of homogr agree best with matched features."""
 
 import bisect
 import glob
@@ -18,16 +19,17 @@ import numpy as np
 from geometry import relative_pose
 
 IMAGE_TYPES = (".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".tif", ".tiff", ".bmp")
-_STILL = 1e-3  # metres between two frames of a video that are taken for none
+_STILL = 1e-3  # meters; a smaller motion between two frames of a video counts as none
 
 
 class DataError(ValueError):
-    """Published data that are missing or not in the expected form."""
+    """Raised if published data are missing or not in the expected form."""
 
 
 class Camera:
-    """x ~ K (R X + t). K is made of the size of the image where only the focal length is published: the principal point is
-    the middle then. distortion: of the points of the image, as OpenCV has it; None: none."""
+    """A camera x ~ K (R X + t). If only the focal length is published, K is made from the size of
+    the image, with the principal point in the middle. `distortion` has OpenCV's coefficients; None
+    stands for no distortion."""
 
     def __init__(self, image, R, t, K=None, focal=None, distortion=None):
         self.image, self.R, self.t = image, np.asarray(R, float), np.asarray(t, float)
@@ -40,13 +42,13 @@ class Camera:
 
     @staticmethod
     def of_pose(image, R, center, **more):
-        """The camera whose axes are the columns of R and that stands at `center`, both in the coordinates of the world."""
+        """The camera at `center` whose axes are the columns of R, both in world coordinates."""
         R = np.asarray(R, float).T
         return Camera(image, R, -R @ np.asarray(center, float), **more)
 
 
 class Truth:
-    """What a data set publishes about two images: points (M x 4), H, F or two cameras."""
+    """The published ground truth of two images: points (M x 4), H, F or two cameras."""
 
     def __init__(self, name, image1, image2, problems, points=None, H=None, F=None, cameras=None):
         self.name, self.image1, self.image2, self.problems = name, image1, image2, problems
@@ -58,15 +60,18 @@ class Truth:
 
 
 def homogr(folder):
-    """homogr of Lebeda, Matas and Chum: planar scenes, about ten correspondences each annotated by hand.
+    """homogr of Lebeda, Matas and Chum: planar scenes, about ten correspondences each annotated by
+    hand.
 
     <folder>/<name>A.<type>, <name>B.<type>: images 1 and 2
-    <folder>/<name>_vpts.mat: MATLAB, structure `validation`, its `pts` 6 x M, homogeneous points of A above those of B"""
+    <folder>/<name>_vpts.mat: MATLAB, structure `validation`, whose `pts` is 6 x M: homogeneous
+    points of A above those of B"""
     return _annotated(folder, ["H"])
 
 
 def kusvod2(folder):
-    """kusvod2 of Lebeda, Matas and Chum: scenes that are not planar; files as those of homogr."""
+    """kusvod2 of Lebeda, Matas and Chum: scenes that are not planar; the files have the form of
+    those of homogr."""
     return _annotated(folder, ["F"])
 
 
@@ -111,10 +116,12 @@ def evd(folder):
 def strecha(folder):
     """The dense multi-view stereo scenes of Strecha et al.; all pairs of images of a scene.
 
-    <scene>/<cameras>/<image>.camera: K (3 x 3), three zeros, R (3 x 3, columns: axes of the camera), center, width, height
-    <scene>/<images>/<image>, e.g. urd/0000.png beside gt_dense_cameras/0000.png.camera; or both in <scene> itself
+    <scene>/<cameras>/<image>.camera: K (3 x 3), three zeros, R (3 x 3, columns: axes of the
+    camera), center, width, height
+    <scene>/<images>/<image>, e.g. urd/0000.png next to gt_dense_cameras/0000.png.camera; or both in
+    <scene> itself
 
-    <folder> is a scene or holds scenes, at any depth."""
+    <folder> is a scene or contains scenes at any depth."""
     scenes = {}
     for file in _find(folder, lambda name: name.endswith(".camera")):
         root, camera = _strecha_camera(file)
@@ -130,7 +137,7 @@ def strecha(folder):
 
 
 def _strecha_camera(file):
-    """The folder of the scene and the camera."""
+    """Reads a camera; returns the folder of the scene and the camera."""
     values = _numbers(file, (26,))
     place, name = os.path.split(file[:-len(".camera")])
     parent = os.path.dirname(os.path.abspath(place))
@@ -144,9 +151,9 @@ def _strecha_camera(file):
 
 
 def kitti(folder, step=1):
-    """KITTI odometry of Geiger, Lenz and Urtasun: the left grey camera, frames i and i + step of each sequence with poses.
+    """KITTI odometry of Geiger, Lenz and Urtasun: the left gray camera, frames i and i + step of each sequence with poses.
 
-    <folder>/poses/<NN>.txt: a frame a line, 3 x 4, camera -> world
+    <folder>/poses/<NN>.txt: one frame on each line, 3 x 4, camera -> world
     <folder>/sequences/<NN>/calib.txt: line `P0:`, 3 x 4; <folder>/sequences/<NN>/image_0/<six digits>.png
 
     A folder with pairs_with_gt.txt is read as FM-Bench publishes KITTI, see tanks_and_temples."""
@@ -180,14 +187,17 @@ _TUM_CAMERAS = {
     "freiburg2": ((520.9, 521.0, 325.1, 249.7), (0.2312, -0.7849, -0.0033, -0.0001, 0.9172)),
     "freiburg3": ((535.4, 539.2, 320.1, 247.6), None),
 }
-_TUM_TOLERANCE = 0.02  # seconds between an image and its pose, as in the data set's own tools
+_TUM_TOLERANCE = 0.02  # seconds between an image and its pose, as in the tools of the data set
 
 
 def tum(folder, step=1):
-    """TUM RGB-D of Sturm et al.: color images i and i + step of each sequence, among those that have a pose.
+    """TUM RGB-D of Sturm et al.: color images i and i + step of each sequence, among those that
+    have a pose.
 
-    <folder>/<...freiburg1, 2 or 3...>/groundtruth.txt: lines `time tx ty tz qx qy qz qw`, camera -> world
-    <folder>/<...>/rgb.txt: lines `time file`; <folder> may be a sequence itself. The name tells the camera.
+    <folder>/<...freiburg1, 2 or 3...>/groundtruth.txt: lines `time tx ty tz qx qy qz qw`, camera ->
+    world
+    <folder>/<...>/rgb.txt: lines `time file`; <folder> may be a sequence itself. Its name
+    determines the camera.
 
     A folder with pairs_with_gt.txt is read as FM-Bench publishes TUM, see tanks_and_temples."""
     if _is_fm_bench(folder):
@@ -239,14 +249,14 @@ def _quaternion(q):
 def tanks_and_temples(folder):
     """Tanks and Temples of Knapitsch et al. as FM-Bench of Bian et al. publishes it: F only.
 
-    <folder>/pairs_with_gt.txt: a pair a line, numbers of both images, then F (x2' F x1 = 0) by rows
-    <folder>/pairs_which_dataset.txt: the subset of each pair, a line each
+    <folder>/pairs_with_gt.txt: one pair on each line, the numbers of both images, then F (x2' F x1 = 0) by rows
+    <folder>/pairs_which_dataset.txt: the subset of each pair, one on each line
     <folder>/<subset>/Images/<eight digits>.jpg"""
     return _fm_bench(folder)
 
 
 def cpc(folder):
-    """Community Photo Collection of Wilson and Snavely as FM-Bench publishes it; files as those of tanks_and_temples."""
+    """Community Photo Collection of Wilson and Snavely as FM-Bench publishes it; the files have the form of those of tanks_and_temples."""
     return _fm_bench(folder)
 
 
@@ -277,8 +287,8 @@ def one_dsfm(folder):
     the reference reconstruction.
 
     <folder>/gt_bundle.out: reconstruction, Bundler's format v0.3; a focal length of 0 is no camera
-    <folder>/list.txt: the image of each camera, first word of the line; relative to <folder> or to <folder>/images
-    <folder>/EGs.txt: a two-view geometry a line, the first two words are the numbers of the cameras"""
+    <folder>/list.txt: the image of each camera, the first word of each line; relative to <folder> or to <folder>/images
+    <folder>/EGs.txt: one two-view geometry on each line; the first two words are the numbers of the cameras"""
     scene = os.path.basename(os.path.abspath(folder))
     cameras = _bundler_cameras(folder)
     file = os.path.join(folder, "EGs.txt")
@@ -293,7 +303,8 @@ def one_dsfm(folder):
 
 
 def _bundler_cameras(folder):
-    """A camera looks along -z with y up in Bundler's coordinates, along z with y down in ours."""
+    """Reads the cameras; None stands for an image without a camera. In Bundler's coordinates a
+    camera looks along -z with y up; here it looks along z with y down."""
     file, images_file = os.path.join(folder, "gt_bundle.out"), os.path.join(folder, "list.txt")
     images = [words[0] for _, words in _lines(images_file)]
     lines = _lines(file)
@@ -320,7 +331,8 @@ def _listed_image(folder, image):
 
 
 def _consecutive(label, views, names, step):
-    """Frames i and i + step; without those between which the camera stood still, where there is no epipolar geometry."""
+    """Pairs of the frames i and i + step. Pairs between which the camera did not move are left out,
+    since they have no epipolar geometry."""
     truths = []
     for a, b, first, second in zip(views, views[step:], names, names[step:]):
         if np.linalg.norm(relative_pose(a, b)[1]) > _STILL:
@@ -351,7 +363,8 @@ def _image(folder, stem):
 
 
 def _lines(file):
-    """Number and words of each line that is neither empty nor a comment; commas separate words, too."""
+    """Yields number and words of each line that is neither empty nor a comment. Commas separate
+    words, too."""
     try:
         with open(file) as text:
             for number, line in enumerate(text, 1):
@@ -373,7 +386,7 @@ def _floats(file, number, words, count):
 
 
 def _numbers(file, shape):
-    """All numbers of a file in an array; the first length may be -1."""
+    """Returns all numbers of a file in an array. The first length of the shape may be -1 (any)."""
     values = [_floats(file, number, words, len(words)) for number, words in _lines(file)]
     values = np.concatenate(values) if values else np.empty(0)
     size = abs(int(np.prod(shape)))

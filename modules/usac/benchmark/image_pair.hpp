@@ -17,33 +17,33 @@ using cv::usacv20::ProblemType;
 //! The letter of a problem in names and tables, see problemLetters().
 char letterOf(ProblemType problem);
 
-//! The problem of a letter. @return false for any other letter.
+//! Finds the problem of a letter. @return false for an unknown letter.
 bool problemOf(char letter, ProblemType& problem);
 
-/** Tentative correspondences and the truth about them: of two images, of object points and one
-image, which is image 2 then, or of two spaces. */
+/** Tentative correspondences with their ground truth: of two images, of object points and one image
+(image 2), or of two point sets in space. */
 struct ImagePair
 {
     std::string name;
     std::vector<cv::Point2f> points1, points2;
-    std::vector<cv::Point3f> objectPoints;  //!< P, R, M: in the place of points1
-    std::vector<cv::Point3f> spacePoints2;  //!< R, M: in the place of points2
-    std::vector<float> scores;              //!< one a correspondence, lower is better
+    std::vector<cv::Point3f> objectPoints;  //!< P, R, M: used instead of points1
+    std::vector<cv::Point3f> spacePoints2;  //!< R, M: used instead of points2
+    std::vector<float> scores;              //!< one for each match, lower is better
 
     cv::Size2d size1, size2;
     bool hasHomography, hasCamera1, hasCamera2, hasPose;  //!< which of the matrices below are known
     cv::Matx33d H;                                        //!< image 1 -> image 2
     cv::Matx33d K1, K2;
-    std::vector<double> distortion;  //!< P: coefficients of calib3d; empty: none
+    std::vector<double> distortion;  //!< P: lens distortion as in calib3d; empty: none
     cv::Matx33d R;                   //!< x2 ~ R x1 + t; R, M: X2 = scale R X1 + t
     cv::Vec3d t;
-    double scale;            //!< M: of space 2 to space 1; else 1
-    std::vector<int> right;  //!< R, M: the right matches; empty: it is not known which are right
-    /** P: depth of the scene, median over the right matches. R, M: its size, root of the mean
-    squared distance of the right points of space 2 from their mean. */
+    double scale;            //!< M: scale of space 2 over space 1; otherwise 1
+    std::vector<int> right;  //!< R, M: indices of the right matches; empty: unknown
+    /** P: median depth of the right matches. R, M: size of the scene, the root mean square distance
+    of the right points of space 2 from their mean. */
     double depth;
     std::vector<cv::Point2d> truth1, truth2;  //!< correspondences that are known to be right
-    bool truthIsHomography;                   //!< errors are measured against H, not against truth2
+    bool truthIsHomography;                   //!< true: errors are relative to H, not truth2
 
     ImagePair()
         : hasHomography(false), hasCamera1(false), hasCamera2(false), hasPose(false), scale(1),
@@ -52,13 +52,13 @@ struct ImagePair
 
     //! Number of the correspondences.
     int size() const { return (int)(points2.size() + spacePoints2.size()); }
-    //! The correspondences in another order, with the cameras, without the truth.
+    //! Returns the correspondences in another order, with the cameras, without the ground truth.
     ImagePair reordered(const std::vector<int>& order) const;
 };
 
-/** Reads `<path>.corr` and `<path>.json`, for P, R and M `<path>.txt`, `<path>.score` and
-`<path>.json`. Whatever `problem` needs and the files lack raises std::runtime_error with file and
-line. */
+/** Reads `<path>.corr` and `<path>.json`; for P, R and M, `<path>.txt`, `<path>.score` and
+`<path>.json`. Raises std::runtime_error with file and line if the files lack something that
+`problem` needs. */
 ImagePair readImagePair(const std::string& path, ProblemType problem);
 
 }  // namespace benchmark

@@ -12,8 +12,8 @@
 
 namespace benchmark {
 
-//! Recursive descent over the text; each function starts at its first character and ends behind its
-//! last.
+//! A recursive-descent parser. Each function starts at the first character of its element and ends
+//! after its last character.
 class JsonParser
 {
 public:
@@ -150,7 +150,7 @@ private:
         at += end - begin;
     }
 
-    //! Escapes beyond ASCII are kept as written: names in this format need none.
+    //! Escapes for characters beyond ASCII are kept as written; names in this format need none.
     std::string string()
     {
         std::string result;
@@ -181,7 +181,7 @@ private:
     const std::string& text;
     const std::string& file;
     size_t at;
-    int line;  //!< of `at`; a string has no line breaks
+    int line;  //!< line number of `at`; strings cannot contain line breaks
     int depth;
 };
 

@@ -13,8 +13,8 @@ namespace benchmark {
 
 /** A value of a JSON document (RFC 8259).
 
-cv::FileStorage refuses documents with `null`, which the description of a pair has wherever
-something is not known. A value of another type than the one asked for raises std::runtime_error. */
+cv::FileStorage refuses documents with `null`, which the description of a pair contains wherever
+something is unknown. An accessor raises std::runtime_error if the value is of another type. */
 class Json
 {
 public:
@@ -22,17 +22,17 @@ public:
 
     Json() : kind(NUL), firstLine(1), scalar(0) {}
 
-    //! Reads a document. A syntax error raises std::runtime_error "file:line: what".
+    //! Reads a document. A syntax error raises std::runtime_error with the text "file:line: what".
     static Json parse(const std::string& text, const std::string& file);
 
     Type type() const { return kind; }
-    //! Where the value starts in its file; 1 for a member that is not there.
+    //! The line where the value starts in its file; 1 for a member that does not exist.
     int line() const { return firstLine; }
     bool isNull() const { return kind == NUL; }
     double number() const;
     const std::string& string() const;
     const std::vector<Json>& array() const;
-    //! Member of an object; null if there is none of this name.
+    //! A member of an object; a null value if there is no member of this name.
     const Json& operator[](const std::string& name) const;
 
 private:

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The experiment of the USACv20 paper: robust estimators side by side on lists of image pairs,
-// accuracy and time.
+// The experiment of the USACv20 paper: compares the accuracy and the time of robust estimators on
+// lists of image pairs.
 //
 //     usac_benchmark --data=<folder> --methods=USACV20,cv:USAC_DEFAULT --csv=tables.csv
 //     --runs=runs.csv > tables.md

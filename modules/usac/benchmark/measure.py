@@ -5,18 +5,24 @@
 
 """Makes the files of doc/measurements and the figures that README.md and doc/ quote from them.
 
-    measure.py --build=BUILD --data=DATA [NAME ...]   runs measurements (default: those that README.md quotes)
-    measure.py --logs=USAC_BUILD_DIR                  counts of tests, coverage and times of run_tests.sh and sanitize.sh
+    measure.py --build=BUILD --data=DATA [NAME ...]
+                runs measurements (default: those that README.md quotes)
+    measure.py --logs=USAC_BUILD_DIR
+                takes counts of tests, coverage and times from run_tests.sh and sanitize.sh
     measure.py --build=BUILD --structured [SECTION ...]
-                                                      runs the commands above the tables of structured_tables.md, of all sections or of
-                                                      those whose headings begin so
-    measure.py --fill                                 writes the quotations anew from the files
-    measure.py --copied NAME                          after a table of constants_tables, structured_tables or collections_tables was
-                                                      replaced by the output of its command
-    measure.py --check                                fails where a quotation is not what was measured, a file was changed by hand,
-                                                      or README.md quotes what is older than the last change of results
+                runs the commands above the tables of structured_tables.md, of all sections or of
+                those whose headings begin with SECTION
+    measure.py --fill
+                writes the quotations again from the files
+    measure.py --copied NAME
+                to be run after a table of constants_tables, structured_tables or
+                collections_tables was replaced by the output of its command
+    measure.py --check
+                fails if a quotation differs from the measurement, if a file was changed by hand,
+                or if README.md quotes a measurement older than the last change of results
 
-BUILD is a build folder of this project, which is brought up to date first; DATA a folder as usac_benchmark takes it."""
+BUILD is a build folder of this project, which is brought up to date first. DATA is a folder as
+usac_benchmark takes it."""
 
 import argparse
 import collections
@@ -54,7 +60,8 @@ PICTURES = ("summary", "accuracy_over_time", "EVD_tent.H", "strecha.F", "strecha
 
 
 def processor_times():
-    """(busy seconds of all processors, those of this process and its children), or None where the system does not tell."""
+    """Returns (busy seconds of all processors, those of this process and its children), or None
+    where the system does not provide them."""
     try:
         numbers = [int(n) for n in read_text("/proc/stat").splitlines()[0].split()[1:9]]
     except (OSError, ValueError):
@@ -69,7 +76,8 @@ def machine_name():
 
 
 def busy_words(before, after, seconds):
-    """What other programs did meanwhile, where it was more than half of a core for each core."""
+    """A remark on the load by other programs, if it was more than half of the machine; otherwise
+    empty."""
     if not before or not after or seconds <= 0:
         return ""
     others = (after[0] - before[0] - (after[1] - before[1])) / seconds
@@ -82,7 +90,8 @@ def git(*arguments):
 
 
 class Run:
-    """What a measurement has: programs, data, a folder for scratch; and what it was, for the stamp."""
+    """The surroundings of a measurement: programs, data and a scratch folder. It also records the
+    commands and the number of repeats for the stamp."""
 
     def __init__(self, build, data, repeats, scratch):
         self.build, self.data, self.scratch, self.chosen = build, data, scratch, repeats
@@ -90,7 +99,8 @@ class Run:
         self.opencv = self.find_opencv()
 
     def find_opencv(self):
-        """The version that the programs were built with: that of an installation, or of the build itself."""
+        """The OpenCV version that the programs were built with: that of an installation, or of the
+        build itself."""
         cache = read_text(os.path.join(self.build, "CMakeCache.txt"))
         folder = re.search(r"^OpenCV_DIR:\w+=(.*)$", cache, re.M)
         for path in [folder.group(1)] if folder else [self.build]:
@@ -103,12 +113,13 @@ class Run:
         return os.path.join(self.scratch, name)
 
     def times(self, default):
-        """The number of repeats."""
+        """Sets the number of repeats; returns the option for it."""
         self.repeats = self.chosen or default
         return "--repeats=%d" % self.repeats
 
     def call(self, program, *arguments, shown=True):
-        """Its standard output. The stamp has the command without files of output and with DATA and SCENES for the folders."""
+        """Runs a program; returns its standard output. The stamp shows the command without output
+        files and with the words DATA and SCENES instead of the folders."""
         words = [program if program.endswith(".py") else os.path.join(self.build, "bin", program)] + list(arguments)
         if program.endswith(".py"):
             words = [sys.executable, os.path.join(ROOT, "modules", "usac", "benchmark", program)] + list(arguments)
@@ -130,13 +141,15 @@ class Run:
         return sorted(path for letter in letters for path in glob.glob(os.path.join(self.data, "lists", "*.%s.list" % letter)))
 
     def benchmark(self, name, *options):
-        """usac_benchmark: (its tables, the file of the single runs, its text with headings one level down, without its title)."""
+        """Runs usac_benchmark. Returns its tables, the file of the single runs, and its text
+        without the title and with headings one level deeper."""
         csv, runs = self.path(name + ".csv"), self.path(name + ".runs.csv")
         text = self.call("usac_benchmark", *options, "--csv=" + csv, "--runs=" + runs)
         return tables.read_tables(csv), runs, re.sub("^#", "##", re.sub(r"\A# .*\n+", "", text), flags=re.M)
 
     def two_views(self, methods, *options):
-        """The same of all lists of H, F and E, a call for each. AUTO gets 3 times the threshold of the others."""
+        """Runs usac_benchmark once for each of H, F and E, on all lists. AUTO gets 3 times the
+        threshold of the other methods."""
         found, runs, text = collections.OrderedDict(), [], ""
         for p in "HFE":
             named = ["%s{threshold=%g}" % (m, 3 * threshold.RIGHT[p]) if m == AUTO else m for m in methods]
@@ -207,7 +220,7 @@ def measure_threshold(run):
 
 
 def measure_automatic(run):
-    """The threshold that USACV20_AUTO estimates."""
+    """Measures the threshold that USACV20_AUTO estimates."""
     text = run.call("threshold.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), run.times(3), "--estimated=" + AUTO,
                     "--plot=" + os.path.join(ROOT, THRESHOLD_PICTURE), *["--list=" + path for path in run.lists("HFE")])
     run.commands = ["threshold.py --data=DATA --repeats=%d --estimated=USACV20_AUTO (lists of H, F and E)" % run.repeats]
@@ -273,7 +286,7 @@ def measure_threads(run):
 
 
 def measure_covariance(run):
-    """How well Report::covariance describes the errors on synthetic scenes."""
+    """Measures how well Report::covariance describes the errors on synthetic scenes."""
     run.repeats = 1
     text = run.call("usac_covariance", "--scenes=%d" % (run.chosen or 10000))
     return ("Scenes of each problem, in equal parts of each cell: shapes, 20 to 1000 matches, 10 to 95 % right (F, E: 30 to 95 %), noise of 0.1, 0.3 and 1 "
@@ -302,7 +315,7 @@ KINDS = collections.OrderedDict((
     ("constants_tables", Kind("Half and double of the chosen numbers; choices between variants", None, Rows(), False)),
     ("structured_tables", Kind("Structured scenes", None, Rows(), False)),
     ("collections_tables", Kind("Collections of images", None, Rows(), False))))
-COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # their commands stand in the files
+COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # the commands of their tables are in the files
 PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_scale", "usac_synthetic", "usac_tracking")
 
 
@@ -311,7 +324,7 @@ def project():
 
 
 def state():
-    """Commit of the sources, named so if they differ from it."""
+    """The commit of the sources, with a remark if the working tree differs from it."""
     changed = git("status", "--porcelain", "--", "modules/usac/src", "modules/usac/include", "modules/usac/benchmark")
     return (git("rev-parse", "--short", "HEAD") or "-") + (" and changes" if re.search(r"\.[ch]pp$", changed, re.M) else "")
 
@@ -321,7 +334,7 @@ def today():
 
 
 def stamp_line(stamp):
-    """The stamp in a line, for a document."""
+    """The stamp as one line, for a document."""
     return "%s, commit %s, OpenCV %s, %s" % (stamp["date"], stamp["commit"], stamp["OpenCV"], stamp["machine"])
 
 
@@ -340,13 +353,14 @@ def measure(name, build, data, repeats):
 
 
 def tested(time, commit):
-    """(commit, digest) of what a log is of: of the commit, or if that is not known of the last one before a time."""
+    """Returns (commit, digest) of the state that a log tested. If the commit is not known, the last
+    one before `time` is taken."""
     commit = commit or git("log", "-1", "--format=%h", "--before=" + time.isoformat())
     return commit or "-", KINDS["tests"].rows.digest(git("show", "%s:%s" % (commit, HASHES)) or read_text(os.path.join(ROOT, HASHES)))
 
 
 def take_logs(folder):
-    """Writes doc/measurements/tests.md; the parts that were found."""
+    """Writes doc/measurements/tests.md; returns the names of the parts that have a log."""
     path = Measurement.file(ROOT, "tests")
     rows = gate_logs.parse_table(read_text(path)) if os.path.isfile(path) else {}
     found = {name: gate_logs.read_row(folder, name, tested) for name in gate_logs.PARTS}
@@ -368,7 +382,8 @@ def write_tests(rows):
 
 
 def take_copied(root, name):
-    """Today's date and the digest of the text. `results` stays that of the oldest table."""
+    """Sets the date of a file with copied tables to today and renews the digest of its text.
+    `results` stays that of the oldest table."""
     if name not in COPIED:
         raise FiguresError("%s is none of %s" % (name, ", ".join(COPIED)))
     m = Measurement.read(root, name)
@@ -377,7 +392,8 @@ def take_copied(root, name):
 
 
 def measure_structured(build, sections):
-    """Makes tables of structured_tables.md anew; `results` stays that of the oldest table, unless all are made."""
+    """Runs the commands of structured_tables.md and replaces the tables. `results` stays that of
+    the oldest table."""
     m = Measurement.read(ROOT, "structured_tables")
     run = Run(build, "", None, "")
     m.body = structured_tables.renewed(m.body, sections, state(), lambda arguments: run.call(structured_tables.PROGRAM, *arguments))
@@ -386,7 +402,7 @@ def measure_structured(build, sections):
 
 
 def check(out):
-    """The number of mistakes."""
+    """Prints all mistakes; returns their number."""
     state_of_all = project()
     mistakes = state_of_all.check()
     for mistake in mistakes:

@@ -10,33 +10,33 @@
 
 namespace benchmark {
 
-/** Error of an estimate in pixels, root of the mean of squares over the true correspondences;
-infinite without a model.
+/** Error of an estimate in pixels: root mean square over the true correspondences, infinite without
+a model.
 
-H: transfer error, the distance in image 2 between a point mapped by the estimate and its
-counterpart, or between the points mapped by the estimate and by the true H where that is the truth;
-A and S: the same. F: Sampson distance. E: the same of K2^-T E K1^-1. P: not pixels, but the angle
-between the estimated and the true rotation, degrees; R and M: the same. */
+H, A and S: transfer error, the distance in image 2 between a point mapped by the estimate and its
+true counterpart, or the point mapped by the true H if H is the ground truth. F: Sampson distance.
+E: Sampson distance of K2^-T E K1^-1. P, R and M: not in pixels, but the angle between the estimated
+and the true rotation in degrees. */
 double modelError(const ImagePair& pair, ProblemType problem, const cv::Mat& model);
 
-/** Error above which an estimate is a failure: 1 % of the diagonal of image 2 (H, A, S, whose error
-lies in that image) or of the mean of both diagonals (F and E); P, R and M: 5 degrees. */
+/** Error above which an estimate counts as a failure. H, A and S: 1 % of the diagonal of image 2,
+where their error is measured. F and E: 1 % of the mean of both diagonals. P, R and M: 5 degrees. */
 double failureLimit(const ImagePair& pair, ProblemType problem);
 
-/** What estimators minimize, whatever the truth is: mean of min(1, (error / threshold)^2) over the
-correspondences, with the errors of modelError (P: of the reprojection, 1 behind the camera; R, M:
-distances in space 2); 1 without a model. Tells an estimate that a longer search would improve from
-one that only the truth speaks against.
+/** The cost that estimators minimize, which does not depend on the ground truth: mean of min(1,
+(error / threshold)^2) over the correspondences, with the errors of modelError (P: reprojection
+errors, 1 for a point behind the camera; R, M: distances in space 2); 1 without a model. If a bad
+estimate has a higher cost than a good one, a longer search can improve it.
 @param threshold pixels; R, M: in the unit of space 2 */
 double modelCost(const ImagePair& pair, ProblemType problem, const cv::Mat& model,
                  double threshold);
 
-/** The larger one of the angles between the estimated and the true rotation and between the
-estimated and the true direction of the translation, in degrees; 180 without a model.
+/** The larger of two angles in degrees: between the estimated and the true rotation, and between
+the estimated and the true direction of the translation; 180 without a model.
 
-Of the four poses of E (F: of K2^T F K1) it takes the one that puts most inliers (without any:
-correspondences) in front of both cameras. The sign of the translation counts. Negative: the problem
-has no pose, or the pair none that is known.
+Of the four poses of E (F: of K2^T F K1) it takes the one with most inliers in front of both
+cameras, or most correspondences if the estimate has no inliers. Opposite translations differ by 180
+degrees. Negative if the problem has no pose, or if the true pose is not known.
 */
 double poseError(const ImagePair& pair, ProblemType problem, const Estimate& estimate);
 

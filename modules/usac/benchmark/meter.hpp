@@ -18,23 +18,24 @@ struct Run
     int pair, repeat;  //!< pair: index into ListResult::pairs
     double error;      //!< pixels, for P, R and M degrees; infinite without a model
     bool failed;
-    double poseError;    //!< degrees, negative where the pair has no pose
+    double poseError;    //!< degrees; negative if there is no true pose
     double centerError;  //!< see ProblemKind::centerError; negative for problems without one
-    double cost;         //!< what the estimators minimize, see modelCost
+    double cost;         //!< the cost that estimators minimize, see modelCost
     double cpuMs, wallMs;
-    int iterations;  //!< negative where the method does not tell
+    int iterations;  //!< negative: the method does not report it
     int inliers;
 };
 
 /** Measures time and error of single calls.
 
-A method that throws has failed; it is told on the standard error, once a method and problem. */
+A method that throws an exception counts as failed. The message is printed to the standard error
+once for each method and problem. */
 class Meter
 {
 public:
     explicit Meter(Progress& progress_) : progress(progress_) {}
 
-    //! @param repeat added to the seed. @return all but Run::pair.
+    //! @param repeat added to the seed. @return everything except Run::pair.
     Run measure(Method& method, const ImagePair& pair, Settings settings, int repeat);
 
 private:

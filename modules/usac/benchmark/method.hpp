@@ -11,8 +11,8 @@
 
 namespace benchmark {
 
-//! What all methods are given alike. Defaults: confidence 0.99, the others as the ProblemKind has
-//! them; for H, F and E those of the paper.
+//! Settings that all methods get. Defaults: confidence 0.99, the others from the ProblemKind; for
+//! H, F and E they are those of the paper.
 struct Settings
 {
     explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);
@@ -21,35 +21,35 @@ struct Settings
     double threshold;  //!< pixels; R, M: in the unit of space 2
     double confidence;
     int maxIterations;
-    int seed;  //!< of this repeat, for the methods that have one
+    int seed;  //!< seed of this repeat, for randomized methods
 };
 
-//! What a method found.
+//! The result of a method.
 struct Estimate
 {
     Estimate() : iterations(-1) {}
 
-    cv::Mat model;  //!< empty: none
+    cv::Mat model;  //!< empty: no model
     cv::Mat mask;
-    int iterations;  //!< -1: the method does not tell
+    int iterations;  //!< -1: not reported
 };
 
-/** One row of the tables. */
+/** An estimation method; one row of the tables. */
 class Method
 {
 public:
     explicit Method(const std::string& name_) : label(name_) {}
     virtual ~Method() {}
 
-    //! As given on the command line.
+    //! The name as given on the command line.
     const std::string& name() const { return label; }
-    //! False if the method does not know the problem.
+    //! @return false if the method cannot solve the problem.
     virtual bool solves(ProblemType problem) const = 0;
-    //! Sets up the next run; outside of the time measured.
+    //! Sets up the next run; not included in the measured time.
     virtual void prepare(const ImagePair& pair, const Settings& settings) = 0;
-    //! The call that is measured.
+    //! The call whose time is measured.
     virtual void run(const ImagePair& pair, Estimate& estimate) = 0;
-    //! Adds what the method tells of its last run; outside of the time measured.
+    //! Adds what the method reports about its last run; not included in the measured time.
     virtual void tell(const ImagePair&, Estimate&) {}
 
 private:
@@ -61,11 +61,11 @@ private:
     USACV20, USACV20_FAST, ...                a flag of this module
     preset:usacV20, preset:ransac, ...        a preset of cv::usacv20::Params
     cv:RANSAC, cv:USAC_MAGSAC, ...            a flag of calib3d
-    custom:...                                what the program has registered, see registry.hpp
+    custom:...                                a method that the program registered, see registry.hpp
 
-`+scores` behind a name hands over the scores of the correspondences; `{field=value,...}` behind one
-of the first two kinds sets numeric fields of cv::usacv20::Params, behind one of the last what that
-method has. An unknown name raises std::runtime_error. */
+`+scores` after a name passes the scores of the correspondences. `{field=value,...}` after a name of
+the first two kinds sets numeric fields of cv::usacv20::Params; after a custom name it sets the
+fields of that method. An unknown name raises std::runtime_error. */
 cv::Ptr<Method> createMethod(const std::string& name);
 
 //! All names that createMethod knows.

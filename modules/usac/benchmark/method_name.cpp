@@ -10,7 +10,7 @@ namespace benchmark {
 
 namespace {
 
-//! Cuts `+scores` off the end of a name or from before `{`. @return whether it was there.
+//! Removes `+scores` from the end of a name or from before `{`. @return whether it was there.
 bool cutScores(std::string& name)
 {
     const std::string suffix = "+scores";
@@ -21,7 +21,8 @@ bool cutScores(std::string& name)
     return true;
 }
 
-//! Cuts `{...}` off the end of a name. @return what is in between, empty if there is none.
+//! Removes `{...}` from the end of a name. @return the text between the braces, empty if there are
+//! none.
 std::string cutFields(std::string& name)
 {
     const size_t open = name.find('{');

@@ -9,8 +9,8 @@
 
 namespace benchmark {
 
-/** The parts of a method's name: `base`, `base+scores`, `base{fields}`, `base+scores{fields}` or
-`base{fields}+scores`.
+/** The parts of a method's name, which has one of the forms `base`, `base+scores`, `base{fields}`,
+`base+scores{fields}` or `base{fields}+scores`.
  */
 struct MethodName
 {
@@ -19,8 +19,8 @@ struct MethodName
 
     std::string full;    //!< as given
     std::string base;    //!< USACV20, preset:ransac, cv:RANSAC, custom:mine
-    std::string fields;  //!< what stands between the braces, "field=value,..."; empty: nothing
-    bool scores;         //!< true: the method shall use the scores of the correspondences
+    std::string fields;  //!< text between the braces, "field=value,..."; may be empty
+    bool scores;         //!< true: the method uses the scores of the correspondences
 };
 
 }  // namespace benchmark

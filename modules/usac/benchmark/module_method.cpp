@@ -64,10 +64,10 @@ ModuleMethod::ModuleMethod(const MethodName& name, const Params& params_)
 {
     if (useScores)
         base.ordering = cv::usacv20::ORDERING_AUTO;
-    setFields(base, fields);  // wrong names and values are told before anything runs
+    setFields(base, fields);  // so that wrong field names and values are reported before any run
     Params checked = base;
     if (useScores)
-        checked.scores.assign(1, 1.f);  // some options need them
+        checked.scores.assign(1, 1.f);  // some options are valid only with scores
     checked.check();
 }
 
@@ -81,7 +81,7 @@ void ModuleMethod::prepare(const ImagePair& pair, const Settings& settings)
     params.seed = settings.seed;
     if (useScores)
         params.scores = pair.scores;
-    setFields(params, fields);  // what was asked for by name wins
+    setFields(params, fields);  // again: fields in the method's name override `settings`
 }
 
 void ModuleMethod::run(const ImagePair& pair, Estimate& estimate)

@@ -11,17 +11,18 @@
 
 namespace benchmark {
 
-/** A flag or a preset of this module.
+/** A method that runs a flag or a preset of this module.
 
-A flag is run through its cv::usacv20::Params, because the function with the flag takes no seed; the
-estimate and the time are the same. The report comes from a second run, which must give the same
-model. With scores and a preset that relies on the order of the points, the scores give the order.
+A flag is run through its cv::usacv20::Params, because the function that takes the flag takes no
+seed; estimate and time are the same. The report comes from a second run, which must give the same
+model. With `+scores` and a preset that relies on the order of the points, this order follows from
+the scores.
 */
 class ModuleMethod : public Method
 {
 public:
-    //! @param name what stands behind its base changes the parameters. @param params those of the
-    //! base.
+    //! @param name may have `+scores` and `{fields}`, which change the parameters. @param params
+    //! those of the base name.
     ModuleMethod(const MethodName& name, const cv::usacv20::Params& params);
 
     bool solves(ProblemType) const CV_OVERRIDE { return true; }
@@ -29,17 +30,16 @@ public:
     void run(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
     void tell(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
 
-    //! Those of the run that is prepared.
+    //! The parameters of the prepared run.
     const cv::usacv20::Params& parameters() const { return params; }
 
-    //! Params::initialModel of the run that is prepared.
+    //! Sets Params::initialModel of the prepared run.
     void beginWith(const cv::Mat& model);
 
-    //! Makes the estimator of the run that is prepared; it can be run once.
+    //! Makes the estimator of the prepared run; it can be run once.
     virtual cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair) const;
 
-    //! @param name of a flag, or of a preset behind "preset:". An unknown one raises
-    //! std::runtime_error.
+    //! @param name a flag, or "preset:" and a preset. An unknown name raises std::runtime_error.
     static cv::usacv20::Params paramsOf(const std::string& name);
     static std::string names();
 

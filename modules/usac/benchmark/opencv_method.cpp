@@ -17,7 +17,7 @@ struct Flag
 {
     const char* name;
     int value;
-    const char* problems;  //!< letters
+    const char* problems;  //!< letters of the problems
 };
 
 const Flag FLAGS[] = {

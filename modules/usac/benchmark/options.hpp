@@ -11,25 +11,26 @@
 
 namespace benchmark {
 
-/** The command line. */
+/** The options of usac_benchmark's command line. */
 struct Options
 {
     std::vector<std::string> lists, methods;
     std::string baseline;      //!< name of a method
-    std::string csv, runsCsv;  //!< files to write, empty: none
-    char problem;              //!< a letter, or '\0': as the name of each list says
+    std::string csv, runsCsv;  //!< output files; empty: none
+    char problem;              //!< a letter; '\0': taken from the name of each list
     int repeats, seed, threads;
 
-    //! What the methods are given; what the command line leaves open is that of the paper.
+    //! The settings that the methods get. Values missing on the command line are the problem's
+    //! defaults.
     Settings settings(ProblemType of) const;
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed
-    then. A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if it only asks for help, which has then been printed.
+    Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:
-    double threshold, confidence;  // 0: not given
-    int maxIterations;             // 0: not given
+    double threshold, confidence;  // 0: default
+    int maxIterations;             // 0: default
 };
 
 }  // namespace benchmark

@@ -12,7 +12,7 @@ namespace benchmark {
 
 namespace {
 
-//! "a/b/c.d" -> "a/b", "c.d" -> ".".
+//! The folder of a path: "a/b/c.d" gives "a/b", "c.d" gives ".".
 std::string folderOf(const std::string& path)
 {
     const size_t slash = path.find_last_of("/\\");
@@ -21,7 +21,7 @@ std::string folderOf(const std::string& path)
 
 std::string lastPart(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
-//! "homogr.H.list" -> "homogr" and 'H'; '\0' where the name does not tell the problem.
+//! Splits "homogr.H.list" into "homogr" and 'H'; '\0' if the name has no letter of a problem.
 std::string splitName(const std::string& file, char& letter)
 {
     std::string name = lastPart(file);

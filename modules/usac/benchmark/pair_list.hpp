@@ -11,32 +11,32 @@
 
 namespace benchmark {
 
-/** A list file names one pair a line, without extension. Empty lines and those that start with #
-are skipped.
+/** A list of image pairs. The file names one pair on each line, without extension. Empty lines and
+lines that start with # are skipped.
 
 Paths are relative to the folder of the list, or to its parent if that folder is called `lists`. The
-name of the file tells the problem by its letter: `<dataset>.H.list`, `<dataset>.F.list` and so on.
+letter in the file name states the problem: `<dataset>.H.list`, `<dataset>.F.list` and so on.
 */
 struct PairList
 {
     struct Entry
     {
-        std::string path;  //!< of the pair, without extension
-        int line;          //!< in the list file
+        std::string path;  //!< path of the pair, without extension
+        int line;          //!< line number in the list file
     };
 
     std::string file;
-    std::string name;  //!< of the data set
+    std::string name;  //!< name of the data set
     ProblemType problem;
     std::vector<Entry> entries;
 };
 
-/** Reads a list. @param letter problem, or '\0' to take it from the name of the file.
-Raises std::runtime_error if the file cannot be read or does not tell its problem. */
+/** Reads a list. @param letter the problem, or '\0' to take it from the file name.
+Raises std::runtime_error if the file cannot be read or its name does not state the problem. */
 PairList readPairList(const std::string& file, char letter);
 
 //! The files `<folder>/lists/*.H.list` and so on, in the order of problemLetters(). @param letter
-//! only those, '\0' for all.
+//! only lists of this problem; '\0' for all problems.
 std::vector<std::string> findLists(const std::string& folder, char letter);
 
 }  // namespace benchmark

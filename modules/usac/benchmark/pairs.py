@@ -9,22 +9,24 @@ import os
 
 import numpy as np
 
-PROBLEMS = ("H", "F", "E", "A", "S", "T")  # of pairs of images
-LISTS = PROBLEMS + ("P", "R", "M")  # of which there are lists; views.py has the files of P, spaces.py those of R and M
+PROBLEMS = ("H", "F", "E", "A", "S", "T")  # problems on pairs of images
+LISTS = PROBLEMS + ("P", "R", "M")  # problems that have lists; views.py has the files of P, spaces.py those of R and M
 KINDS = ("annotated", "labels", "homography", "pose", "exact")
 _MATRICES = ("H", "K1", "K2", "R")
 
 
 class PairError(ValueError):
-    """A pair or a list that breaks the rules of the format; the message names file and line where there is one."""
+    """Raised if a pair or a list breaks the rules of the format. The message names file and line if
+    there is one."""
 
 
 class Pair:
-    """Tentative correspondences of two images and the truth about them.
+    """Tentative correspondences of two images with their ground truth.
 
-    points1, points2: N x 2, pixels, the center of the first pixel is 0,0. scores: N, lower is better.
-    size1, size2: width, height. H: image 1 -> 2. R, t: x2 ~ R x1 + t. gt_points: M x 4, correspondences that are
-    right. What is not known is None. extra: further members of the description."""
+    points1, points2: N x 2, pixels, the center of the first pixel is 0,0. scores: N, lower is
+    better.
+    size1, size2: width, height. H: image 1 -> 2. R, t: x2 ~ R x1 + t. gt_points: M x 4, true
+    correspondences. Unknown values are None. extra: further members of the description."""
 
     def __init__(self, problems, points1, points2, scores, size1, size2, gt_points, gt_kind,
                  H=None, K1=None, K2=None, R=None, t=None, extra=None):
@@ -38,7 +40,8 @@ class Pair:
         self.extra = dict(extra or {})
 
     def check(self):
-        """Raises PairError if the program could not use the pair, or would measure nonsense."""
+        """Raises PairError if usac_benchmark could not use the pair or would measure meaningless
+        errors."""
         require(self.problems and set(self.problems) <= set(PROBLEMS), "problem: expected some of " + ", ".join(PROBLEMS))
         require(len(self.points1) > 0, "no correspondences")
         require(len(self.points1) == len(self.points2) == len(self.scores), "points and scores differ in number")
@@ -69,7 +72,8 @@ def require(condition, what):
 
 
 def to_array(value, shape, name):
-    """In double; None stays None. Raises PairError for another shape."""
+    """Converts to an array of double; None stays None. Raises PairError if the shape does not fit.
+    """
     if value is None:
         return None
     try:
@@ -106,8 +110,8 @@ def _sizes(size):
 
 
 def read_rows_of_numbers(file, counts, expected):
-    """The numbers of each line of a text file that is not empty. Raises PairError with file and line where there are not as many
-    as one of `counts`."""
+    """Returns the numbers of each nonempty line of a text file. Raises PairError with file and line
+    if a line has a number of values that is not among `counts`."""
     rows = []
     with open(file) as lines:
         for number, line in enumerate(lines, 1):
@@ -131,7 +135,8 @@ def _read_correspondences(file):
 
 
 def write_rows(path, rows, digits, scores, description):
-    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. digits: format of the numbers of a row."""
+    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `digits` is the format
+    of the numbers of a row."""
     os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
     text = json.dumps(description, separators=(",", ":"), allow_nan=False)
     np.savetxt(path + ".txt", rows, digits)
@@ -141,7 +146,8 @@ def write_rows(path, rows, digits, scores, description):
 
 
 def read_scored_rows(path, count, expected):
-    """The rows of <path>.txt, of `count` numbers each, and the scores of <path>.score; without it all scores are 1."""
+    """Returns the rows of <path>.txt, of `count` numbers each, and the scores of <path>.score; all
+    scores are 1 if that file does not exist."""
     rows = np.array(read_rows_of_numbers(path + ".txt", (count,), expected)).reshape(-1, count)
     if os.path.exists(path + ".score"):
         return rows, read_rows_of_numbers(path + ".score", (1,), "a score")
@@ -149,7 +155,7 @@ def read_scored_rows(path, count, expected):
 
 
 def read_description(file):
-    """The object of a JSON file. Raises PairError with file and line."""
+    """Returns the object of a JSON file. Raises PairError with file and line."""
     with open(file) as text:
         try:
             description = json.load(text)
@@ -161,7 +167,7 @@ def read_description(file):
 
 
 def read_pair(path):
-    """The pair of <path>.corr and <path>.json, checked."""
+    """Reads the pair of <path>.corr and <path>.json and checks it."""
     rows = _read_correspondences(path + ".corr")
     file = path + ".json"
     known = read_description(file)
@@ -170,7 +176,7 @@ def read_pair(path):
         models = {name: known.pop(name, None) for name in _MATRICES + ("t",)}
         sizes = [known.pop(name, None) for name in ("size1", "size2")]
         require(None not in sizes, "size1, size2: missing")
-        if problems is None:  # as the program has it: any that the rest allows
+        if problems is None:  # as in usac_benchmark: all problems that the data allow
             problems = [p for p in PROBLEMS if p != "E" or (models["K1"] and models["K2"])]
         problems = [problems] if isinstance(problems, str) else problems
         pair = Pair(problems, rows[:, :2], rows[:, 2:4], rows[:, 4], sizes[0], sizes[1],
@@ -182,14 +188,15 @@ def read_pair(path):
 
 
 def list_file(folder, dataset, problem):
-    """Where the list of a data set and a problem belongs."""
+    """The path of the list of a data set and a problem."""
     require(problem in LISTS, "problem: expected one of " + ", ".join(LISTS))
     return os.path.join(folder, "lists", "%s.%s.list" % (dataset, problem))
 
 
 def write_list(file, paths):
-    """Writes a list of pairs, `paths` without extension. They are stored relative to the folder that the program takes
-    them from: that of the list, or its parent if that is called `lists`."""
+    """Writes a list of pairs; `paths` are without extension. The stored paths are relative to the
+    folder of the list, or to its parent if that folder is called `lists`, as usac_benchmark
+    expects."""
     split_name(file)
     base = _base(file)
     os.makedirs(os.path.dirname(file) or ".", exist_ok=True)
@@ -199,7 +206,7 @@ def write_list(file, paths):
 
 
 def read_list(file):
-    """Paths of the pairs of a list, without extension."""
+    """Returns the paths of the pairs of a list, without extension."""
     split_name(file)
     paths = []
     with open(file) as lines:
@@ -211,7 +218,7 @@ def read_list(file):
 
 
 def split_name(file):
-    """("homogr", "H") of "lists/homogr.H.list"."""
+    """Splits "lists/homogr.H.list" into ("homogr", "H"). Raises PairError for other names."""
     parts = os.path.basename(file).rsplit(".", 2)
     if len(parts) != 3 or parts[2] != "list" or parts[1] not in LISTS or not parts[0]:
         raise PairError(file + ": expected a name that ends in .H.list, .F.list and so on")

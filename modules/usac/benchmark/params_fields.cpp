@@ -23,11 +23,11 @@ struct Enumerators
 {
     const char* field;
     std::vector<std::string> names;
-    bool flags;  //!< the first is 1, the next 2, 4, 8, ...; else they count from 0
+    bool flags;  //!< true: the values are 1, 2, 4, 8, ...; false: 0, 1, 2, ...
 };
 
-//! Of the options and sets of Params, without the prefix that all of an enumeration have, in their
-//! order.
+//! The names of the values of the enumeration fields of Params in their order, without the prefix
+//! that the names of an enumeration share.
 const std::vector<Enumerators>& enumerators()
 {
     static const std::vector<Enumerators> all = {
@@ -50,7 +50,7 @@ const std::vector<Enumerators>& enumerators()
     return all;
 }
 
-//! How names are compared: capitals, "p-napsac" is P_NAPSAC.
+//! The form in which names are compared: "p-napsac" becomes P_NAPSAC.
 std::string normalized(std::string name)
 {
     for (char& c : name)
@@ -58,8 +58,8 @@ std::string normalized(std::string name)
     return name;
 }
 
-//! The value of "prosac", or of "sprt|standard" for a set. @return false for a name that is none,
-//! with all names
+//! Finds the value of "prosac", or of "sprt|standard" for a field with flags. `all` gets all names
+//! of the enumeration. @return false if the text has an unknown name
 bool valueOf(const Enumerators& of, const std::string& text, double& value, std::string& all)
 {
     std::istringstream in(text);
@@ -80,7 +80,7 @@ bool valueOf(const Enumerators& of, const std::string& text, double& value, std:
     return found > 0;
 }
 
-//! Gives the field of that name, if it is a numeric one, its value.
+//! Assigns a value to the field of the given name if it is a numeric field.
 struct Assignment
 {
     Params& params;

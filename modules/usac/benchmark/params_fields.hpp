@@ -11,15 +11,14 @@
 
 namespace benchmark {
 
-//! One "field=value".
+//! An assignment "field=value".
 struct Field
 {
-    //! An option of Params may have a name for its value, "sampler=prosac",
-    //! "termination=sprt|standard". Anything else, or a value that is no number, raises
-    //! std::runtime_error.
+    //! Raises std::runtime_error unless the text has the form name=value. The value is a number or,
+    //! for an enumeration field of Params, a name: "sampler=prosac", "termination=sprt|standard".
     explicit Field(const std::string& assignment);
 
-    //! The value, which must be an integer, or std::runtime_error is raised.
+    //! The value; raises std::runtime_error if it is not an integer.
     int integer() const;
     //! Raises std::runtime_error with the assignment and what is wrong with it.
     void fail(const std::string& what) const;
@@ -28,11 +27,11 @@ struct Field
     double value;
 };
 
-//! The parts of "sampler=1,localIterations=3".
+//! Splits "sampler=1,localIterations=3" into its assignments.
 std::vector<Field> parseFields(const std::string& assignments);
 
 /** Sets numeric fields by name: "sampler=prosac,localIterations=3".
-An unknown name or a value that is no number raises std::runtime_error. */
+An unknown name or an invalid value raises std::runtime_error. */
 void setFields(cv::usacv20::Params& params, const std::string& assignments);
 
 }  // namespace benchmark

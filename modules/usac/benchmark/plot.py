@@ -5,8 +5,9 @@
 
 """Draws what `usac_benchmark --runs=FILE` has written.
 
-For each list the cumulative distributions of error and of time, one curve a method; a failure has no error, so a curve of the
-errors ends at the share of the runs that succeeded. Over all lists: error over time, and one summary picture."""
+For each list: the cumulative distributions of error and of time, with one curve for each method. A
+failed run has no error, so a curve of errors ends at the fraction of successful runs. Over all
+lists: error over time, and a summary picture."""
 
 import argparse
 import math
@@ -27,7 +28,8 @@ import numpy as np
 
 from rows import read_rows
 
-# Colors of Okabe and Ito, which the color-blind can tell apart; line styles and markers go round with another period.
+# Colors of Okabe and Ito, which color-blind people can distinguish. Markers and line styles repeat
+# with other periods than colors, so that their combinations differ.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "h")
 TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix", "A": "affinity",
@@ -40,7 +42,7 @@ STYLE = {"font.size": 9, "axes.titlesize": 10, "axes.spines.top": False, "axes.s
 
 
 class Runs:
-    """The runs of one method on one list. errors: infinite for failures."""
+    """The runs of one method on one list. `errors` has infinity for failures."""
 
     def __init__(self):
         self.errors, self.times, self.pairs = [], [], []
@@ -49,7 +51,7 @@ class Runs:
         return float(np.median(self.errors))
 
     def median_time(self):
-        """As in the tables: of each pair the median over its repeats, then over pairs."""
+        """The median over the pairs of the median over the repeats of a pair, as in the tables."""
         of_pair = {}
         for pair, time in zip(self.pairs, self.times):
             of_pair.setdefault(pair, []).append(time)
@@ -60,14 +62,16 @@ class Runs:
 
 
 def choose(results, methods):
-    """{key: {method: ...}} with only these methods, in this order; without any, all."""
+    """Returns {key: {method: ...}} with the given methods only, in the given order; an empty list
+    stands for all."""
     if not methods:
         return results
     return {key: {m: runs[m] for m in methods if m in runs} for key, runs in results.items()}
 
 
 def read_runs(files, time, methods):
-    """{(list, problem): {method: Runs}} in the order of the files. `methods`: only these, in this order; empty: all."""
+    """Returns {(list, problem): {method: Runs}} in the order of the files. `methods` selects
+    methods and their order; empty: all."""
     results = {}
     for file in files:
         read_rows(file, COLUMNS, "usac_benchmark --runs", lambda row: _add(results, row, time, methods))
@@ -82,13 +86,13 @@ def _add(results, row, time, methods):
         return
     runs = results.setdefault((row["list"], row["problem"]), {}).setdefault(row["method"], Runs())
     runs.errors.append(math.inf if values[2] else values[0])
-    runs.times.append(max(values[1], 1e-4))  # a log axis has no zero
+    runs.times.append(max(values[1], 1e-4))  # zero cannot be shown on a log axis
     runs.pairs.append(row["pair"])
 
 
 class Look:
-    """Color, line and marker of each method, the same in all pictures. Methods of OpenCV have dashed lines and hollow
-    markers."""
+    """Color, line and marker of each method, equal in all pictures. Methods of OpenCV have dashed
+    lines and hollow markers."""
 
     def __init__(self, results):
         self.methods = list(dict.fromkeys(m for runs in results.values() for m in runs))
@@ -97,7 +101,7 @@ class Look:
         i = self.methods.index(method)
         dashes = ["--", ":", "-."] if method.startswith("cv:") else ["-", (0, (7, 1.2)), (0, (5, 1, 1, 1))]
         return {"color": COLORS[i % len(COLORS)], "linestyle": dashes[i // len(COLORS) % len(dashes)],
-                "zorder": 3 - i / len(self.methods)}  # the first method lies on top
+                "zorder": 3 - i / len(self.methods)}  # the first method is drawn on top
 
     def marker(self, method):
         i = self.methods.index(method)
@@ -111,7 +115,7 @@ class Look:
         width, height = figure.get_size_inches()
         columns = max(1, min(len(handles), int(width // (0.8 + 0.075 * max(len(m) for m in methods)))))
         rows = -(-len(handles) // columns)
-        columns = -(-len(handles) // rows)  # no short last column
+        columns = -(-len(handles) // rows)  # spreads the entries evenly over the columns
         room = (0.18 * rows + 0.12) / height
         figure.get_layout_engine().set(rect=(0, room, 1, 1 - room))
         figure.legend(handles=handles, loc="lower center", ncol=columns, handlelength=2.4, columnspacing=1.4, fontsize=8.5,
@@ -119,7 +123,8 @@ class Look:
 
 
 def cumulative(values, weights=None):
-    """Steps of the cumulative distribution; infinite values count in the whole, but have no step."""
+    """Returns the steps of the cumulative distribution. Infinite values have no step but count in
+    the total."""
     values = np.asarray(values, float)
     weights = np.full(len(values), 1 / len(values)) if weights is None else np.asarray(weights, float)
     order = np.argsort(values, kind="stable")
@@ -146,13 +151,13 @@ def log_axis(axis):
 
 
 def thin(axis, low, high):
-    """Labels at 1, 2, 5 only where they have room."""
+    """On a wide axis, keeps only the labels at powers of ten."""
     if math.log10(max(high / max(low, 1e-9), 1)) > 1.7:
         axis.set_major_locator(LogLocator(10))
 
 
 def _distribution(axes, samples, look, xlabel):
-    """Curves of {method: (values, weights)} on a log axis."""
+    """Draws the distributions of {method: (values, weights)} on a log axis."""
     finite = np.concatenate([np.asarray(v, float)[np.isfinite(v)] for v, _ in samples.values()] + [np.empty(0)])
     finite = finite[finite > 0]
     low, high = (np.percentile(finite, 0.5), finite.max()) if len(finite) else (0.1, 10)
@@ -176,7 +181,7 @@ def time_label(time):
 
 
 def draw_list(name, problem, runs, look, time):
-    """The paper's two figures of a list, side by side."""
+    """Draws the distributions of error and time of a list side by side."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.5), layout="constrained", sharey=True)
     pairs = len({pair for r in runs.values() for pair in r.pairs})
     figure.suptitle("%s: %s, %d pairs" % (name, TITLES.get(problem, problem), pairs), fontsize=10.5)
@@ -196,8 +201,8 @@ def geometric_mean(values):
 
 
 def draw_scatter(results, look, time):
-    """Median error over median time: a small marker for each list, a large one for the geometric means over the lists where
-    no method failed on half of the runs."""
+    """Draws median error over median time: small markers for the lists, large markers for the
+    geometric means over the lists on which each method solves more than half of the runs."""
     problems = _problems(results)
     figure, panels = plt.subplots(1, len(problems), figsize=(max(3.4 * len(problems) + 0.8, 4.8), 3.9), layout="constrained",
                                   squeeze=False)
@@ -229,7 +234,7 @@ def _scatter(axes, runs, style):
 
 
 def _pooled(results, problem, look, what):
-    """All runs of each method on the lists of a problem; each list that the method solves weighs the same."""
+    """All runs of each method on the lists of a problem; each list has the same total weight."""
     samples = {}
     for method in look.methods:
         parts = [getattr(runs[method], what) for key, runs in results.items() if key[1] == problem and method in runs]
@@ -240,7 +245,8 @@ def _pooled(results, problem, look, what):
 
 
 def draw_summary(results, look, time):
-    """Error above, time below, a column for each problem; all lists of a problem in one, each with the same weight."""
+    """Draws distributions of error (above) and time (below), a column for each problem. All lists
+    of a problem are pooled with equal weights."""
     problems = _problems(results)
     figure, panels = plt.subplots(2, len(problems), figsize=(max(2.9 * len(problems) + 0.7, 4.8), 4.9), layout="constrained",
                                   sharey=True, squeeze=False)
@@ -258,14 +264,14 @@ def draw_summary(results, look, time):
 def save(figure, folder, name, form):
     os.makedirs(folder, exist_ok=True)
     file = os.path.join(folder, name + "." + form)
-    # Without the date, the same runs make the same file.
+    # Without the date, the same runs give an identical file.
     figure.savefig(file, dpi=110, metadata={"Date": None} if form == "svg" else {"Software": None})
     plt.close(figure)
     return file
 
 
 def draw_all(results, folder, form, time):
-    """Writes all pictures; returns their files."""
+    """Writes all pictures; returns their file names."""
     with plt.rc_context(STYLE):
         look = Look(results)
         files = [save(draw_list(name, problem, runs, look, time), folder, "%s.%s" % (name, problem), form)
@@ -276,7 +282,7 @@ def draw_all(results, folder, form, time):
 
 
 def add_options(parser):
-    """What all programs that draw have in common."""
+    """Adds the options that all drawing programs share."""
     parser.add_argument("--out", required=True, metavar="DIR", help="folder for the pictures")
     parser.add_argument("--format", choices=("png", "svg"), default="png")
     parser.add_argument("--time", choices=("cpu", "wall"), default="cpu", help="of the process, or of the clock")
@@ -284,7 +290,7 @@ def add_options(parser):
 
 
 def run(draw):
-    """Prints the files that draw() returns, or what was wrong; returns the exit code."""
+    """Prints the file names that draw() returns, or its error message; returns the exit code."""
     try:
         for file in draw():
             print(file)

@@ -3,15 +3,15 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Draws what `usac_scale --csv=FILE` has written: time and error over the number of matches and over the part of right ones,
-a column for each problem. A cross marks scenes where at least half of the runs failed; a curve ends where the method took too
-long."""
+"""Draws what `usac_scale --csv=FILE` has written: time and error over the number of matches and
+over the inlier ratio, a column for each problem. A cross marks scenes where at least half of the
+runs failed. A curve ends where the method exceeded the time limit."""
 
 import argparse
 import math
 import sys
 
-import plot  # first, as it chooses how matplotlib draws
+import plot  # must be first: it selects matplotlib's backend
 from matplotlib.ticker import LogFormatterMathtext
 from plot import plt
 from rows import read_rows
@@ -28,8 +28,8 @@ def _add(results, row):
 
 
 def read_scale(file, methods=()):
-    """{(sweep, problem): {method: [point, ...]}}, a point being the numbers of a row. `methods`: only these, in this order;
-    empty: all."""
+    """Returns {(sweep, problem): {method: [point, ...]}}; a point has the numbers of a row.
+    `methods` selects methods and their order; empty: all."""
     results = {}
     read_rows(file, COLUMNS, "usac_scale --csv", lambda row: _add(results, row))
     results = plot.choose(results, methods)
@@ -39,7 +39,8 @@ def read_scale(file, methods=()):
 
 
 def split_failed(points, x, y):
-    """Curve and crosses: (x, y) of the points that have a finite value, and of those where at least half of the runs failed."""
+    """Returns two lists of (x, y): the points with a finite value for the curve, and those of them
+    where at least half of the runs failed, for the crosses."""
     finite = [(p[x], p[y], p["failures_percent"] >= 50) for p in points if math.isfinite(p[y]) and p[y] > 0]
     return [p[:2] for p in finite], [p[:2] for p in finite if p[2]]
 
@@ -56,14 +57,14 @@ def _panel(axes, runs, sweep, y, look):
         plot.log_axis(axis)
         plot.thin(axis, *axis.get_view_interval())
     if sweep == "inliers":
-        axes.invert_xaxis()  # harder to the right, as with the size
+        axes.invert_xaxis()  # so that problems become harder to the right on both axes
     else:
         axes.xaxis.set_major_formatter(LogFormatterMathtext())
     axes.set_xlabel(SWEEPS[sweep])
 
 
 def draw(results, look, y, label):
-    """A row for each sweep, a column for each problem."""
+    """Draws one figure with a row for each sweep and a column for each problem."""
     sweeps = [s for s in SWEEPS if any(key[0] == s for key in results)]
     problems = [p for p in plot.TITLES if any(key[1] == p for key in results)]
     figure, panels = plt.subplots(len(sweeps), len(problems), figsize=(max(3.1 * len(problems) + 0.6, 4.8), 2.9 * len(sweeps) + 0.5),
@@ -79,7 +80,7 @@ def draw(results, look, y, label):
 
 
 def draw_all(results, folder, form, time):
-    """Writes both pictures; returns their files."""
+    """Writes both pictures; returns their file names."""
     with plt.rc_context(plot.STYLE):
         look = plot.Look(results)
         return [plot.save(draw(results, look, "median_%s_ms" % time, "median " + plot.time_label(time)), folder, "scale_time", form),

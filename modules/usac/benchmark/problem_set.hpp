@@ -10,12 +10,12 @@
 
 namespace benchmark {
 
-//! Which problems a method solves.
+//! The set of problems that a method solves.
 class ProblemSet
 {
 public:
-    //! @param letters some of those of problemLetters(), "HF" for example; anything else, or none,
-    //! raises std::runtime_error.
+    //! @param letters letters of problemLetters(), for example "HF". An empty string or another
+    //! letter raises std::runtime_error.
     ProblemSet(const char* letters = "HFE");
 
     bool has(ProblemType problem) const

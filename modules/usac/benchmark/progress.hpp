@@ -9,16 +9,16 @@
 
 namespace benchmark {
 
-/** A bar on the standard error if that is a terminal, else nothing. */
+/** A progress bar on the standard error if that is a terminal; otherwise it prints nothing. */
 class Progress
 {
 public:
     explicit Progress(int total);
     ~Progress() { clear(); }
 
-    //! The next of `total` begins. @param what what is being worked on.
+    //! Starts the next of `total` steps. @param what text that names the step.
     void step(const std::string& what);
-    //! Removes the bar, so that a message can take its line.
+    //! Removes the bar, so that a message can be printed in its line.
     void clear();
 
 private:

@@ -17,14 +17,14 @@ const std::string& prefix()
     return text;
 }
 
-//! By name, so that their order is that of the alphabet wherever they are registered.
+//! Sorted by name, so that the order does not depend on the order of registration.
 std::map<std::string, MethodFactory>& registry()
 {
     static std::map<std::string, MethodFactory> methods;
     return methods;
 }
 
-//! Commas, braces and '+' mean something on the command line.
+//! Commas, braces and '+' are excluded because they have a meaning on the command line.
 bool isValid(const std::string& name)
 {
     const char* const allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";

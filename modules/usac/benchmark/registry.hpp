@@ -12,32 +12,32 @@
 
 namespace benchmark {
 
-/** Makes a method from its name as given on the command line: `name.base` is the registered one,
-`name.scores` and `name.fields` are up to the factory, which raises std::runtime_error for what the
-method cannot do. The method is to be called `name.full`.
+/** Makes a method from its name as given on the command line. `name.base` is the registered name.
+The factory interprets `name.scores` and `name.fields` and raises std::runtime_error if the method
+does not support them. The method must be called `name.full`.
 
-There are two ready ones: withComponents (components_method.hpp) for an estimator of this module
-with components of one's own, and wholeEstimator (estimator_method.hpp) for any function that makes
-a model from points. One's own is for a class derived from Method, which can prepare its runs
-outside of the time measured. */
+Two functions return factories: withComponents (components_method.hpp) for an estimator of this
+module with user-defined components, and wholeEstimator (estimator_method.hpp) for any function that
+makes a model from points. A custom factory is needed for other classes derived from Method, for
+example to prepare runs outside of the measured time. */
 typedef std::function<cv::Ptr<Method>(const MethodName& name)> MethodFactory;
 
-/** Makes a method known to createMethod, and so to `--methods` and `--help` of the program. To be
-called before runBenchmark, from one thread.
+/** Makes a method known to createMethod, and so to `--methods` and `--help` of the program. It must
+be called before runBenchmark, from one thread.
 
 @param name "custom:" and letters, digits, '_', '-' or '.'
-@param factory makes the method each time that it is named
+@param factory makes a new method each time the name is used
 
-Another name, one that is registered already, or an empty factory raises std::runtime_error. */
+An invalid or already registered name or an empty factory raises std::runtime_error. */
 void registerMethod(const std::string& name, const MethodFactory& factory);
 
-//! True for the names that only registerMethod can make known, those that begin with "custom:".
+//! True for names that begin with "custom:", which only registerMethod can define.
 bool isCustom(const std::string& name);
 
-//! Makes the method registered as `name.base`. There being none raises std::runtime_error.
+//! Makes the method registered as `name.base`. Raises std::runtime_error if there is none.
 cv::Ptr<Method> createCustom(const MethodName& name);
 
-//! All names registered, in alphabetical order, with commas; empty: none.
+//! All registered names in alphabetical order, separated by commas; may be empty.
 std::string customMethods();
 
 }  // namespace benchmark

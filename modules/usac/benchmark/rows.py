@@ -2,14 +2,15 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Reads the CSV files of the programs."""
+"""Reads the CSV files that the benchmark's programs write."""
 
 import csv
 
 
 def read_rows(file, columns, option, take):
-    """Calls take(row) for each row of a CSV file. What lacks a column, or what `take` raises an error for, is named with file and
-    line. option: of the program that writes such files."""
+    """Calls take(row) for each row of a CSV file. Raises ValueError with file and line if a column
+    is missing or `take` raises an error. `option` names the program and its option that write such
+    files."""
     with open(file, newline="") as lines:
         rows = csv.DictReader(lines)
         missing = [name for name in columns if name not in (rows.fieldnames or ())]

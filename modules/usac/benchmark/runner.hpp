@@ -19,22 +19,23 @@ struct ListResult
     struct PairInfo
     {
         std::string name;
-        int size;  //!< correspondences
+        int size;  //!< number of correspondences
     };
 
     std::string name;
     ProblemType problem;
     std::vector<PairInfo> pairs;
     std::vector<std::vector<Run>>
-        runs;  //!< one vector a method, in their order; empty if it does not solve the problem
+        runs;  //!< a vector of runs for each method; empty if the method does not solve the problem
 };
 
 /** Runs all methods on the pairs of a list.
 
 For each pair and each repeat all methods run one after the other, so that a disturbance of the
-machine hurts all alike, and in an order drawn anew, so that none always follows one of its kin,
-which leaves it warm caches. The orders are the same each time. Each method runs once on the first
-pair before anything is measured. Messages about pairs that cannot be read go to the standard error.
+machine affects all of them. Their order is drawn at random each time, so that no method always runs
+after a similar one that leaves useful data in the caches. The orders are reproducible. Before
+anything is measured, each method runs once on the first pair. Messages about unreadable pairs go to
+the standard error.
 */
 class Runner
 {
@@ -42,12 +43,12 @@ public:
     Runner(const std::vector<cv::Ptr<Method>>& methods, const Options& options, Progress& progress);
 
     ListResult run(const PairList& list);
-    //! Pairs that could not be read so far.
+    //! Number of pairs so far that could not be read.
     int unreadable() const { return unreadablePairs; }
 
 private:
     bool read(const PairList& list, const PairList::Entry& entry, ImagePair& pair);
-    //! Numbers of the methods.
+    //! Indices of the methods in random order.
     std::vector<size_t> shuffledOrder();
 
     const std::vector<cv::Ptr<Method>>& methods;

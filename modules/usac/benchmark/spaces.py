@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Reads and writes the motions of space that usac_benchmark reads for the problems R and M; doc/benchmark.md describes the format.
+"""Reads and writes motions of space, the data of usac_benchmark for the problems R and M;
+doc/benchmark.md describes the format.
 
 Lists of them are written with pairs.write_list(pairs.list_file(folder, dataset, "R"), paths)."""
 
@@ -14,8 +15,8 @@ from pairs import PairError, read_description, read_scored_rows, require, to_arr
 class Motion:
     """Points of two spaces and the motion between them, X2 = scale R X1 + t.
 
-    points1, points2: N x 3. scores: N, lower is better. R, t: the motion. scale: 1 for R. right: numbers of the matches that are
-    right, None if it is not known. extra: further members of the description."""
+    points1, points2: N x 3. scores: N, lower is better. R, t: the motion. scale: 1 for R. right:
+    indices of the right matches, None if unknown. extra: further members of the description."""
 
     def __init__(self, points1, points2, scores, R, t, scale=1.0, right=None, extra=None):
         self.points1, self.points2 = to_array(points1, (-1, 3), "points1"), to_array(points2, (-1, 3), "points2")
@@ -26,20 +27,22 @@ class Motion:
 
     @property
     def problem(self):
-        """Its letter."""
+        """The letter of the problem."""
         return "R" if self.scale == 1 else "M"
 
     def moved(self):
-        """Where the motion takes points1."""
+        """The points1 moved to space 2 by the motion."""
         return self.scale * self.points1 @ self.R.T + self.t
 
     def size(self):
-        """Of the scene: root of the mean squared distance of the right points of space 2 from their mean."""
+        """Size of the scene: root mean square distance of the right points of space 2 from their
+        mean."""
         points = self.points2[slice(None) if self.right is None else self.right]
         return np.sqrt(((points - points.mean(0)) ** 2).sum(1).mean())
 
     def check(self):
-        """Raises PairError if the program could not use the motion, or would measure nonsense."""
+        """Raises PairError if usac_benchmark could not use the motion or would measure meaningless
+        errors."""
         count = len(self.points1)
         require(count > 0, "no correspondences")
         require(len(self.points2) == count == len(self.scores), "points and scores differ in number")
@@ -54,7 +57,8 @@ class Motion:
 
 
 def write_motion(path, motion, problem=None):
-    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. problem: "R" or "M"; None: by the scale."""
+    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `problem` is "R" or "M";
+    None chooses by the scale."""
     try:
         motion.check()
         problem = problem or motion.problem
@@ -69,7 +73,8 @@ def write_motion(path, motion, problem=None):
 
 
 def read_motion(path):
-    """The motion of <path>.txt, <path>.score (without it all scores are 1) and <path>.json, checked."""
+    """Reads the motion of <path>.txt, <path>.score (if missing, all scores are 1) and <path>.json
+    and checks it."""
     rows, scores = read_scored_rows(path, 6, "'X1 Y1 Z1 X2 Y2 Z2'")
     file = path + ".json"
     known = read_description(file)

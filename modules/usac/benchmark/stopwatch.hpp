@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-/** Measures processor time of the whole process (all threads together) and wall time from its
-construction on. */
+/** Measures processor time of the whole process (sum over all threads) and wall time since its
+construction. */
 class Stopwatch
 {
 public:

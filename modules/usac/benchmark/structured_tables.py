@@ -2,10 +2,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Replaces tables of a document by the output of the commands that stand above them.
+"""Replaces tables of a document by the output of the commands that precede them.
 
-A section of the document begins with a heading "## " and may have a line that begins with "Commit `...`" and blocks of shell
-commands that begin with usac_structured. The tables below a block, up to the next text, are those of its commands."""
+A section of the document begins with a heading "## ". It may have a line that begins with "Commit
+`...`" and blocks of shell commands that begin with usac_structured. The tables between a block and
+the next text are the output of the block's commands."""
 
 import re
 import shlex
@@ -16,24 +17,25 @@ COMMIT = re.compile(r"^Commit `[^`]+`(, of an earlier state)?", re.M)
 
 
 def sections(body):
-    """[(heading, text with the heading)]; the text before the first heading has the heading ""."""
+    """Returns [(heading, text with the heading)]; the text before the first heading has the heading
+    ""."""
     parts = re.split(r"^(?=## )", body, flags=re.M)
     return [(part[3:part.index("\n")] if part.startswith("## ") else "", part) for part in parts]
 
 
 def commands(block):
-    """[[argument, ...]] of the commands of a block, without the name of the program."""
+    """Returns [[argument, ...]], the commands of a block without the program's name."""
     lines = [line for line in block.replace("\\\n", " ").splitlines() if line.strip()]
     return [shlex.split(line)[1:] for line in lines]
 
 
 def tables_of(output):
-    """The tables of an output, a blank line between them."""
+    """Returns the tables of an output, separated by a blank line."""
     return "\n\n".join(table.strip() for table in re.findall(r"(?:^\|.*\n)+", output + "\n", re.M))
 
 
 def measured(section, commit, run):
-    """The section with new tables. run(arguments) gives the output of the program."""
+    """Returns the section with new tables. run(arguments) returns the output of the program."""
     result, end = "", 0
     for match in BLOCK.finditer(section):
         result += section[end:match.end()]
@@ -44,7 +46,8 @@ def measured(section, commit, run):
 
 
 def renewed(body, names, commit, run):
-    """The document with new tables in the sections whose headings begin with one of the names; all, if there are none."""
+    """Returns the document with new tables in the sections whose headings begin with one of the
+    names; in all sections if there are no names."""
     known = [heading for heading, text in sections(body) if BLOCK.search(text)]
     unknown = [name for name in names if not any(heading.startswith(name) for heading in known)]
     if unknown:

@@ -15,7 +15,7 @@ namespace {
 
 const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
 
-//! All figures that averages are plain means of.
+//! All figures whose average over lists is an arithmetic mean.
 double Summary::*const MEANS[] = {&Summary::failures, &Summary::medianCpu,
                                   &Summary::meanCpu,  &Summary::medianWall,
                                   &Summary::meanWall, &Summary::auc1,
@@ -43,7 +43,7 @@ double mean(const std::vector<double>& values)
     return values.empty() ? NOT_KNOWN : sum / values.size();
 }
 
-//! One figure of one method over all lists where it is known.
+//! The values of one figure of one method over all lists where it is known.
 std::vector<double> collect(const std::vector<std::vector<Summary>>& lists, size_t method,
                             double Summary::*figure)
 {
@@ -54,7 +54,7 @@ std::vector<double> collect(const std::vector<std::vector<Summary>>& lists, size
     return values;
 }
 
-//! For each pair the median of one figure over its repeats. The runs of a pair follow one another.
+//! The median of one figure over the repeats of each pair. The runs of a pair must be consecutive.
 std::vector<double> medianPerPair(const std::vector<Run>& runs, double Run::*figure)
 {
     std::vector<double> result, ofPair;
@@ -69,7 +69,8 @@ std::vector<double> medianPerPair(const std::vector<Run>& runs, double Run::*fig
     return result;
 }
 
-//! Area under the cumulative distribution of the pose error up to `threshold` degrees, in percent.
+//! Area under the cumulative distribution of the pose error from 0 to `threshold` degrees, in
+//! percent of the threshold.
 double areaUnderCurve(const std::vector<Run>& runs, double threshold)
 {
     std::vector<double> parts;
@@ -118,7 +119,7 @@ Summary summarizeRuns(const std::vector<Run>& runs, ProblemType problem)
     return summary;
 }
 
-//! NaN where one of both is infinite.
+//! value / reference; NaN if either of them is infinite.
 double ratio(double value, double reference)
 {
     return std::isfinite(value) && std::isfinite(reference) && reference > 0 ? value / reference

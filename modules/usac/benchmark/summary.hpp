@@ -10,39 +10,39 @@
 
 namespace benchmark {
 
-/** What a table says about one method on one list, or on average over lists. A figure that is not
-known is NaN.
+/** The figures of one method on one list, or averaged over lists. An unknown figure is NaN.
 
-The time of a pair is the median over its repeats; the times below are over pairs. All else is over
-pairs and repeats alike. */
+For times, the median over the repeats of each pair is taken first, and the figures are over pairs.
+All other figures are over pairs and repeats together. */
 struct Summary
 {
     Summary();
 
-    int lists;       //!< how many it is about; 0: the method does not solve the problem, or no pair
-                     //!< could be read
-    int errorLists;  //!< how many `medianError` is about
-    double medianError;   //!< pixels, for P, R and M degrees; a failure has an infinite error
-    double medianCenter;  //!< of ProblemKind::centerError; a failure has an infinite one
+    int lists;            //!< number of lists; 0: the method does not solve the problem, or no pair
+                          //!< could be read
+    int errorLists;       //!< number of lists that `medianError` averages
+    double medianError;   //!< pixels; P, R and M: degrees; infinite for failures
+    double medianCenter;  //!< of ProblemKind::centerError; infinite for failures
     double failures;      //!< percent
-    double medianCpu, meanCpu, medianWall, meanWall;  //!< ms
-    /** Mean of max(0, 1 - pose error / threshold) for 1 degree (P, R, M, of the rotation) or for 5,
-    10 and 20 degrees (E and F), in percent: the area under the cumulative distribution of the pose
-    error from 0 to the threshold, without interpolation between its steps. */
+    double medianCpu, meanCpu, medianWall, meanWall;  //!< milliseconds
+    /** Mean of max(0, 1 - pose error / threshold) in percent: the area under the cumulative
+    distribution of the pose error from 0 to the threshold, without interpolation between its steps.
+    The threshold is 1 degree for the rotation of P, R and M, and 5, 10 and 20 degrees for E and F.
+     */
     double auc1, auc5, auc10, auc20;
     double medianIterations;
     double errorRatio, medianCpuRatio, meanCpuRatio, medianWallRatio,
-        meanWallRatio;  //!< to the baseline
+        meanWallRatio;  //!< relative to the baseline
 };
 
 //! Summaries of all methods on one list. @param baseline index of a method.
 std::vector<Summary> summarize(const ListResult& result, int baseline);
 
-/** Means over lists for all methods, as the paper's Table 2.
+/** Averages over lists for all methods, as in Table 2 of the paper.
 
-The error is that of the lists where no method failed on half of the runs or more. Ratios: geometric
-means.
-@param lists of each list the summaries of all methods. */
+The error is averaged over the lists on which every method solves more than half of the runs. Ratios
+are averaged by geometric means.
+@param lists the summaries of all methods for each list. */
 std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists);
 
 }  // namespace benchmark

@@ -17,9 +17,9 @@ namespace {
 
 struct Column
 {
-    const char *title, *csvName, *format;  //!< no title: not in Markdown
+    const char *title, *csvName, *format;  //!< title: null omits the column in Markdown tables
     double Summary::*figure;
-    bool ofAll;  //!< false: files have it only where it is known
+    bool ofAll;  //!< false: CSV files have the column only if some value is known
 };
 
 const Column COLUMNS[] = {
@@ -42,7 +42,7 @@ const Column COLUMNS[] = {
     {0, "mean_wall_ratio", "%.3f", &Summary::meanWallRatio, true},
 };
 
-//! A number as text, `unknown` if it is NaN.
+//! A number as text; `unknown` if it is NaN.
 std::string print(double value, const char* format, const char* unknown)
 {
     if (std::isnan(value))
@@ -54,13 +54,13 @@ std::string print(double value, const char* format, const char* unknown)
     return text;
 }
 
-//! A number for a CSV file, empty if it is NaN.
+//! A number for a CSV file; empty if it is NaN.
 std::string field(double value) { return print(value, "%.6g", ""); }
 
-//! Names hold commas.
+//! Quotation marks are needed, since names may contain commas.
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-//! True if Markdown has the column and its figure is known for any method.
+//! True if the column has a title and the figure of some method is known.
 bool isShown(const std::vector<Summary>& rows, const Column& column)
 {
     for (size_t m = 0; m < rows.size() && column.title; ++m)
@@ -117,8 +117,8 @@ void Tables::addAverages(const std::string& problem)
         chosen.push_back(tables[i].rows);
         if (problem.empty() && inPixels && !kindOf(results[i].problem).inPixels())
             for (Summary& row : chosen.back())
-                row.medianError = std::numeric_limits<double>::quiet_NaN();  // not to be added to
-                                                                             // pixels
+                row.medianError = std::numeric_limits<double>::quiet_NaN();  // degrees must not be
+                                                                             // averaged with pixels
         table.pairs += tables[i].pairs;
     }
     table.rows = average(chosen);

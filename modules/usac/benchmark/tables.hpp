@@ -12,27 +12,27 @@
 
 namespace benchmark {
 
-/** Writes the results: one table a list, then the averages over all lists and over those of each
-problem. */
+/** Writes the results: a table for each list, then averages over all lists and over the lists of
+each problem. */
 class Tables
 {
 public:
     Tables(const Options& options, const std::vector<ListResult>& results);
 
     void markdown(std::ostream& out) const;
-    //! The same figures, one row a list and method; the lists `average`, `average.H` etc. hold the
-    //! averages.
+    //! Writes the same figures with a row for each list and method. Averages have the list names
+    //! `average`, `average.H` and so on.
     void csv(std::ostream& out) const;
-    //! One row a call.
+    //! Writes one row for each call.
     void runsCsv(std::ostream& out) const;
 
 private:
     struct Table
     {
-        std::string name, problem;  //!< problem: its letter, empty for all
+        std::string name, problem;  //!< problem: its letter; empty for all problems
         std::string title;
         int pairs;
-        std::vector<Summary> rows;  //!< one a method
+        std::vector<Summary> rows;  //!< one for each method
     };
 
     void addList(const ListResult& result);
@@ -42,7 +42,7 @@ private:
     const Options& options;
     const std::vector<ListResult>& results;
     int baseline;              //!< index of a method
-    bool inPixels, inDegrees;  //!< units of the errors that there are
+    bool inPixels, inDegrees;  //!< units of the errors in the results
     std::vector<Table> tables;
 };
 

@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs, lists and pictures, on tiny files that the tests make themselves; and what the tests beside this file share.
+"""Tests of pairs, lists and pictures on tiny files that the tests write, and helpers for the other
+tests in this folder.
 
-USAC_BENCHMARK: path of the C++ program, to test that it reads what is written here. What needs matplotlib is skipped without
-it."""
+USAC_BENCHMARK is the path of the C++ program; with it a test checks that the program reads files
+written by pairs.py. Tests that need matplotlib are skipped without it."""
 
 import contextlib
 import io
@@ -32,14 +33,15 @@ SIZE = (640, 480)
 
 
 def rotation(axis, degrees):
-    """Rodrigues' formula."""
+    """Rotation matrix by Rodrigues' formula."""
     x, y, z = np.asarray(axis, float) / np.linalg.norm(axis)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     angle = np.radians(degrees)
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
 
 
-# Two views of random points: world -> camera, all points in front of both.
+# Two views of random points. Rotations map world to camera; all points are in front of both
+# cameras.
 R1, R2 = rotation((1, 2, 0.5), 10), rotation((-0.3, 1, 0.2), -12)
 C1, C2 = np.array([0.1, -0.2, 0.3]), np.array([1.2, 0.1, -0.2])
 POINTS = np.random.RandomState(1).uniform((-2, -1.5, 5), (2, 1.5, 9), (40, 3))
@@ -55,7 +57,7 @@ def text(*rows):
 
 
 class FolderTest(unittest.TestCase):
-    """Tests with a folder of their own."""
+    """Base of tests that need a temporary folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -149,7 +151,7 @@ class PairsTest(FolderTest):
             rows = [line.rstrip("\n").split(",") for line in lines]
         self.assertEqual([row[:4] for row in rows[1:]], [['"set"', p, '"a"', "40"] for p in "FE"])
         for row in rows[1:]:
-            self.assertLess(float(row[6]), 0.1)  # points rounded to a thousandth of a pixel
+            self.assertLess(float(row[6]), 0.1)  # the points are rounded to a thousandth of a pixel
             self.assertLess(float(row[8]), 0.5)
 
 
@@ -241,7 +243,8 @@ class CompareTest(FolderTest):
     HEAD = "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,cost\n"
 
     def runs(self, *pairs):
-        """pairs: (error of a, cost of a, error of b, cost of b), one run each."""
+        """Writes a file of runs. Each of `pairs` is (error of a, cost of a, error of b, cost of b),
+        with one run of each method."""
         rows = []
         for i, (error_a, cost_a, error_b, cost_b) in enumerate(pairs):
             for method, error, cost in (("a", error_a, cost_a), ("b", error_b, cost_b)):

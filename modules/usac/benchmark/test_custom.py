@@ -3,10 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Programs that register methods of their own and run the benchmark.
+"""Tests of programs that register their own methods and run the benchmark.
 
-USAC_BENCHMARK: path of the program usac_benchmark; the others (usac_custom_benchmark, usac_test_methods,
-example_usac_custom_quality) are taken from the same folder."""
+USAC_BENCHMARK is the path of the program usac_benchmark. The other programs (usac_custom_benchmark,
+usac_test_methods, example_usac_custom_quality) are taken from the same folder."""
 
 import csv
 import os
@@ -23,7 +23,7 @@ PROGRAMS = os.path.dirname(os.environ.get("USAC_BENCHMARK", ""))
 TEST_DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "test_data")
 PARAMS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "include", "opencv2", "usac", "params.hpp")
 REPEATS = 5
-#: What a run comes to, but for its time.
+#: The columns of a run that do not depend on time.
 FIGURES = ("pair", "repeat", "error", "failed", "pose_error", "iterations", "inliers", "cost")
 
 
@@ -32,7 +32,9 @@ def program(name):
 
 
 def read_test_data(name, size, noise=0.0):
-    """A set of test_data/ as a pair, its points with noise (pixels) and in eighths of a pixel, which all programs read alike."""
+    """Reads a set of test_data/ as a pair. Noise (standard deviation in pixels) is added, and
+    coordinates are rounded to eighths of a pixel, which every program reads without rounding
+    errors."""
     rows = np.loadtxt(os.path.join(TEST_DATA, name + ".txt"))
     rows[:, :4] = np.round(8 * (rows[:, :4] + np.random.RandomState(2).normal(0, noise, (len(rows), 4)))) / 8
     with open(os.path.join(TEST_DATA, name + ".yml")) as lines:
@@ -71,7 +73,8 @@ class CustomTest(FolderTest):
                               universal_newlines=True)
 
     def runs(self, name, methods, stderr="", *arguments):
-        """The rows of --runs by problem and method, and the tables. @param stderr what is expected there, a regular expression"""
+        """Runs a program; returns the rows of --runs by problem and method, and the tables. @param
+        stderr regular expression of the expected messages"""
         file = self.path("runs.csv")
         done = self.run_program(name, "--data=" + self.folder, "--runs=" + file, "--repeats=%d" % REPEATS,
                                 "--methods=" + ",".join(methods), *arguments)
@@ -116,8 +119,9 @@ class CustomTest(FolderTest):
 
     @unittest.skipUnless(os.path.isfile(program("example_usac_custom_quality")), "there is no such sample beside USAC_BENCHMARK")
     def test_same_quality_as_the_program_beside(self):
-        """samples/custom_quality.cpp runs the same two estimators on the matches of a text file. With noise they find
-        different inliers."""
+        """samples/custom_quality.cpp runs the same two estimators on the matches of a text file.
+        Inliers and iterations must agree. The noise makes the two estimators find different
+        inliers."""
         noisy, path = read_test_data("graf", (800, 640), 1.0), self.path("pairs", "noisy", "graf")
         pairs.write_pair(path, noisy)
         pairs.write_list(pairs.list_file(self.folder, "set", "H"), [path])
@@ -137,7 +141,8 @@ class CustomTest(FolderTest):
         self.assertNotEqual(told["MSAC"], told["Tukey"])
 
     def test_fields_and_scores(self):
-        """Of the module's methods and of a whole estimator, which tells by its iterations what it was given."""
+        """Fields and scores in names must reach methods of the module and a whole estimator. The
+        latter, custom:echo, encodes its input in its number of iterations."""
         limited, plain = "custom:same{maxIterations=7}", "custom:same"
         echo, scored = "custom:echo{maxIterations=5}", "custom:echo+scores{number=8,seed=2,maxIterations=6}"
         rows, _ = self.runs("usac_test_methods", [limited, plain, echo, scored])
@@ -160,7 +165,8 @@ class CustomTest(FolderTest):
         self.check_mistake("usac_custom_benchmark", "custom:ransac+scores", "custom:ransac+scores: takes no scores")
 
     def test_options_by_their_names(self):
-        """The program's names are the enumerators of params.hpp, in their order, and mean the same as their numbers."""
+        """The names of options are the enumerators of params.hpp in the same order, and have the
+        same effect as their numbers."""
         with open(PARAMS) as lines:
             header = re.sub(r"//.*", "", lines.read())
         for field, enumeration in (("sampler", "SamplerType"), ("ordering", "OrderingType"), ("scoreOrder", "ScoreOrder"),
@@ -211,7 +217,8 @@ class CustomTest(FolderTest):
             "wholeEstimator: the function is empty", problems % "HX", problems % ""])
 
     def test_what_an_estimator_does_wrong(self):
-        """Counts as a failure, and is told once a problem."""
+        """A wrong result of an estimator counts as a failure and is reported once for each problem.
+        """
         for method, what in (("custom:complain", "not today"), ("custom:shortMask", "expected a mask with a byte for each"),
                              ("custom:smallModel", "expected a model of 3 x 3 doubles"), ("custom:noSampler", "components().sampler")):
             message = r"%s threw on graf \(H\), which counts as a failure; not told again: .*%s.*\n" % (method, re.escape(what))

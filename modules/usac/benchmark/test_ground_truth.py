@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Readers of ground truth, on tiny files in each published format."""
+"""Tests of the readers of ground truth on tiny files in each published format."""
 
 import os
 import unittest
@@ -23,7 +23,8 @@ except ImportError:
 class ReadersTest(FolderTest):
 
     def check_cameras(self, truth, R=None, center=None):
-        """The relative pose is that of the scene, and its points fulfil the epipolar constraint and lie in front."""
+        """The relative pose must be that of the scene. The points must fulfill the epipolar
+        constraint and have positive depths."""
         a, b = truth.cameras
         np.testing.assert_allclose(a.matrix(SIZE), K, atol=1e-9)
         R12, t = geometry.relative_pose(a, b)
@@ -42,7 +43,7 @@ class ReadersTest(FolderTest):
         for image, R, center in (("0000.png", R1, C1), ("0001.png", R2, C2)):
             self.put("fountain/gt/%s.camera" % image, self.camera_file(R, center))
             self.put("fountain/urd/" + image)
-            for place in ("a", "b"):  # two more scenes with images and cameras in one folder
+            for place in ("a", "b"):  # two more scenes, each with images and cameras in one folder
                 self.put("more/%s/%s.camera" % (place, image), self.camera_file(R, center))
                 self.put("more/%s/%s" % (place, image))
         truths = ground_truth.strecha(self.folder)
@@ -58,14 +59,14 @@ class ReadersTest(FolderTest):
     def kitti(self):
         still = np.column_stack((R2.T, C2))
         self.put("poses/06.txt", text(np.column_stack((R1.T, C1)), still, still))
-        self.put("poses/07.txt", text(still))  # its images are not there
+        self.put("poses/07.txt", text(still))  # a sequence without images, which must be skipped
         matrix = np.column_stack((K, np.zeros(3)))
         self.put("sequences/06/calib.txt", "P1: 1 2\nP0: " + text(matrix) + "P2: 3\n")
 
     def test_kitti(self):
         self.kitti()
         truths = ground_truth.kitti(self.folder)
-        self.assertEqual([t.name for t in truths], ["k06_000000_000001"])  # no pair of the frames that stand still
+        self.assertEqual([t.name for t in truths], ["k06_000000_000001"])  # frames without motion in between give no pair
         self.assertEqual(truths[0].image1, self.path("sequences", "06", "image_0", "000000.png"))
         self.check_cameras(truths[0])
         truths = ground_truth.kitti(self.folder, step=2)
@@ -76,7 +77,7 @@ class ReadersTest(FolderTest):
 
     def test_tum(self):
         quaternions = []
-        for axis, angle in (((1, 2, 0.5), -10), ((-0.3, 1, 0.2), 12)):  # of the transposed rotations
+        for axis, angle in (((1, 2, 0.5), -10), ((-0.3, 1, 0.2), 12)):  # quaternions of the transposed rotations
             half = np.radians(angle) / 2
             quaternions.append(np.append(np.sin(half) * np.array(axis) / np.linalg.norm(axis), np.cos(half)))
         root = "rgbd_dataset_freiburg3_test"
@@ -112,7 +113,7 @@ class ReadersTest(FolderTest):
         a, b = truth.cameras
         self.assertEqual((a.distortion, b.distortion), (None, (0.01, 0, 0, 0)))
         np.testing.assert_allclose(b.matrix((641, 481)), [[650, 0, 320], [0, 650, 240], [0, 0, 1]])
-        # Bundler's own formula: p = -P / P.z, y upwards from the middle of the image.
+        # Bundler's formula: p = -P / P.z, with y upwards from the middle of the image.
         inCamera = (POINTS - C2) @ (flip @ R2).T
         p = 650 * -inCamera[:, :2] / inCamera[:, 2:]
         np.testing.assert_allclose(np.column_stack((320 + p[:, 0], 240 - p[:, 1])), project(b.R, C2, b.matrix((641, 481))))
@@ -153,7 +154,7 @@ class ReadersTest(FolderTest):
     @unittest.skipUnless(savemat, "SciPy is missing")
     def test_annotated(self):
         points = np.array([[1.0, 2, 3, 4], [5, 6, 7, 8], [9, 1, 2, 3]])
-        weights = np.array([2.0, 1, 4])  # homogeneous coordinates of any scale
+        weights = np.array([2.0, 1, 4])  # homogeneous coordinates with different scales
         stacked = np.vstack((points[:, :2].T * weights, weights, points[:, 2:].T, np.ones(3)))
         for letter in "AB":
             self.put("box%s.jpg" % letter)
@@ -177,7 +178,8 @@ class ReadersTest(FolderTest):
         H = np.array([[2.0, 0, 1], [0, 2, 0], [0, 0.01, 1]])
         errors = geometry.transfer_error(H, np.array([[1.0, 0], [1, 0], [3, -100]]), np.array([[3.0, 0], [0, 4], [0, 0]]))
         np.testing.assert_allclose(errors, [0, 5, np.inf])
-        # Camera moves along x: epipolar lines are rows; both points are off by half the difference.
+        # The camera moves along x, so epipolar lines are rows. Each of the two points is off by
+        # half of the row difference.
         F = np.array([[0.0, 0, 0], [0, 0, -1], [0, 1, 0]])
         np.testing.assert_allclose(geometry.sampson_distance(F, np.array([[5.0, 3]]), np.array([[9.0, 7]])), 4 / np.sqrt(2))
 

@@ -3,9 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Figures in documents: blocks, stamps, digests of stored hashes, tables, logs of the gate.
+"""Tests of figures in documents: blocks, stamps, digests of stored hashes, tables, and logs of the
+test scripts.
 
-USAC_BENCHMARK: path of the C++ program; a measurement is made with it if it lies in a build folder."""
+USAC_BENCHMARK is the path of the C++ program. A test makes a measurement with it if it is in a
+build folder."""
 
 import contextlib
 import datetime
@@ -87,7 +89,7 @@ class RowsTest(unittest.TestCase):
 
 
 class ProjectTest(FolderTest):
-    """A project of two measurements; README quotes one of them, which has to be current."""
+    """Tests a project of two measurements. README quotes the first, which has to be current."""
 
     ROWS = {"lists": Rows(("graf",)), "rigid": Rows(("rigid3D",))}
     README = "\n".join(figures.inline_block(name, "?") for name in ("hashes/cpp", "hashes/python", "lists/a")) + "\n"
@@ -141,7 +143,7 @@ class ProjectTest(FolderTest):
         self.change(figures.HASHES, "graf:fast 65", "graf:fast 66")
         self.complaints("README.md: its figures of lists are older than the last change", figures.INDEX + ": the block index is not")
         self.assertEqual(self.project().older(), ["lists"])
-        self.write("lists", "lists/a", "0.97 px")  # measured anew, not yet quoted
+        self.write("lists", "lists/a", "0.97 px")  # measured again, but not yet quoted
         self.complaints("README.md: the block lists/a is not what was measured")
         self.project().fill()
         self.complaints()
@@ -224,12 +226,12 @@ class StructuredTablesTest(unittest.TestCase):
         self.assertEqual(structured_tables.renewed(new, ["Fir"], "abcdef0", run), new, "another run changes nothing")
 
     def test_unknown_sections(self):
-        for name in ("Second", "Third"):  # the second has no command
+        for name in ("Second", "Third"):  # the section "Second" has no command
             with self.assertRaisesRegex(ValueError, name):
                 structured_tables.renewed(self.BODY, [name], "abcdef0", None)
 
     def test_document(self):
-        """Every command of the document is one that the program has options for."""
+        """All arguments of the commands in the document must have the form --option=value."""
         body = Measurement.read(measure.ROOT, "structured_tables").body
         found = [c for _, text in structured_tables.sections(body) for block in structured_tables.BLOCK.findall(text)
                  for c in structured_tables.commands(block)]
@@ -341,7 +343,8 @@ class MeasureTest(FolderTest):
         self.assertEqual(measure.busy_words(None, None, 10), "")
 
     def test_project_is_consistent_in_itself(self):
-        """But for the age of README's figures, which check_sources.sh judges."""
+        """The project must have no mistakes other than outdated figures in README, which
+        check_sources.sh checks."""
         mistakes = [m for m in measure.project().check() if "older than the last change" not in m]
         self.assertEqual(mistakes, [])
 
@@ -352,7 +355,8 @@ class MeasureTest(FolderTest):
         return code, out.getvalue(), err.getvalue()
 
     def copy(self):
-        """The parts of the project that figures are about, in the place of the project."""
+        """Copies the files with figures to the temporary folder and uses it as the project's root.
+        """
         measurements = os.listdir(os.path.join(measure.ROOT, figures.FOLDER))
         for path in [figures.HASHES, figures.PYTHON_HASHES] + figures.documents(measure.ROOT) + \
                 [os.path.join(figures.FOLDER, name) for name in measurements if name.endswith(".md")]:
@@ -392,7 +396,7 @@ class MeasureTest(FolderTest):
     @unittest.skipUnless(os.path.isfile(os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "..", "CMakeCache.txt")) and
                          shutil.which("cmake"), "USAC_BENCHMARK is in no build folder")
     def test_measurement(self):
-        """One that needs no data, on few repeats."""
+        """Makes a measurement that needs no data, with one repeat."""
         self.copy()
         build = os.path.dirname(os.path.dirname(os.path.abspath(os.environ["USAC_BENCHMARK"])))
         with contextlib.redirect_stderr(io.StringIO()):

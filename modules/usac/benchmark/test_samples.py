@@ -3,9 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The samples stabilize and absolute_pose, in C++ and Python, on images made here and on what they make themselves.
+"""Tests of the samples stabilize and absolute_pose, in C++ and Python, on images made here and on
+the samples' own synthetic data.
 
-USAC_BENCHMARK names the program usac_benchmark; the C++ samples are taken from the same folder."""
+USAC_BENCHMARK is the path of the program usac_benchmark; the C++ samples are taken from the same
+folder."""
 
 import os
 import subprocess
@@ -32,7 +34,7 @@ needsPython = unittest.skipUnless(hasattr(cv2, "_native") and hasattr(cv2, "usac
 
 
 def texture(width, height):
-    """Something to match everywhere: blurred noise of three sizes."""
+    """An image with features everywhere: blurred noise of three sizes."""
     rng, image = np.random.RandomState(1), np.zeros((height, width, 3))
     for size in (4, 12, 40):
         noise = rng.uniform(-1, 1, (height // size + 2, width // size + 2, 3))
@@ -48,7 +50,7 @@ class SampleTest(unittest.TestCase):
         self.output = os.path.join(self.folder.name, "picture.jpg")
 
     def run_sample(self, command, *args):
-        """Its standard output; the exit code tells whether the result is right."""
+        """Runs a sample, which must succeed and write a picture; returns its standard output."""
         done = subprocess.run(command + list(args) + ["--output=" + self.output], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -77,7 +79,7 @@ class StabilizeTest(SampleTest):
         picture = cv2.imread(self.output)
         left, right = picture[:240, :320], picture[:240, 320:640]
         sharpness = [cv2.Laplacian(half[30:-30, 30:-30], cv2.CV_64F).var() for half in (left, right)]
-        self.assertGreater(sharpness[1], 2 * sharpness[0])  # the mean of the frames on the smooth path is sharp
+        self.assertGreater(sharpness[1], 2 * sharpness[0])  # the mean of the stabilized frames is sharper than that of the original frames
 
     @needsCpp
     def test_cpp(self):
@@ -91,7 +93,7 @@ class StabilizeTest(SampleTest):
 class AbsolutePoseTest(SampleTest):
 
     def row(self, text, method, which=0):
-        """Columns of the line of a method in a table."""
+        """The columns of the which-th line of a method in a table."""
         return [line for line in text.splitlines() if line.startswith(method + " ")][which][len(method):].split()
 
     def check(self, command):
@@ -122,9 +124,9 @@ class AbsolutePoseTest(SampleTest):
         self.assertIn("unknown", self.row(given, "with the last"))
         pose = np.float64([float(number) for number in "".join(
             c if c in "0123456789.-+e" else " " for c in given.rsplit("[R t] =", 1)[1].split("]\n\n")[0]).split()]).reshape(3, 4)
-        place = 800 * pose[:2, 3] / pose[2, 3] + [319.5, 239.5]  # the middle of the object
+        place = 800 * pose[:2, 3] / pose[2, 3] + [319.5, 239.5]  # the image of the object's middle, pixels
         self.assertLess(np.abs(place - [300, 220]).max(), 1, given)
-        self.assertLess(abs(pose[2, 3] - 2), 0.02, given)  # 400 pixels wide at 800 of the focal length
+        self.assertLess(abs(pose[2, 3] - 2), 0.02, given)  # depth 2: the object (width 1) is 400 pixels wide at focal length 800
         self.assertLess(np.abs(pose[:, :3] - np.diag([1, -1, -1])).max(), 0.02, given)
 
     @needsCpp

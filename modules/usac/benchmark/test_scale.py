@@ -3,10 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Times over the size of the scenes, and the sensitivity to the threshold.
+"""Tests of usac_scale, its plots, and the program that measures the sensitivity to the threshold.
 
-USAC_BENCHMARK: path of that C++ program; usac_scale is taken from the same folder. What needs matplotlib is skipped without
-it."""
+USAC_BENCHMARK is the path of that C++ program; usac_scale is taken from the same folder. Tests that
+need matplotlib are skipped without it."""
 
 import contextlib
 import csv
@@ -28,7 +28,8 @@ except ImportError:
 SCALE = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_scale")
 HEAD = "sweep,problem,size,inliers,method,runs,median_cpu_ms,median_wall_ms,median_error,failures_percent,median_iterations\n"
 
-# Stands in for usac_benchmark: errors that grow with the threshold as the list says.
+# A program that replaces usac_benchmark. Its errors are known functions of the threshold, method
+# and list.
 PROGRAM = """#!%s
 import sys
 options = dict(a.lstrip("-").split("=", 1) for a in sys.argv[1:])
@@ -140,7 +141,8 @@ class ThresholdTest(FolderTest):
         self.assertTrue(math.isnan(threshold.Ratios([math.inf], [1]).mean()))
 
     def test_right_thresholds(self):
-        """Those of all problems; what it is told of the errors depends on the lists."""
+        """The output names the right thresholds of the problems in the lists, and the unit of
+        errors if it is not pixels."""
         for names, more in ((["easy.F"], ""), (["easy.S"], ", A, S and T 3 px"), (["easy.P"], ", P 4 px (errors in degrees)")):
             lists = ["--list=" + self.put("lists/%s.list" % name) for name in names]
             with contextlib.redirect_stdout(io.StringIO()) as out:

@@ -3,9 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The program that counts search failures and measures accuracy on structured scenes.
+"""Tests of the program that counts search failures and measures accuracy on structured scenes.
 
-USAC_BENCHMARK: path of the program usac_benchmark; usac_structured is taken from the same folder."""
+USAC_BENCHMARK is the path of the program usac_benchmark; usac_structured is taken from the same
+folder."""
 
 import csv
 import math
@@ -17,7 +18,7 @@ from test_benchmark import FolderTest
 
 PROGRAM = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_structured")
 COUNTS = ("calls", "failures", "limited", "limited_failures", "worse", "wrong", "no_model")
-#: Of the normal distribution, for 95 %.
+#: Quantile of the normal distribution for a two-sided 95 % interval.
 QUANTILE = 1.959964
 
 
@@ -35,7 +36,7 @@ class StructuredTest(FolderTest):
                               universal_newlines=True)
 
     def rows(self, *arguments):
-        """What it writes as CSV and to the standard output."""
+        """Runs the program; returns the rows of its CSV file and its standard output."""
         file = self.path("out.csv")
         done = self.run_program("--csv=" + file, *arguments)
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
@@ -43,7 +44,9 @@ class StructuredTest(FolderTest):
             return list(csv.DictReader(lines)), done.stdout
 
     def test_one_sample_is_not_enough(self):
-        """One sample of an F with half of the matches wrong holds right ones only once in 128 times."""
+        """With an inlier ratio of 0.5, a sample of seven matches for F consists of inliers only
+        once in 128 samples. So one sample must nearly always fail, and 1000 samples must rarely
+        fail."""
         methods = ["preset:ransac{maxIterations=%d,significance=1}" % limit for limit in (1, 1000)]
         rows, _ = self.rows("--problems=F", "--methods=" + ",".join(methods), "--kinds=generic", "--orders=none", "--sizes=100",
                             "--ratios=0.5", "--runs=50")
@@ -58,7 +61,10 @@ class StructuredTest(FolderTest):
         self.assertTrue(200 < float(many["mean_iterations"]) <= 1000, many)
 
     def test_judged_by_a_start_at_the_true_model(self):
-        """A sample too few misses a model that the search would keep; the wide score of MAGSAC++ prefers another one in some scenes."""
+        """With --judge=start, a miss is a failure only if a search that starts from the true model
+        keeps it. RANSAC with one sample misses models that it would keep, so its failures do not
+        change. In some scenes the score of MAGSAC++ prefers another model to the true one, so its
+        failures become fewer."""
         few = ["--problems=F", "--methods=preset:ransac{maxIterations=1,significance=1}", "--kinds=generic", "--orders=none", "--sizes=100",
                "--ratios=0.5", "--runs=20"]
         wide = ["--problems=F", "--methods=USACV20_MAGSAC", "--kinds=shift35", "--orders=none", "--sizes=400", "--ratios=0.4,0.45",
@@ -141,7 +147,8 @@ class StructuredTest(FolderTest):
         self.assertNotEqual(first["mean_iterations"], other["mean_iterations"])
 
     def test_accuracy(self):
-        """Least squares has the quotient 1 and an error in proportion to the noise; nothing is better by much."""
+        """Least squares must have the ratio 1 and an error proportional to the noise. No method may
+        be much better."""
         rows, text = self.rows("--mode=accuracy", "--methods=USACV20_ACCURATE", "--motions=sideways,forward",
                                "--noises=0,0.05,0.1", "--runs=10")
         self.assertEqual(sum(line.startswith("## ") for line in text.splitlines()), 3)
@@ -157,7 +164,8 @@ class StructuredTest(FolderTest):
                 self.assertTrue(0.9 < ratio < 10, (problem, motion, ratio))
 
     def test_pose(self):
-        """A hundredth of the baseline: hardly a pixel of parallax. Without noise the pose is known, with noise nothing of it."""
+        """With a hundredth of the baseline the parallax is hardly a pixel. Without noise the pose
+        must be found; with noise of one threshold it cannot be found."""
         rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=narrow", "--noises=0,1", "--runs=10")
         poses = {(row["noise"], row["method"]): float(row["median_pose"]) for row in rows}
         wrong = {(row["noise"], row["method"]): float(row["wrong_percent"]) for row in rows}

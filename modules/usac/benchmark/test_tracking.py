@@ -3,9 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The program that measures what the model of the frame before gives a tracker.
+"""Tests of the program that measures how the model of the previous frame helps a tracker.
 
-USAC_BENCHMARK: path of the program usac_benchmark; usac_tracking is taken from the same folder."""
+USAC_BENCHMARK is the path of the program usac_benchmark; usac_tracking is taken from the same
+folder."""
 
 import csv
 import os
@@ -18,7 +19,7 @@ from test_problems import ProgramTest, program
 class TrackingTest(ProgramTest):
 
     def rows(self, *options):
-        """By initial model and limit."""
+        """Runs the program; returns its rows by initial model and limit."""
         file = self.path("out.csv")
         done = self.call("usac_tracking", "--csv=" + file, *options)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -28,8 +29,10 @@ class TrackingTest(ProgramTest):
         return {(row["initial_model"], int(row["limit"])): row for row in rows}
 
     def test_few_samples(self):
-        """One sample of three with three tenths of right matches holds right ones once in 37 times; the model before is always
-        nearly right. Samples of H are of neighbors, which are more often right."""
+        """With an inlier ratio of 0.3, a sample of three matches consists of inliers only once in
+        37 samples, so one sample per frame must often fail without an initial model. The previous
+        frame's model is always nearly right. Samples of H consist of neighboring matches, which are
+        all inliers more often, so fewer failures are required."""
         for problem, default, least in (("P", 1000, 80), ("H", 10000, 20)):
             rows = self.rows("--problems=" + problem, "--ratios=0.3", "--limits=1,8", "--frames=40", "--size=200", "--sequences=1",
                              "--speed=0.5")
@@ -49,7 +52,8 @@ class TrackingTest(ProgramTest):
             self.assertLess(float(again["mean_samples"]), float(rows["no", default]["mean_samples"]) / 2)
 
     def test_no_motion(self):
-        """Without motion one sample does once there is a model, until the jump."""
+        """Without motion, one sample per frame suffices once a model is found, until the camera
+        jumps."""
         row = self.rows("--problems=P", "--ratios=0.9", "--limits=1", "--frames=20", "--size=100", "--sequences=2",
                         "--speed=0")["yes", 1]
         self.assertEqual(row["frames"], "40")

@@ -3,9 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Absolute pose: views that usac_synthetic and views.py write, and what usac_benchmark measures on them.
+"""Tests of absolute pose: views that usac_synthetic and views.py write, and the measures of
+usac_benchmark on them.
 
-USAC_BENCHMARK: path of the program usac_benchmark; usac_synthetic and usac_test_methods are taken from the same folder."""
+USAC_BENCHMARK is the path of the program usac_benchmark; usac_synthetic and usac_test_methods are
+taken from the same folder."""
 
 import os
 import unittest
@@ -23,7 +25,8 @@ OWN = ["USACV20", "USACV20_FAST", "USACV20_MAGSAC", "USACV20+scores", "preset:ms
 
 
 def project(view, R, t):
-    """Pixels and depths; of the distortion the first radial coefficient."""
+    """Returns pixels and depths of the object points, with the first radial coefficient of the
+    distortion."""
     x = view.object_points @ R.T + t
     normalized = x[:, :2] / x[:, 2:]
     k1 = view.dist_coeffs[0] if len(view.dist_coeffs) else 0
@@ -32,7 +35,7 @@ def project(view, R, t):
 
 
 def distances(view, R, t):
-    """Of the reprojection; infinite behind the camera."""
+    """Reprojection errors in pixels; infinite behind the camera."""
     pixels, depths = project(view, R, t)
     return np.where(depths > 0, np.linalg.norm(pixels - view.points, axis=1), np.inf)
 
@@ -42,7 +45,7 @@ def angle(R):
 
 
 def near_view(count=30, **changes):
-    """A view that the identity nearly fits."""
+    """A view whose pose is close to the identity."""
     points = np.random.RandomState(4).uniform((-2, -1.5, 4), (2, 1.5, 9), (count, 3))
     values = dict(object_points=points, points=np.zeros((count, 2)), scores=np.linspace(0, 1, count), K=K,
                   R=rotation((1, 2, 0.5), 0.4), t=(0.02, -0.01, 0.03), dist_coeffs=(-0.1, 0, 0, 0), right=range(5, count))
@@ -130,7 +133,8 @@ class SyntheticViewTest(ProgramTest):
         self.assertGreater(np.median(distances(view, view.R, view.t)[wrong]), 5)
 
     def test_second_pose(self):
-        """Of the wrong matches alone so many agree with one pose."""
+        """Half as many wrong matches as right matches agree with a second pose. If only the wrong
+        matches are given, an estimator must find this pose, which differs from the true one."""
         view = self.view("view", "--size=200", "--outliers=second")
         wrong = np.delete(np.arange(200), view.right)
         alone = views.View(view.object_points[wrong], view.points[wrong], view.scores[wrong], view.K, view.R, view.t)
@@ -165,7 +169,7 @@ class SyntheticViewTest(ProgramTest):
                 self.assertLess(float(row["error"]), 0.5)
                 self.assertLess(float(row["center_error"]), 1)
                 self.assertLess(abs(int(row["inliers"]) - (210 if row["list"] == "view" else 240)),
-                                40 if method.startswith("cv:PNP") else 10, method)  # inliers of a sample, or of a fit
+                                40 if method.startswith("cv:PNP") else 10, method)  # PnP masks may be the inliers of a sample's model
                 self.assertLess(float(row["cost"]), 0.35)
             rotations = [float(row["error"]) for row in rows if row["list"] == "view"]
             table = tables["view", method]
@@ -178,7 +182,8 @@ class SyntheticViewTest(ProgramTest):
         self.assertNotEqual(tables["average.P", "cv:USAC_FAST"]["median_error"], "")
 
     def test_threshold_is_in_pixels_of_the_image(self):
-        """The mask of the module counts the matches that are near the image of their object points, distortion included."""
+        """The mask of the module must count the matches whose reprojection error in the distorted
+        image is below the threshold in pixels."""
         self.write_scenes("view", "--pairs=1", "--size=200", "--inliers=0.8", "--noise=1", "--distortion=-0.4")
         view = views.read_view(self.path("pairs", "view", "0000"))
         errors = distances(view, view.R, view.t)
@@ -187,7 +192,7 @@ class SyntheticViewTest(ProgramTest):
             self.assertLess(abs(int(row["inliers"]) - np.sum(errors < threshold)), 12)
 
     def test_columns_without_views(self):
-        """Files of other problems do not change."""
+        """Files of problems without a pose must not have the columns that only poses need."""
         self.write_scenes("planar", "--pairs=1", "--size=50")
         runs, tables, text = self.benchmark(["cv:RANSAC"])
         self.assertEqual(list(runs["cv:RANSAC"][0])[-1], "cost")
@@ -204,7 +209,7 @@ class MeasuredViewTest(ProgramTest):
         return self.benchmark(["custom:identity"], name="usac_test_methods")[0]["custom:identity"][0]
 
     def test_measures(self):
-        """Of the identity, which numpy knows, too."""
+        """The measures of the identity as a model must agree with values computed with numpy."""
         for t in ((0.02, -0.01, 0.03), (0.3, 0.2, -0.1), (0.02, 0.01, -4.5)):
             view = near_view(t=t)
             if t[2] < -4:
@@ -220,7 +225,8 @@ class MeasuredViewTest(ProgramTest):
         self.assertEqual(self.measure(near_view(R=rotation((0, 0, 1), 5.1)))["failed"], "1")
 
     def test_points_behind_the_camera(self):
-        """The image of a point behind the identity is where that of one in front of it would be."""
+        """Points behind the camera with the identity as pose have the same projection as points in
+        front of it. They must get the full cost of 1."""
         view = near_view(dist_coeffs=(), t=(0, 0, 20), R=np.eye(3))
         view.object_points[:10] *= -1
         view.points = project(view, np.eye(3), np.zeros(3))[0]

@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""How much worse a method gets with too wide a threshold: runs usac_benchmark on the same lists with multiples of the right
-threshold and compares the median errors. With --estimated: how good a method is that estimates the threshold, given a multiple of
-the right one as the largest, compared with the best of several given thresholds for each list. Tables go to the standard output, in
-Markdown."""
+"""Measures how much larger the errors of a method become if the threshold is too wide: runs
+usac_benchmark on the same lists with multiples of the right threshold and compares the median
+errors. With --estimated it measures a method that estimates the threshold and gets a multiple of
+the right threshold as upper limit; it compares the errors with those of the best of several given
+thresholds for each list. Tables go to the standard output, in Markdown."""
 
 import argparse
 import csv
@@ -21,12 +22,12 @@ import pairs
 
 RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0, "A": 3.0, "S": 3.0, "P": 4.0, "R": 3.0, "M": 3.0, "T": 3.0}  # the defaults of usac_benchmark
 METHODS = "USACV20_MAGSAC,USACV20,cv:USAC_MAGSAC"
-FAR, MOST = 1.15, 30  # ratios of errors that are counted; a larger one counts as MOST
-GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)  # with --estimated: times the right threshold
+FAR, MOST = 1.15, 30  # for ratios of errors: ratios above FAR are counted; larger ones than MOST are taken as MOST
+GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)  # with --estimated: multiples of the right threshold
 
 
 def find_lists(folders, files):
-    """{problem: [file, ...]} in the order of RIGHT."""
+    """Returns {problem: [file, ...]} in the order of RIGHT."""
     found = list(files)
     for folder in folders:
         found += sorted(glob.glob(os.path.join(folder, "lists", "*.[HFEASPRMT].list")))
@@ -35,39 +36,42 @@ def find_lists(folders, files):
 
 
 def read_rows(file):
-    """{(list, method): row} of a file of usac_benchmark --csv, without its averages."""
+    """Returns {(list, method): row} of a file that usac_benchmark --csv has written, without its
+    averages."""
     with open(file, newline="") as lines:
         return {(row["list"], row["method"]): row for row in csv.DictReader(lines)
                 if row["list"] != "average" and not row["list"].startswith("average.")}
 
 
 def read_errors(file):
-    """{(list, method): median error} of the same."""
+    """Returns {(list, method): median error} of such a file."""
     return {key: float(row["median_error"]) for key, row in read_rows(file).items()}
 
 
 def measure(program, lists, problem, factor, methods, more, read=read_errors):
-    """Runs the program with a multiple of the right threshold; the results as `read` gives them."""
+    """Runs usac_benchmark with a multiple of the right threshold; returns what `read` makes of its
+    table."""
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "tables.csv")
         command = [program] + ["--list=" + name for name in lists] + more + [
             "--methods=" + methods, "--threshold=%g" % (factor * RIGHT[problem]), "--csv=" + file]
         done = subprocess.run(command, stdout=subprocess.DEVNULL)
-        if done.returncode not in (0, 2):  # 2: some pairs could not be read, which it has told
+        if done.returncode not in (0, 2):  # 2: some pairs could not be read, for which it has printed messages
             raise ValueError("%s: exit code %d" % (program, done.returncode))
         return read(file)
 
 
 class Ratios:
-    """Of one method: error with the wide threshold over error with the right one, list by list. Lists on which it fails with the
-    right one on half of the runs tell nothing; those where it does only with the wide one are counted as broken."""
+    """Ratios of a method's error with the wide threshold to that with the right threshold, for each
+    list. A list on which the method fails on at least half of the runs with the right threshold is
+    left out. A list on which it does so only with the wide threshold counts as broken."""
 
     def __init__(self, right, wide):
         self.values = [w / r for r, w in zip(right, wide) if math.isfinite(r) and math.isfinite(w) and r > 0 and w > 0]
         self.broken = sum(math.isfinite(r) and not math.isfinite(w) for r, w in zip(right, wide))
 
     def mean(self):
-        """Geometric."""
+        """The geometric mean."""
         return math.exp(sum(map(math.log, self.values)) / len(self.values)) if self.values else math.nan
 
     def __str__(self):
@@ -75,7 +79,7 @@ class Ratios:
 
 
 def print_lists(errors, factors, methods, out):
-    """errors: {(problem, list): {method: [one a factor]}}."""
+    """Prints a table. `errors` is {(problem, list): {method: [error for each factor]}}."""
     print("\n## Median error, pixels, at %s times the right threshold\n" % ", ".join("%g" % f for f in factors), file=out)
     print("| list | %s |\n|---|%s" % (" | ".join(methods), "---|" * len(methods)), file=out)
     for (problem, name), row in errors.items():
@@ -102,12 +106,13 @@ def geometric_mean(values):
 
 
 def ratios_to(best, rows):
-    """rows: {list: row}; best: {list: smallest median error}."""
+    """Ratios of the median errors in `rows`, {list: row}, to the smallest median errors in `best`,
+    {list: error}."""
     return [min(float(row["median_error"]) / best[key], MOST) for key, row in rows.items()]
 
 
 def estimated_row(problem, name, rows, best, usual):
-    """usual: rows of the right threshold."""
+    """A row of the table. `usual` has the rows with the right threshold."""
     ratios = ratios_to(best, rows)
     aucs = [float(row["auc10"]) for row in rows.values() if row.get("auc10")]
     times = [float(row["mean_cpu_ms"]) / float(usual[key]["mean_cpu_ms"]) for key, row in rows.items()]
@@ -118,7 +123,7 @@ def estimated_row(problem, name, rows, best, usual):
 
 
 def draw(curves, file):
-    """curves: {problem: {"given" or "estimated": {factor: ratio}}}."""
+    """Draws `curves`, which is {problem: {"given" or "estimated": {factor: ratio}}}."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot

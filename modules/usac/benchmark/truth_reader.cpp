@@ -24,7 +24,7 @@ std::string contentsOf(const std::string& file)
     return text.str();
 }
 
-//! `json` is a letter or a list of letters.
+//! True if `json` is null or contains the letter; it is a letter or a list of letters.
 bool names(const Json& json, char letter)
 {
     if (json.isNull())

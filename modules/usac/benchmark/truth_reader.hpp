@@ -12,43 +12,44 @@
 
 namespace benchmark {
 
-//! Raises std::runtime_error "file:line: what".
+//! Raises std::runtime_error with the text "file:line: what".
 void failAt(const std::string& file, int line, const std::string& what);
 void failToOpen(const std::string& file);
 
-/** Reads up to `count` numbers from a line. @return how many there are, -1 if something else
+/** Reads up to `count` numbers from a line. @return the number of values read, -1 if anything else
 follows them. */
 int readNumbers(const std::string& line, double* values, int count);
 
 //! One row of numbers in a text file.
 struct NumberRow
 {
-    int count;  //!< of numbers; -1: there is something else on the line
+    int count;  //!< count of numbers; -1: the line has something else
     double values[6];
     int line;
 };
 
-/** Calls `take` for each line of a text file that is not empty, in their order. It raises an error
-for a wrong count; numbers that are not finite raise std::runtime_error with file and line behind
-that.
-@param most numbers that a line may have, up to 6 */
+/** Calls `take` for each nonempty line of a text file in order. `take` must raise an error if the
+count is wrong. After this call, numbers that are not finite raise std::runtime_error with file and
+line.
+@param most largest count of numbers on a line, up to 6 */
 void readRows(const std::string& file, int most, const std::function<void(const NumberRow&)>& take);
 
-/** Reads the members of a pair's description, a file of JSON; what they complain about comes with
-file, line and name.
+/** Reads the members of a pair's description, a JSON file. Error messages get the file, the line
+and the member's name.
  */
 class TruthReader
 {
 public:
-    //! A file that cannot be opened, or is no JSON, raises std::runtime_error.
+    //! Raises std::runtime_error if the file cannot be opened or is not valid JSON.
     explicit TruthReader(const std::string& file);
 
-    //! Calls `reader` with the member, null if there is none of that name.
+    //! Calls `reader` with the member of this name, or with null if there is none.
     void read(const std::string& name, const std::function<void(const Json&)>& reader) const;
 
     void require(bool condition, const std::string& name, const std::string& what) const;
 
-    //! `problem` is a letter or a list of letters, of which one must be that; null: any.
+    //! Raises an error unless the member `problem` is null or contains the letter. The member is a
+    //! letter or a list of letters.
     void requireProblem(char letter) const;
 
 private:

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Reads and writes the views of object points that usac_benchmark reads for problem P; doc/benchmark.md describes the format.
+"""Reads and writes views of object points, the data of usac_benchmark for the problem P;
+doc/benchmark.md describes the format.
 
 Lists of them are written with pairs.write_list(pairs.list_file(folder, dataset, "P"), paths)."""
 
@@ -14,11 +15,12 @@ _DISTORTION = (0, 4, 5, 8, 12, 14)
 
 
 class View:
-    """Object points, their images and the pose of the camera.
+    """Object points, their image points and the pose of the camera.
 
-    object_points: N x 3. points: N x 2, pixels, the center of the first pixel is 0,0. scores: N, lower is better. K: camera
-    matrix. R, t: x ~ K (R X + t). dist_coeffs: of the lens, as calib3d has them; empty: none. right: numbers of the matches
-    that are right, None if it is not known. extra: further members of the description."""
+    object_points: N x 3. points: N x 2, pixels, the center of the first pixel is 0,0. scores: N,
+    lower is better. K: camera matrix. R, t: x ~ K (R X + t). dist_coeffs: lens distortion as in
+    calib3d; empty: none. right: indices of the right matches, None if unknown. extra: further
+    members of the description."""
 
     def __init__(self, object_points, points, scores, K, R, t, dist_coeffs=(), right=None, extra=None):
         self.object_points, self.points = to_array(object_points, (-1, 3), "object_points"), to_array(points, (-1, 2), "points")
@@ -29,11 +31,12 @@ class View:
         self.extra = dict(extra or {})
 
     def depths(self):
-        """Distances of the object points from the camera along its axis."""
+        """Depths of the object points along the camera's axis."""
         return self.object_points @ self.R[2] + self.t[2]
 
     def check(self):
-        """Raises PairError if the program could not use the view, or would measure nonsense."""
+        """Raises PairError if usac_benchmark could not use the view or would measure meaningless
+        errors."""
         count = len(self.points)
         require(count > 0, "no correspondences")
         require(len(self.object_points) == count == len(self.scores), "points and scores differ in number")
@@ -64,7 +67,8 @@ def write_view(path, view):
 
 
 def read_view(path):
-    """The view of <path>.txt, <path>.score (without it all scores are 1) and <path>.json, checked."""
+    """Reads the view of <path>.txt, <path>.score (if missing, all scores are 1) and <path>.json and
+    checks it."""
     rows, scores = read_scored_rows(path, 5, "'X Y Z u v'")
     file = path + ".json"
     known = read_description(file)

@@ -12,7 +12,7 @@ cd "${1:-$(dirname "$0")/../../..}" || exit 1
 src=modules/usac/src
 mistakes=$(mktemp)
 passed=0 failed=0
-# Each line that the commands before have written to the file is a violation of kind $1.
+# Each line of the file $mistakes is a violation of the rule described by $1.
 report()
 {
     if [ -s "$mistakes" ]; then
@@ -28,8 +28,9 @@ types=$(sed -nE 's/^USACV20_PROBLEM\((\w+),.*/\1/p' "$src/problems/registry.inl.
 grep -rnE '\bproblem(Type)?\b *(==|!=)|\[[A-Za-z_.>()-]*\bproblem(Type)?\]|switch *\([A-Za-z_.>-]*\bproblem(Type)?\)|case ('"$types"')\b' \
     --include='*.[ch]pp' "$src" | grep -v "^$src/problems/" > "$mistakes"
 report "compares or counts problems outside $src/problems"
-# A new problem is its folder, a row of the table and its declarations; what Python has is written by a script. Counted for those
-# problems that no function of OpenCV takes a flag for, which stand in find*.cpp, too.
+# A new problem must need only its folder, a row of the table and its declarations; a script writes
+# the Python part. The check covers problems for which no function of OpenCV takes a flag. The other
+# problems are also named in find*.cpp.
 python=modules/usac/misc/python
 grep -oE '^USACV20_PROBLEM\(\w+, \w+, \w+, (IMAGES|SPACES)' "$src/problems/registry.inl.hpp" | tr -d ' ' | tr '(' ',' | while IFS=, read -r _ type name plural _; do
     case $type in HOMOGRAPHY|FUNDAMENTAL|AFFINITY|SIMILARITY) continue ;; esac
@@ -65,13 +66,13 @@ grep -noE '\brun: .*' .github/workflows/*.yml | sed -E 's/run: (sh )?//' | while
     [ -f "${command%% *}" ] || echo "$workflow:$line: ${command%% *}"
 done >> "$mistakes"
 report "links and scripts of workflows that are not there"
-# contracts: any input; fuzz: the fuzzer and its stored inputs; runs: behavior that only whole estimations show; support: scenes,
-# oracles and what else the tests share
+# Folders that $src does not have: contracts (tests with arbitrary input), fuzz (the fuzzer and its
+# stored inputs), runs (tests of whole estimations), support (scenes, oracles and other shared code)
 (cd modules/usac/test && find . -mindepth 1 -type d | sed 's|^\./||') | grep -vE '^(contracts|fuzz|runs|support)$' | while read -r dir; do
     [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"
 done > "$mistakes"
 report "folders of the tests that $src does not have"
-# A folder may include only from folders of the lines above it, not from those of its own line.
+# A folder may include only files of folders on the lines above it, not of folders on its own line.
 layers='numeric
 control
 components

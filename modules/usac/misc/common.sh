@@ -2,12 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Shared by run_tests.sh, sanitize.sh and matrix.sh: installing packages, OpenCV's source and build, and counting tests.
+# Functions and variables of run_tests.sh, sanitize.sh and matrix.sh: installing packages, OpenCV's
+# source and build, and counting tests.
 
 project=$(cd "$(dirname "$0")/../../.." && pwd)
 module=$project/modules/usac
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac}
-# For Debian 11 and 12 the source is that of trixie, 4.10, the newest OpenCV 4 of Debian; other systems use their own source package.
+# On Debian 11 and 12 the source is OpenCV 4.10 of trixie, the newest OpenCV 4 in Debian. Other
+# systems use their own source package.
 case $(. /etc/os-release && echo "${ID:-}-${VERSION_ID:-}") in debian-11 | debian-12) default_suite=trixie ;; *) default_suite= ;; esac
 suite=${OPENCV_SUITE:-$default_suite}
 source=${OPENCV_SOURCE_DIR:-$work/opencv${suite:+-$suite}}
@@ -40,8 +42,9 @@ install_packages() # more packages
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 }
 
-# Fetches OpenCV's source package from the repository that provides libopencv-dev, possibly from another suite (OPENCV_SUITE;
-# Debian's trixie has OpenCV 4.10). The package lists and settings of the system are not changed.
+# Fetches OpenCV's source package from the repository that provides libopencv-dev, or from the suite
+# in OPENCV_SUITE (trixie has OpenCV 4.10). The package lists and settings of the system are not
+# changed.
 fetch_opencv()
 {
     apt=$work/apt
@@ -58,7 +61,7 @@ fetch_opencv()
     options="-o Dir::Etc::SourceList=$apt/sources.list -o Dir::Etc::SourceParts=/dev/null -o APT::Sandbox::User=root
         -o Dir::State::Lists=$apt/lists -o Dir::Cache=$apt"
     apt-get $options update
-    # Only the archive of OpenCV itself; that of the contrib modules is not needed.
+    # Only the archive of OpenCV itself; the contrib modules are not needed.
     set -- $(apt-get $options source --print-uris opencv | grep '/opencv_[^/]*\.orig\.tar\.')
     uri=$(echo "$1" | tr -d "'")
     /usr/lib/apt/apt-helper $options download-file "$uri" "$work/$2" "$4"
@@ -69,8 +72,9 @@ fetch_opencv()
     rm "$work/$2"
 }
 
-# OpenCV 4.6 does not find Debian's cblas.h by itself, so the LAPACK to use is named. The module is compiled as in a release;
-# OpenCV and the tests, whose speed is not tested, with little optimization and for one instruction set, in half the time.
+# OpenCV 4.6 does not find Debian's cblas.h by itself, so the LAPACK libraries are named. The module
+# is compiled as in a release. OpenCV and the tests are compiled with little optimization and for
+# one instruction set, which halves the build time; their speed is not tested.
 configure()
 {
     cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DUSAC_SOURCE_FLAGS=-O3 \
@@ -83,15 +87,16 @@ configure()
         -DWITH_OPENEXR=OFF -DWITH_JASPER=OFF -DWITH_OPENJPEG=OFF -DWITH_WEBP=OFF -DWITH_TIFF=OFF
 }
 
-# Processor time, in seconds, of the step that has just ended.
+# Processor time in seconds of the step that has just ended.
 processor_seconds()
 {
     cat "$work/$name.before" "$work/$name.after" | tr 'ms' '  ' |
         awk '{ t[NR] = 60 * ($1 + $3) + $2 + $4 } END { printf "%d", t[4] - t[2] }'
 }
 
-# Runs a command, shows its output and adds the numbers of passed and failed tests that the patterns find in it. A command that
-# fails without a failed test, or succeeds without any test, counts as one failure.
+# Runs a command, shows its output, and adds the numbers of passed and failed tests that the
+# patterns find in it. A command that fails without a failed test, or that succeeds without any
+# test, counts as one failed test.
 run() # name, pattern of passed, pattern of failed, command
 {
     name=$1 p=$2 f=$3
@@ -112,7 +117,8 @@ $name: $(grep -E "^(FAILED|FAIL:|ERROR:|\[  FAILED  \]|on the list, but )" "$wor
     echo "== $name: $p passed, $f failed, $(($(date +%s) - from)) s, $(processor_seconds) s of processor time"
 }
 
-# Runs a GoogleTest program in as many processes as there are processors, which share its tests.
+# Runs a GoogleTest program in as many processes as there are processors; the processes share its
+# tests.
 in_shards() # program
 {
     shards=$(nproc) shard=0 processes=
@@ -130,7 +136,7 @@ in_shards() # program
     return $rc
 }
 
-# For python3 -c: runs all unit tests in the files of the current folder that match a pattern.
+# For python3 -c: runs all unit tests in those files of the current folder that match a pattern.
 run_unittests='
 import sys, unittest
 tests = unittest.defaultTestLoader.discover(".", sys.argv[1])
@@ -139,8 +145,9 @@ bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses
 print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
 sys.exit(bad)'
 
-# Not run under the tools: other tests reach the same code, and these measure a frequency over many seeds, or time and memory of
-# many calls, about which a tool tells nothing more. Each takes 20 seconds to 5 minutes with -O0.
+# Tests that are not run with sanitizers, valgrind and coverage. They measure a frequency over many
+# seeds, or time and memory of many calls, and other tests reach the same code. Each takes 20
+# seconds to 5 minutes with -O0.
 slow_tests='Usac_Scale.*:UsacScale.work_is_linear*:Usac_Confidence.*:Usac_Degensac.dominantPlanes:Usac_Degensac.generalScenes*'
 slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line:Usac_StopLate.*
 

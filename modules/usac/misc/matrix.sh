@@ -3,20 +3,29 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs the tests with other systems, compilers, options and processors. The last lines are a table, and "<N> passed, <M> failed".
+# Runs the tests with other systems, compilers, options and processors. The last lines are a table
+# and "<N> passed, <M> failed".
 #
-# usage: matrix.sh [row...]          default: all, one after the other
+# usage: matrix.sh [row...]          default: all rows, one after the other
 #
-#   bookworm trixie sid    run_tests.sh --installed, whole, in Debian 12 (OpenCV 4.6, g++ 12), 13 (4.10, g++ 14) and the newest with OpenCV 5 of
-#                          experimental: each in a root file system made by debootstrap and kept, or in the system itself if it is that one
-#   clang cxx17 cxx20 static debug    run_tests.sh --cpp on this system, compiled by clang++, as another C++, as a static library with
-#                          the samples, as Debug with -Og (without slow_tests). The rows above use C++11, except sid
-#   arm64                  the same on 64-bit ARM, bookworm's: cross-compiled, run by qemu, without slow_tests
-#   mingw                  the library's sources compiled for Windows by mingw-w64, with the headers of this system's OpenCV; each file is a test
+#   bookworm trixie sid    run_tests.sh --installed, complete, on Debian 12 (OpenCV 4.6, g++ 12), 13
+#                          (4.10, g++ 14) and the newest Debian with OpenCV 5 of experimental. Each
+#                          runs in a root file system made by debootstrap, which is kept, or
+#                          directly if this system is that version
+#   clang cxx17 cxx20 static debug    run_tests.sh --cpp on this system: compiled by clang++, with
+#                                     another C++ standard, as a static library with the samples, or
+#                                     as Debug with -Og (without slow_tests). The rows above use
+#                                     C++11, except sid
+#   arm64                  run_tests.sh --cpp for 64-bit ARM of bookworm: cross-compiled, run by
+#                          qemu, without slow_tests
+#   mingw                  the library's sources are compiled for Windows by mingw-w64, with the
+#                          headers of this system's OpenCV; each file counts as a test
 #
-# clang uses libstdc++, because Debian's OpenCV does and a program can have only one C++ library. Creating the root file systems needs root.
+# clang uses libstdc++, because Debian's OpenCV does and a program can have only one C++ library.
+# Creating the root file systems needs root.
 #
-#   USAC_MATRIX_DIR     where roots and results are kept; default ${TMPDIR:-/tmp}/opencv_usac_matrix
+#   USAC_MATRIX_DIR     folder for root file systems and results; default
+#                       ${TMPDIR:-/tmp}/opencv_usac_matrix
 #   USAC_MATRIX_MIRROR  Debian mirror; default http://deb.debian.org/debian
 
 set -eu
@@ -43,7 +52,8 @@ mount_into() # root, folder
     mounted="$1$2 $mounted"
 }
 
-# Makes a root file system with the packages that this script needs; run_tests.sh installs those of the tests.
+# Makes a root file system with the packages that this script needs; run_tests.sh installs the
+# packages that the tests need.
 make_root() # suite
 {
     root=$roots/$1
@@ -94,8 +104,9 @@ run_cpp() # version of the compiler, options for CMake
     USAC_BUILD_DIR="$roots/system" USAC_CPP_OPTIONS="$*" sh "$module/misc/run_tests.sh" --cpp
 }
 
-# Unpacks Debian's arm64 packages that the tests are linked with, without running any program of them. OpenCV modules that the
-# tests do not use are included, because the CMake package requires their libraries, but not the dependencies of these.
+# Unpacks Debian's arm64 packages that the tests are linked with, without running any of their
+# programs. OpenCV modules that the tests do not use are included, because the CMake package
+# requires their libraries; the dependencies of these modules are not.
 make_arm64()
 {
     root=$roots/arm64
@@ -147,7 +158,8 @@ END
         USAC_CPP_FILTER="-$slow_tests" sh "$module/misc/run_tests.sh" --cpp
 }
 
-# Code that uses POSIX only (threads, files, memory) does not compile here. Nothing is linked, because there is no OpenCV for Windows.
+# The module must compile without POSIX functions (threads, files, memory). Nothing is linked,
+# because there is no OpenCV for Windows.
 run_mingw()
 {
     install_packages g++-mingw-w64-x86-64-posix
@@ -192,7 +204,7 @@ for row in "$@"; do
     rm -f "$roots/$row.versions"
     echo 1 > "$roots/$row.rc"
     from=$(date +%s)
-    # `set -e` applies inside the subshell: a failed step ends the row, not the script
+    # `set -e` applies inside the subshell: a failed step ends the row, but not the script
     set +e
     (set -e; trap unmount EXIT; trap 'exit 1' INT TERM; run_row "$row"; echo 0 > "$roots/$row.rc") 2>&1 | tee "$roots/$row.log"
     set -e

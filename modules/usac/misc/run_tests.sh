@@ -3,26 +3,33 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs all tests of the module. Inside the newest OpenCV 4 with a Debian source package: the C++ tests, a short pass of the
-# performance tests, the Python tests (cv2 of this build), a program against it, and OpenCV's own tests with this module's flags
-# instead of OpenCV's. Against the OpenCV of the system: the C++ tests with AddressSanitizer and UndefinedBehaviorSanitizer, the
-# Python package with and without the system's cv2, programs against the installed library, and the tests of the benchmark. Does
-# its own setup on Debian (as root or with sudo). Each part prints its time; the last line is "<N> passed, <M> failed".
+# Runs all tests of the module. Inside the newest OpenCV 4 with a Debian source package: the C++
+# tests, a short run of the performance tests, the Python tests (cv2 of this build), a program
+# against it, and OpenCV's own tests with this module's flags instead of OpenCV's. Against the
+# OpenCV of the system: the C++ tests with AddressSanitizer and UndefinedBehaviorSanitizer, the
+# Python package with and without the system's cv2, programs against the installed library, and the
+# tests of the benchmark. Installs what it needs on Debian (as root or with sudo). Each part prints
+# its time; the last line is "<N> passed, <M> failed".
 #
 # usage: run_tests.sh [opencv | --installed | --cpp]
 #
-#   opencv       only OpenCV's own tests with this module's flags; the list of allowed differences is for OpenCV 4.6 and 4.10
-#   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against the OpenCV of the system
-#                (libopencv-dev), all but the performance tests and OpenCV's own, and without a second build of the library inside
-#                another project (with it: USAC_CONSUMER_QUICK= in the environment)
-#   --cpp        of these only library and C++ tests, compiled and run according to the variables USAC_CPP_*
+#   opencv       only OpenCV's own tests with this module's flags; the list of allowed differences
+#                is for OpenCV 4.6 and 4.10
+#   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against
+#                the OpenCV of the system (libopencv-dev); all except the performance tests,
+#                OpenCV's own tests, and a second build of the library inside another project (to
+#                include it: USAC_CONSUMER_QUICK= in the environment)
+#   --cpp        like --installed, but only library and C++ tests, compiled and run according to the
+#                variables USAC_CPP_*
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
-#   OPENCV_SUITE       Debian suite of that source package; default: trixie (4.10), on a newer system its own
+#   OPENCV_SUITE       Debian suite of that source package; default: trixie (4.10), on a newer
+#                      system its own
 #   USAC_CPP_OPTIONS   options for CMake
 #   USAC_CPP_RUNNER    command that runs the test program, such as an emulator
 #   USAC_CPP_FILTER    GoogleTest filter
-#   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
+#   USAC_BUILD_DIR     folder for all files that this script writes; default
+#                      ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
 set -eu
 case "$*" in
@@ -42,8 +49,9 @@ python_tests()
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$build/python_loader:$source/modules/python/test" /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
 }
 
-# Builds the package as a user gets it: a source distribution, from this a wheel, which is installed into a virtual environment.
-# Uses no network; CMake's build folder is kept for the next run.
+# Builds the package as a user gets it: a source distribution, and from it a wheel, which is
+# installed into a virtual environment. Uses no network. CMake's build folder is kept for the next
+# run.
 build_python_package()
 {
     folder=$work/python-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
@@ -60,7 +68,7 @@ build_python_package()
     [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # no files left beside the sources
 }
 
-# Runs the Python tests on the package, with the system's cv2 or as if there were none.
+# Runs the Python tests on the package, with the system's cv2 or without cv2.
 package_tests() # with | none
 {
     cd "$module/misc/python/test" &&
@@ -68,7 +76,8 @@ package_tests() # with | none
         "$python" -c "$run_unittests" "test_usac*.py"
 }
 
-# Runs both variants in parallel, because each uses one processor; the output of the second is in python_package_alone.part.
+# Runs both variants in parallel, because each uses one processor. The output of the variant without
+# cv2 is in python_package_alone.part.
 python_package_tests()
 {
     package_tests none > "$work/python_package_alone.part" 2>&1 &
@@ -78,7 +87,8 @@ python_package_tests()
     return $rc
 }
 
-# Tests the benchmark's readers of data sets and its plots; without matplotlib and scipy some tests are skipped.
+# Tests the benchmark's programs, readers of data sets and plots; without matplotlib and scipy some
+# tests are skipped.
 benchmark_tests()
 {
     cd "$project/modules/usac/benchmark" &&
@@ -108,7 +118,7 @@ installed_tests()
     cd "$built" && in_shards bin/opencv_test_usac
 }
 
-# Tests the Python package of that build, which is linked with its library.
+# Tests the Python package of the build of the consumer checks, which is linked with its library.
 installed_python()
 {
     site=$work/site python=/usr/bin/python3
@@ -116,7 +126,7 @@ installed_python()
     cp -r "$module/misc/python/package/usacv20" "$site" && cp "$built"/_native.* "$site/usacv20" && python_package_tests
 }
 
-# Runs the C++ tests in a build per set of options, which may also enable the samples.
+# Runs the C++ tests in a separate build for each set of options, which may also enable the samples.
 cpp_tests()
 {
     folder=$work/cpp-$(printf %s "$project ${USAC_CPP_OPTIONS:-}" | cksum | cut -d ' ' -f 1)
@@ -140,7 +150,8 @@ if [ "$*" = --installed ]; then
     folder=$work/installed-$(printf %s "$project" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
     built=$folder/build
     failed=0
-    # The library is compiled once. The checks that use one processor run beside the tests.
+    # The library is compiled once. The checks that use one processor run in parallel with the
+    # tests.
     export USAC_CONSUMER_OPTIONS=-DBUILD_TESTS=ON USAC_CONSUMER_QUICK=${USAC_CONSUMER_QUICK-1}
     sh "$module/misc/consumer/check.sh" --build "$folder" opencv_test_usac
     bash "$module/misc/check_sources.sh" > "$work/sources.part" 2>&1 &

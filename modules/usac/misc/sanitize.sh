@@ -3,25 +3,33 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs the module's tests under sanitizers and other tools. Does its own setup on Debian (as root or with sudo); the last line is
-# "<N> passed, <M> failed", and the exit code is nonzero if a tool reports anything.
+# Runs the module's tests under sanitizers and other tools. Installs what it needs on Debian (as
+# root or with sudo). The last line is "<N> passed, <M> failed", and the exit code is nonzero if a
+# tool reports anything.
 #
-# usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [python] [lint] [coverage]       default: all
+# usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [python] [lint]
+# [coverage]       default: all
 #
-#   asan        library and tests with AddressSanitizer (leaks, too) and UndefinedBehaviorSanitizer
+#   asan        library and tests with AddressSanitizer (including leaks) and
+#               UndefinedBehaviorSanitizer
 #   tsan        the tests with more than one thread (tsan_tests) with ThreadSanitizer
 #   assertions  the tests with the assertions of libstdc++
 #   valgrind    memcheck of the tests named in valgrind_tests
-#   fuzz        libFuzzer on points and parameters, with the contracts as its oracle; default: 60 seconds
-#   python      the tests of the Python package, whose extension module has AddressSanitizer and UndefinedBehaviorSanitizer
+#   fuzz        libFuzzer on points and parameters, with the contracts as its oracle; default: 60
+#               seconds
+#   python      the tests of the Python package, whose extension module has AddressSanitizer and
+#               UndefinedBehaviorSanitizer
 #   lint        clang-tidy (modules/usac/.clang-tidy) and cppcheck of include/ and src/
-#   coverage    lines and branches of src/ that the tests reach; the lines that none reaches
+#   coverage    lines and branches of src/ that the tests reach, and a list of lines that no test
+#               reaches
 #
 # "The tests" are all except slow_tests and those with the tag verylong.
 #
-# For each tool, the library is built against the unmodified OpenCV (libopencv-dev) and GoogleTest of the system.
+# For each tool, the library is built against the unmodified OpenCV (libopencv-dev) and GoogleTest
+# of the system.
 #
-#   USAC_BUILD_DIR     everything this script writes; default ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
+#   USAC_BUILD_DIR     folder for all files that this script writes; default
+#                      ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
 
 set -eu
 . "$(dirname "$0")/common.sh"
@@ -80,8 +88,9 @@ run_valgrind()
         --errors-for-leak-kinds=definite bin/opencv_test_usac --gtest_filter="$valgrind_tests"
 }
 
-# Runs the stored inputs once, then new ones. Inputs that reach new code are kept in `corpus` for the next run, an input that
-# fails in `findings`. The timeout is generous, because it is wall-clock time and the process may have to wait for a processor.
+# Runs the stored inputs once, then new ones. Inputs that reach new code are kept in `corpus` for
+# the next run; inputs that fail are kept in `findings`. The timeout is long, because it is
+# wall-clock time and the process may have to wait for a processor.
 run_fuzz() # seconds
 {
     mkdir -p "$tools/corpus" "$tools/findings"
@@ -95,8 +104,8 @@ run_fuzz() # seconds
     fi
 }
 
-# Without leak detection, because the interpreter itself leaks. Tests that measure the memory of many calls detect leaks, but not
-# under this tool.
+# Leak detection is off, because the interpreter itself leaks. Tests that measure the memory of many
+# calls detect leaks, but they are skipped here.
 run_python()
 {
     site=$tools/python/site
@@ -114,7 +123,7 @@ run_python()
         /usr/bin/python3 -c "$run_unittests" "test_usac*.py"
 }
 
-# Each source file is counted once for clang-tidy and once for cppcheck.
+# Each source file counts as one check for clang-tidy and one for cppcheck.
 run_lint()
 {
     build_with lint help clang++ "-Wunused-member-function" -DUSAC_PRECOMPILED_HEADERS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON > /dev/null
@@ -129,7 +138,8 @@ run_lint()
     echo "$good passed, $bad failed"
 }
 
-# Code outside the module is not counted, nor are exception branches, which any call that may throw has (every allocation, for example).
+# Code outside the module is not counted. Exception branches are not counted either, since every
+# call that may throw has one (every allocation, for example).
 run_coverage()
 {
     build_with coverage opencv_test_usac g++ "--coverage -O0 -fprofile-update=atomic -fprofile-exclude-files=/usr/.*" || return 1

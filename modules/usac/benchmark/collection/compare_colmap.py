@@ -3,28 +3,33 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""COLMAP's verification of the pairs of a collection and that of `usacv20-collection verify`, on the same matches.
+"""Compares COLMAP's verification of the pairs of a collection with `usacv20-collection verify`, on
+the same matches.
 
     compare_colmap.py WORK --images FOLDER --cameras cameras.json --repeats 3
     compare_colmap.py WORK --database matches.db --cameras cameras.json --pairs
 
-WORK is a folder for databases; what it has already is not made again. Without --database colmap extracts and matches features
-of the images first. Both verifications then fill two_view_geometries in copies of the database (COLMAP 4's geometric_verifier,
-or the matcher of 3.8, which verifies only where there are matches), and `colmap mapper`, or `global_mapper` (--mapper), goes on
-from each. --colmap is the program, that on the PATH if it is not given. cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with
-x ~ K (R X + t), the center of the first pixel at 0, 0.
+WORK is a folder for databases; databases that already exist there are reused. Without --database,
+colmap first extracts and matches features of the images. Both verifications then fill
+two_view_geometries in copies of the database (COLMAP 4's geometric_verifier, or the matcher of
+COLMAP 3.8, which verifies only where there are matches). `colmap mapper`, or `global_mapper`
+(--mapper), continues from each copy. --colmap is the program; the default is colmap on the PATH.
+cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with x ~ K (R X + t) and the center of the
+first pixel at 0, 0.
 
-Focal lengths (--focal): known: the K of cameras.json, prior_focal_length 1, not refined by the mapper; unknown: as COLMAP guesses
-them, prior_focal_length 0; given: as the database has them.
+Focal lengths (--focal). known: the K of cameras.json, prior_focal_length 1, not refined by the
+mapper. unknown: as COLMAP guesses them, prior_focal_length 0. given: as the database has them.
 
-Columns: CPU seconds of the verification (user and system of the whole process; the runs of both alternate, the median of
---repeats); pairs verified; of the reconstruction (the median of --seeds of the mapper) registered
-images, mean reprojection error in pixels, and the area under the curve of the errors of the relative poses of all pairs of
-images up to 1, 3 and 5 degrees, images that are not registered being wrong; in brackets the range of AUC 1. With --pairs the
-pairs follow whose configurations differ, with what the true cameras say of their inliers (at most --limit pixels from the
-epipolar lines of both images).
+Columns: CPU seconds of the verification (user and system time of the whole process, median of
+--repeats; the runs of both verifications alternate); number of verified pairs. Of the
+reconstruction (median over --seeds runs of the mapper): number of registered images; mean
+reprojection error in pixels; area under the curve (AUC) of the errors of the relative poses of all
+pairs of images up to 1, 3 and 5 degrees, where images that are not registered count as wrong; in
+brackets the range of AUC 1. With --pairs, a list follows of the pairs whose configurations differ,
+with the number of their inliers that agree with the true cameras (at most --limit pixels from the
+epipolar lines in both images).
 
-Needs colmap (Debian 12's is 3.8, sid's 4.2.1), NumPy and the package usacv20."""
+Needs colmap (Debian 12 has 3.8, sid 4.2.1), NumPy and the package usacv20."""
 
 from __future__ import annotations
 
@@ -45,15 +50,15 @@ sys.path.insert(0, os.path.join(ROOT, "modules", "usac", "misc", "python", "test
 import usac_colmap as uc  # noqa: E402
 
 Floats = npt.NDArray[np.float64]
-PINHOLE = 1  # COLMAP's number
-PROGRAM: Optional[str] = None  # --colmap
+PINHOLE = 1  # COLMAP's number of this camera model
+PROGRAM: Optional[str] = None  # the value of --colmap
 CONFIGURATIONS = ("-", "degenerate", "calibrated", "uncalibrated", "planar", "panoramic", "planar or panoramic", "watermark",
                   "multiple", "calibrated rig")
-PLANE_OR_TURN = {4, 5, 6}  # COLMAP's matcher tells them apart with an option only
+PLANE_OR_TURN = {4, 5, 6}  # COLMAP's matcher separates these configurations only with an option
 
 
 class TrueCamera(NamedTuple):
-    K: Floats  # COLMAP's: the corner of the first pixel is at 0, 0
+    K: Floats  # in COLMAP's convention: the corner of the first pixel is at 0, 0
     R: Floats
     t: Floats
 
@@ -67,7 +72,7 @@ def readCameras(path: str) -> Dict[str, TrueCamera]:
 
 
 def makeDatabase(path: str, images: str) -> None:
-    """Features and matches of a folder of images; all images are of one camera."""
+    """Extracts and matches the features of a folder of images; all images share one camera."""
     part = path + ".part"
     if os.path.exists(part):
         os.remove(part)
@@ -80,7 +85,7 @@ def makeDatabase(path: str, images: str) -> None:
 
 
 def setFocal(database: str, mode: str, cameras: Dict[str, TrueCamera]) -> None:
-    """Writes the cameras as --focal tells."""
+    """Sets the cameras of the database according to the value of --focal."""
     connection = sqlite3.connect(database)
     with connection:
         if mode == "unknown":
@@ -101,13 +106,13 @@ def setFocal(database: str, mode: str, cameras: Dict[str, TrueCamera]) -> None:
 
 
 class Rival(NamedTuple):
-    """A way to verify."""
+    """A verification program: COLMAP, or `usacv20-collection verify` with options."""
 
     name: str
-    options: Tuple[str, ...]  # of usacv20-collection verify; none: COLMAP
+    options: Tuple[str, ...]  # of usacv20-collection verify; empty: run COLMAP instead
 
     def verify(self, database: str) -> float:
-        """CPU seconds."""
+        """Verifies all pairs; returns the CPU seconds."""
         if not self.options:
             return uc.verifyByColmap(database, PROGRAM).cpuSeconds
         uc.clear(database)
@@ -116,7 +121,7 @@ class Rival(NamedTuple):
 
 
 def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], seeds: int, command: str) -> List[List[float]]:
-    """Registered images, reprojection error, AUC at 1, 3, 5 degrees; a line for each seed."""
+    """One row for each seed: registered images, reprojection error, AUC at 1, 3 and 5 degrees."""
     truth = {name: (camera.R, camera.t) for name, camera in cameras.items()}
     lines = []
     for seed in range(seeds):
@@ -154,7 +159,7 @@ def compare(options: argparse.Namespace, source: str, mode: str, cameras: Dict[s
 
 
 def epipolarErrors(points: Tuple[Floats, Floats], first: TrueCamera, second: TrueCamera) -> Floats:
-    """Larger one of the distances to the true epipolar lines in both images."""
+    """The larger of the two distances to the true epipolar lines, one in each image, in pixels."""
     R, t = uc.between((first.R, first.t), (second.R, second.t))
     cross = np.array([[0, -t[2], t[1]], [t[2], 0, -t[0]], [-t[1], t[0], 0]])
     F = np.linalg.inv(second.K).T @ cross @ R @ np.linalg.inv(first.K)

@@ -3,21 +3,25 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Collections of photographs of streets and courts whose windows repeat, with known cameras: which pairs are kept.
+"""Makes synthetic collections of photographs of streets and courts with repeated windows and known
+cameras, and counts which pairs the verification accepts (keeps).
 
     streets.py --seeds 3 --layout street court
     streets.py --significance 1e-4 1e-8 1e-12
 
-Facades have windows of one or two kinds in a grid, and points that are there once. All windows of a kind have the same parts
-(before and behind the plane of the facade) and nearly the same descriptors; what is seen obliquely looks otherwise. Matches are
-those of a matcher: nearest neighbors of the descriptors, both ways, with a ratio test of 0.8. So images without a common point
-have matches from window to window, many of which agree with a motion that no camera has made. Scales and angles of key points
-are those of the surface with the noise of photographs (COLMAP's SIFT on eleven surveyed ones: 0.13 octaves and 3.5 degrees,
-normal part).
+Facades have windows of one or two kinds in a grid, and unique points besides. All windows of a kind
+have the same parts (in front of and behind the plane of the facade) and nearly the same
+descriptors; descriptors change with the viewing direction. Matches are mutual nearest neighbors of
+the descriptors that pass a ratio test of 0.8. So images without a common point have matches between
+different windows, and many of these agree with a motion that no camera has made. Scales and angles
+of key points follow from the surface, with the noise of photographs (0.13 octaves and 3.5 degrees
+for the Gaussian part, measured with COLMAP's SIFT on eleven surveyed collections).
 
-Columns: --significance; whether pairs are refused that others contradict (--no-loops: no); pairs with overlap (matches, and 30
-points or more that both see), of them kept; pairs without (no such point), of them kept, of these CALIBRATED, whose pose a mapper
-believes; kept pairs of which half of the inliers or more are right, and those of them that are lost by the loops; CPU seconds."""
+Columns: --significance; whether pairs that contradict other pairs are refused (--no-loops: no);
+number of pairs with overlap (that have matches and at least 30 common points), and how many of them
+are kept; number of pairs without a common point, how many of them are kept, and how many of these
+are CALIBRATED, so that a mapper uses their poses; number of kept pairs with at least half of the
+inliers right, and how many such pairs the check of loops loses; CPU seconds."""
 
 from __future__ import annotations
 
@@ -43,39 +47,39 @@ from usacv20.collection import verify  # noqa: E402
 Floats = npt.NDArray[np.float64]
 
 SIZE, FOCAL = (1600, 1200), 1400.0  # pixels
-DIMENSIONS = 8  # of a descriptor: so few that different things can look alike
-PLACES = 100  # of windows of a facade, at least
-OVERLAP = 30  # points that both images see
-SCALE_NOISE, ANGLE_NOISE = 0.13, np.radians(3.5)  # octaves, of one key point less by sqrt(2)
+DIMENSIONS = 8  # of a descriptor; few, so that different things can look alike
+PLACES = 100  # at least the number of windows of a facade
+OVERLAP = 30  # least number of points that both images see
+SCALE_NOISE, ANGLE_NOISE = 0.13, np.radians(3.5)  # octaves, radians; of two points' difference
 
 
 class Facade(NamedTuple):
-    origin: Floats  # the lower left corner, seen from the front
+    origin: Floats  # the lower left corner as seen from the front
     along: Floats
     normal: Floats
     length: float  # meters
-    kind: int  # of its windows
+    kind: int  # number of the kind of its windows
 
 
 class Points(NamedTuple):
-    """Of the scene."""
+    """The points of the scene."""
 
-    position: Floats  # P x 3
-    along: Floats  # P x 3
-    normal: Floats  # P x 3
+    position: Floats  # P x 3, meters
+    along: Floats  # P x 3, horizontal direction of the facade
+    normal: Floats  # P x 3, of the facade
     size: Floats  # P, meters
-    angle: Floats  # P, on the facade
+    angle: Floats  # P, radians, in the plane of the facade
     descriptor: Floats  # P x DIMENSIONS
-    change: Floats  # P x DIMENSIONS x 2: of the descriptor with the direction from which the point is seen
+    change: Floats  # P x DIMENSIONS x 2: change of the descriptor with the viewing direction
 
 
 class Options(NamedTuple):
     layout: str = "street"
     images: int = 24
     noise: float = 0.4  # pixels
-    alike: float = 0.45  # difference of two windows of a kind, in terms of that of different things
-    shared: float = 0.5  # the part of it that windows at the same place of another facade of that kind have, too
-    unique: int = 60  # points of a facade that are there once, for ten meters
+    alike: float = 0.45  # deviation between windows of a kind, relative to that of unrelated points
+    shared: float = 0.5  # part of `alike` that depends on the window's number only
+    unique: int = 60  # unique points for each ten meters of facade
     known: bool = True
     seed: int = 0
 
@@ -96,7 +100,7 @@ def facades(layout: str) -> List[Facade]:
 def buildPoints(rng: np.random.RandomState, options: Options) -> Points:
     parts: Dict[int, Tuple[Any, ...]] = {}
     columns: List[Tuple[Any, ...]] = []
-    period, storey = np.array([2.4, 3.4]), 3  # meters, rows
+    period, storey = np.array([2.4, 3.4]), 3  # meters; rows of windows
     for facade in facades(options.layout):
         if facade.kind not in parts:
             count = 24
@@ -140,10 +144,10 @@ def cameras(rng: np.random.RandomState, options: Options) -> List[Tuple[Floats, 
 
 
 class Image(NamedTuple):
-    keypoints: Floats  # N x 4: x, y, scale in pixels, angle
-    points: npt.NDArray[np.int64]  # N, -1: none
+    keypoints: Floats  # N x 4: x, y, scale in pixels, angle in radians
+    points: npt.NDArray[np.int64]  # N, index of the scene's point; -1: clutter
     descriptors: Floats
-    visible: npt.NDArray[np.int64]  # points that could be detected
+    visible: npt.NDArray[np.int64]  # indices of the points that could be detected
 
 
 def photograph(rng: np.random.RandomState, points: Points, camera: Tuple[Floats, Floats], noise: float) -> Image:
@@ -179,7 +183,7 @@ def photograph(rng: np.random.RandomState, points: Points, camera: Tuple[Floats,
 
 
 def match(first: Image, second: Image) -> npt.NDArray[np.uint32]:
-    """Nearest neighbors both ways, with a ratio test both ways."""
+    """Mutual nearest neighbors that pass a ratio test in both directions."""
     a, b = (side.descriptors / np.linalg.norm(side.descriptors, axis=1, keepdims=True) for side in (first, second))
     angles = np.arccos(np.clip(a @ b.T, -1, 1))
     forth, back = angles.argmin(1), angles.argmin(0)
@@ -190,7 +194,7 @@ def match(first: Image, second: Image) -> npt.NDArray[np.uint32]:
 
 
 class Street:
-    """A collection and its truth."""
+    """A synthetic collection with its ground truth."""
 
     def __init__(self, options: Options) -> None:
         rng = np.random.RandomState(options.seed)
@@ -198,7 +202,7 @@ class Street:
         points = buildPoints(rng, options)
         self.cameras = cameras(rng, options)
         self.images = [photograph(rng, points, camera, options.noise) for camera in self.cameras]
-        self.common: Dict[int, int] = {}  # by pair_id: points that both images see
+        self.common: Dict[int, int] = {}  # by pair_id: number of points that both images see
         self.matches: Dict[int, npt.NDArray[np.uint32]] = {}
         for i, j in itertools.combinations(range(options.images), 2):
             matches = match(self.images[i], self.images[j])
@@ -208,7 +212,7 @@ class Street:
                 self.common[key] = len(np.intersect1d(self.images[i].visible, self.images[j].visible))
 
     def right(self, key: int) -> int:
-        """Matches of one and the same point."""
+        """Number of matches whose two key points are the same point of the scene."""
         i, j = divmod(key, MAX_IMAGES)
         a, b = self.images[i - 1].points[self.matches[key][:, 0]], self.images[j - 1].points[self.matches[key][:, 1]]
         return int(np.count_nonzero((a == b) & (a >= 0)))
@@ -231,19 +235,19 @@ class Street:
 
 
 class Count(NamedTuple):
-    """Of a verified table."""
+    """Counts of the pairs of a verified database."""
 
     overlap: int  # pairs with matches and OVERLAP common points
-    kept: int  # of those
-    lone: int  # without a common point
+    kept: int  # pairs with overlap that are kept
+    lone: int  # pairs without a common point
     loneKept: int
     loneCalibrated: int
-    right: int  # kept pairs, half of whose inliers or more are of the same points
+    right: int  # kept pairs with at least half of their inliers right
     cpu: float  # seconds
 
 
 def verified(street: Street, path: str, options: Dict[str, Any]) -> Tuple[Count, List[int]]:
-    """What is kept; with the keys of the right pairs."""
+    """Verifies the collection; returns the counts and the keys of the kept pairs that are right."""
     begin = time.process_time()
     verify(path, threads=1, **options)
     cpu = time.process_time() - begin

@@ -3,9 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What `--threshold auto` of the collection tool finds where the noise is known, what that does to the verification, and what
-half and double of its constants do. It uses the scenes of the tests of the Python package. Tables go to the standard output, in
-Markdown."""
+"""Tables on the threshold that `--threshold auto` of the collection tool estimates from scenes with
+known noise: its accuracy, its effect on the verification, and the effect of halving and doubling
+each constant of the estimation. It uses the scenes of the tests of the Python package. The tables
+go to the standard output, in Markdown."""
 
 import argparse
 import math
@@ -27,7 +28,7 @@ CONSTANTS = ("WIDEST", "CONFIDENCE", "ITERATIONS", "SIGNIFICANCE", "MOST", "LEAS
 
 
 def estimate(scenes):
-    """(estimate or None, CPU milliseconds a pair)"""
+    """Returns the estimate, or None if there is none, and the CPU milliseconds a pair."""
     begin = time.process_time()
     try:
         found = _threshold.estimateThreshold([scene.pair for scene in scenes], Settings())
@@ -78,7 +79,8 @@ def angle(cosine):
 
 
 def poseError(scene, result):
-    """Degrees; of a pair without translation that of the rotation."""
+    """Error of the relative pose in degrees; for a true pose without translation, the rotation's.
+    """
     if result.quaternion is None:
         return 180.0
     w, x, y, z = result.quaternion
@@ -112,7 +114,8 @@ def poses(args):
 
 
 def deviation(args, **options):
-    """Of the noise of all sizes and levels: (root of the mean square, worst) of the logarithm, CPU ms a pair."""
+    """Of the logarithm of estimated over true noise, over all sizes and noise levels: root mean
+    square and worst value; also CPU milliseconds a pair."""
     wrong, cpus = [], []
     for size in SIZES:
         for sigma in SIGMAS:

@@ -3,14 +3,17 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs a second and memory of `python3 -m usacv20.collection verify` on a synthetic COLMAP database of any size.
+"""Measures pairs a second and memory of `python3 -m usacv20.collection verify` on a synthetic
+COLMAP database of any size.
 
-usage: throughput.py [--images N] [--overlap PART] [--matches M] [--threads N ...] [--folder FOLDER] [-- options of verify]
+usage: throughput.py [--images N] [--overlap PART] [--matches M] [--threads N ...] [--folder FOLDER]
+[-- options of verify]
 
-All pairs of N images are in the database: N (N - 1) / 2. PART of them see the same points, and half of their M matches are right;
-the others have M / 4 matches, all wrong. It is made as a stream and kept in the folder for the next run. For each number of threads
-it prints pairs a second, CPU time a pair, the parts of reading, estimating and writing, and the largest resident memory, which must
-not depend on N."""
+The database has all N (N - 1) / 2 pairs of N images. A fraction PART of the pairs sees the same
+points, and half of the M matches of such a pair are right; every other pair has M / 4 matches, all
+wrong. The database is written row by row and kept in the folder for the next run. For each number
+of threads the program prints pairs a second, CPU milliseconds a pair, the seconds of reading,
+estimating and writing, and the largest resident memory, which must not depend on N."""
 
 import argparse
 import os
@@ -37,7 +40,7 @@ def rotation(rng):
 
 
 def images(count, rng):
-    """Keypoint i of each image is point i of the scene."""
+    """Yields the number, name and keypoints of each image; keypoint i is point i of the scene."""
     X = rng.uniform([-3, -2.2, 7], [3, 2.2, 12], (KEYPOINTS, 3))
     for number in range(count):
         x = (X + rng.uniform(-1, 1, 3)) @ rotation(rng).T

@@ -12,8 +12,8 @@ using namespace cv::usacv20;
 
 namespace {
 
-//! A model is wrong if right matches without noise are further from it than this many thresholds,
-//! root mean square.
+//! A model counts as wrong if the root mean square distance of the noise-free true matches from it
+//! exceeds this many thresholds.
 const double WRONG = 1;
 
 //! The 0.95 quantile of chi-square with 1 to 8 degrees of freedom.

@@ -10,7 +10,7 @@
 
 namespace benchmark {
 
-/** How well covariances describe the errors of models: counts over scenes. */
+/** Statistics over many scenes on how well covariances describe the errors of models. */
 class Calibration
 {
 public:
@@ -21,14 +21,14 @@ public:
     void add(const Calibration& other);
 
     int models() const { return determined; }
-    //! Mean squared Mahalanobis distance over the degrees of freedom: 1 if calibrated.
+    //! Mean of the squared Mahalanobis distance divided by the degrees of freedom; 1 if calibrated.
     double mean() const { return sum / determined; }
-    //! Part of the models within the region of 95 %.
+    //! Fraction of the models whose 95 % confidence region contains the true model.
     double inside() const { return (double)within / determined; }
-    //! Mean estimated noise over the true one, of the scenes where it was estimated.
+    //! Mean ratio of estimated to true noise over the scenes where the noise was estimated.
     double sigma() const { return sigmas / estimated; }
 
-    static std::string header();  //!< of a Markdown table, after the column that names the row
+    static std::string header();  //!< the header of a Markdown table after its first columns
     std::string row() const;
 
 private:

@@ -33,8 +33,9 @@ Mat rowsOf(const std::vector<Point>& points, const std::vector<uchar>& chosen)
 
 const std::vector<uchar> ALL;
 
-//! The noise of the points that gives errors in each component this standard deviation. Maps have
-//! noise in both images; that of image 1 is seen through the map, which is about a rigid one.
+//! Standard deviation of the points' noise for which each component of the error has the deviation
+//! that the cell states. For homographies, affinities and similarities both images have noise. That
+//! of image 1 is mapped to image 2 by a nearly rigid map, so the variances add up.
 double noiseOf(const SceneCell& cell)
 {
     const bool both = cell.problem == HOMOGRAPHY || cell.problem == AFFINITY ||

@@ -11,36 +11,36 @@
 
 namespace benchmark {
 
-//! What the scenes of one cell have in common; they differ in their seed.
+//! Properties that the scenes of one cell share; the scenes differ in their seed.
 struct SceneCell
 {
     cv::usacv20::ProblemType problem;
     std::string shape;  //!< H, A, S: plane; F, E: general, forward, plane50, plane95; P: cloud,
                         //!< plane; R, M: cloud, plane
-    int size;           //!< matches
-    double ratio;       //!< part of right matches
+    int size;           //!< number of matches
+    double ratio;       //!< inlier ratio
     double noise;       //!< standard deviation of each component of the error, in thresholds
-    double threshold;   //!< pixels; R, M: parts of the object's size
+    double threshold;   //!< pixels; R, M: fraction of the object's size
 };
 
-/** A synthetic scene, its estimation, and how far that is from the truth. */
+/** A synthetic scene with its true model, and an estimate that is compared with the true model. */
 class KnownScene
 {
 public:
-    //! @return false for a shape that the problem does not have
+    //! @return true if the problem has scenes of this shape
     static bool has(cv::usacv20::ProblemType problem, const std::string& shape);
 
     KnownScene(const SceneCell& cell, int seed);
 
-    //! Runs the estimator. @param widening threshold given over that of the cell
+    //! Runs the estimator. @param widening ratio of the estimator's threshold to that of the cell
     //! @return false if it finds no model
     bool run(const cv::usacv20::Params& options, double widening);
     /** The squared Mahalanobis distance of the true model from the estimated one under
-    Report::covariance: x^T C^-1 x with the least-squares x in tangentOfModel * x = difference of
-    the entries. */
+    Report::covariance: x^T C^-1 x with the least-squares solution x of tangentOfModel * x =
+    (entries of the true model) - (entries of the estimate). */
     double squaredDistance() const;
-    //! Root mean square distance of the right matches without noise from the model, in units of
-    //! the cell's threshold: what tells a wrong model.
+    //! Root mean square distance of the noise-free true matches from the model, in thresholds of
+    //! the cell. A large value shows that the estimated model is wrong.
     double error() const;
 
     const cv::usacv20::Report& report() const { return learned; }
@@ -48,7 +48,7 @@ public:
 private:
     const SceneCell cell;
     cv::Mat points1, points2;  //!< N x 2 or 3
-    cv::Mat clean1, clean2;    //!< of the right matches, without noise
+    cv::Mat clean1, clean2;    //!< the true matches, without noise
     cv::Mat K, truth, model;
     cv::usacv20::Report learned;
 };

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// How well Report::covariance describes the errors of models on synthetic scenes with a known
-// truth: the mean of the squared Mahalanobis distance of the true model, over the degrees of
-// freedom, is to be 1, and its region of 95 % is to hold 95 % of the true models.
+// Measures how well Report::covariance describes the errors of models on synthetic scenes with
+// known true models. The squared Mahalanobis distance of the true model over the degrees of freedom
+// should be 1 on average, and the 95 % confidence region should contain 95 % of the true models.
 //
 //     usac_covariance --scenes=10000 > covariance.md
 
@@ -46,7 +46,7 @@ struct Options
     std::vector<int> sizes;
     std::vector<double> ratios, noises;
     int least, scenes, seed;
-    double widening;  //!< threshold given over that of the cell
+    double widening;  //!< ratio of the estimator's threshold to that of the cell
     Params params;
 };
 
@@ -137,7 +137,7 @@ std::vector<SceneCell> cellsOf(const Options& options, ProblemType problem)
     return cells;
 }
 
-//! What the rows of a table are called; in the order of the cells.
+//! The first cells of the table row that a cell belongs to, when the rows are formed by `by`.
 std::string rowOf(const std::string& letter, const SceneCell& cell, const std::string& by)
 {
     const std::string start = "| " + letter + " | ";

@@ -2,15 +2,14 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The benchmark with methods of one's own beside all that usac_benchmark has: two components and a
-// whole estimator.
+// The benchmark with user-defined methods in addition to those of usac_benchmark: two methods with
+// a replaced component and one whole estimator.
 //
 //     usac_custom_benchmark --data=<folder>
-//     --methods=USACV20,custom:spread,custom:tukey,custom:ransac,cv:RANSAC >
-//     tables.md
+//     --methods=USACV20,custom:spread,custom:tukey,custom:ransac > tables.md
 //
-// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp.
-// doc/benchmark.md, "Your own method", has more.
+// The components are those of samples/custom_sampler.cpp and samples/custom_quality.cpp. See
+// doc/benchmark.md, "Your own method".
 
 #include "benchmark.hpp"
 #include "components_method.hpp"
@@ -34,8 +33,8 @@ void tukeyQuality(cv::usacv20::Usac& usac)
     usac.components().score = cv::makePtr<custom::TukeyScore>();
 }
 
-//! Any function that makes a model from points. Here OpenCV's RANSAC, so that the accuracy is that
-//! of cv:RANSAC.
+//! An example of a whole estimator: any function that makes a model from points. It calls OpenCV's
+//! RANSAC, so its accuracy equals that of the method cv:RANSAC.
 Estimate opencvRansac(const Task& task)
 {
     const Settings& settings = task.settings;

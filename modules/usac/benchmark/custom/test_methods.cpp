@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Methods of its own for test_custom.py, test_problems.py, test_views.py and test_spaces.py: what
-// they do is known beforehand. With the argument "mistakes" alone it prints what the registry says
-// about registrations that it must refuse, a line each.
+// Methods for test_custom.py, test_problems.py, test_views.py and test_spaces.py; their results are
+// known beforehand. With the single argument "mistakes", the program tries registrations that the
+// registry must refuse, and prints the error message of each on a line.
 
 #include <iostream>
 #include <stdexcept>
@@ -19,7 +19,7 @@ namespace {
 using namespace benchmark;
 using cv::usacv20::Params;
 
-//! All samples are equally likely: the same as the module's own.
+//! Draws uniform samples exactly as the module's own uniform sampler does.
 class SameSampler : public cv::usacv20::Sampler
 {
 public:
@@ -38,7 +38,7 @@ void sameSampler(cv::usacv20::Usac& usac)
 
 void noSampler(cv::usacv20::Usac& usac) { usac.components().sampler.reset(); }
 
-//! Tells what it was given by the number of its iterations. @return the identity
+//! Encodes the settings and data that it receives in the number of iterations. @return the identity
 Estimate echo(const Task& task)
 {
     const Settings& s = task.settings;
@@ -51,7 +51,7 @@ Estimate echo(const Task& task)
     return estimate;
 }
 
-//! The identity, whatever the matches are; all of them are inliers.
+//! Returns the identity for any matches; all matches are inliers.
 Estimate identity(const Task& task)
 {
     Estimate estimate;

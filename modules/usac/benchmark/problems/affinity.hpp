@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-//! A, an affine map of image 1 to image 2. Defaults are those of calib3d's function.
+//! A, an affine map of image 1 to image 2. The default settings are those of calib3d's function.
 class Affinity : public PlaneMap
 {
 public:

@@ -28,7 +28,7 @@ struct Rays
     std::vector<cv::Vec3d> rays1, rays2;
 };
 
-//! Viewing rays of the inliers, of all correspondences if the mask has none.
+//! Viewing rays of the inliers; of all correspondences if the mask has no inliers or another size.
 Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
 {
     const cv::Matx33d inverse1 = pair.K1.inv(), inverse2 = pair.K2.inv();
@@ -45,8 +45,8 @@ Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
     return result;
 }
 
-//! Correspondences with two positive depths a, b. Of a R x1 + t = b x2 follow (Rx1 x x2) a = x2 x
-//! t, (Rx1 x x2) b = Rx1 x t.
+//! Number of correspondences with positive depths a, b. From a R x1 + t = b x2 it follows that (R
+//! x1 x x2) a = x2 x t and (R x1 x x2) b = R x1 x t.
 int countInFront(const Rays& rays, const cv::Matx33d& R, const cv::Vec3d& t)
 {
     int count = 0;

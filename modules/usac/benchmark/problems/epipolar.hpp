@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-//! Epipolar geometry. Errors are Sampson distances in pixels.
+//! Problems of epipolar geometry. Errors are Sampson distances in pixels.
 class Epipolar : public ProblemKind
 {
 public:
@@ -22,7 +22,7 @@ public:
     double poseError(const ImagePair& pair, const Estimate& estimate) const CV_OVERRIDE;
 
 protected:
-    //! The fundamental matrix of a model, and the other way round.
+    //! Converts a model to a fundamental matrix, or to an essential matrix.
     virtual cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const = 0;
     virtual cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const = 0;
 };

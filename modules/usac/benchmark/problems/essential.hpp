@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-//! E; the pair must have both camera matrices.
+//! E, the essential matrix; the pair must have both camera matrices.
 class Essential : public Epipolar
 {
 public:

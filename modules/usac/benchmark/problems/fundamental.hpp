@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-//! F.
+//! F, the fundamental matrix.
 class Fundamental : public Epipolar
 {
 public:

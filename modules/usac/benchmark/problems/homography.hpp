@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-//! H.
+//! H, the homography of image 1 to image 2.
 class Homography : public PlaneMap
 {
 public:

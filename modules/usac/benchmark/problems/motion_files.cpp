@@ -11,8 +11,8 @@ namespace benchmark {
 
 namespace {
 
-//! Root of the mean squared distance of the points of space 2 from their mean: of the right ones,
-//! of all where it is not known which are right.
+//! Root mean square distance of the right points of space 2 from their mean; of all points if it is
+//! unknown which are right.
 double sizeOf(const ImagePair& pair, const std::vector<int>& right)
 {
     const int count = right.empty() ? pair.size() : (int)right.size();

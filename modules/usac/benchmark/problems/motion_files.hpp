@@ -10,12 +10,13 @@
 
 namespace benchmark {
 
-//! Reads `X1 Y1 Z1 X2 Y2 Z2` lines into the points of both spaces. Raises std::runtime_error with
-//! file and line, as all here.
+//! Reads lines `X1 Y1 Z1 X2 Y2 Z2` into the points of both spaces. Raises std::runtime_error with
+//! file and line.
 void readSpacePoints(const std::string& file, ImagePair& pair);
 
-/** Reads what is known of the motion between two spaces, behind the points.
-@param scaled whether the motion may have a scale other than 1 */
+/** Reads the true motion between two spaces. The points must have been read before. Raises
+std::runtime_error with file and line.
+@param scaled true: the motion may have a scale other than 1 */
 void readMotionTruth(const TruthReader& in, char letter, bool scaled, ImagePair& pair);
 
 }  // namespace benchmark

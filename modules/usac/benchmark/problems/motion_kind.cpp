@@ -10,8 +10,8 @@ namespace benchmark {
 
 namespace {
 
-const double MAX_ROTATION_ERROR = 5;  //!< degrees
-const double MAX_CENTER_ERROR = 5;    //!< percent
+const double MAX_ROTATION_ERROR = 5;  //!< degrees, limit of a successful estimate
+const double MAX_CENTER_ERROR = 5;    //!< percent, limit of a successful estimate
 
 }  // namespace
 

@@ -9,8 +9,9 @@
 
 namespace benchmark {
 
-/** Problems whose model is a motion, 3x4. Their error is that of the rotation in degrees; above 5,
-or with a center error above 5 %, an estimate is a failure. */
+/** Problems whose model is a 3x4 matrix of a motion. Their error is that of the rotation in
+degrees. An estimate is a failure if this error is above 5 degrees or the center error is above 5 %.
+ */
 class MotionKind : public ProblemKind
 {
 public:

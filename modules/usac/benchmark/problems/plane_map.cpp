@@ -11,7 +11,7 @@ namespace benchmark {
 
 namespace {
 
-//! The model as a map of homogeneous points; one of two rows has a third one, 0 0 1.
+//! Converts the model to a map of homogeneous points; a model of two rows gets the third row 0 0 1.
 bool toMap(const cv::Mat& model, int rows, cv::Matx33d& M)
 {
     if (rows == 3)

@@ -9,8 +9,8 @@
 
 namespace benchmark {
 
-/** Maps of image 1 to image 2, a matrix of two or three rows that the homogeneous points are
-multiplied with. Errors are distances in image 2. */
+/** Maps of image 1 to image 2, given by a matrix of two or three rows that multiplies homogeneous
+points. Errors are distances in image 2, in pixels. */
 class PlaneMap : public ProblemKind
 {
 public:

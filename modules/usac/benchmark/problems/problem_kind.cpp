@@ -18,7 +18,7 @@ namespace benchmark {
 
 namespace {
 
-//! In the order of cv::usacv20::ProblemType.
+//! The objects of all problems in the order of cv::usacv20::ProblemType.
 const std::vector<const ProblemKind*>& kinds()
 {
     static const Homography homography;

@@ -11,14 +11,15 @@
 
 namespace benchmark {
 
-/** All that the programs know of one problem: the truth that a pair must come with, how an estimate
-is measured, and the calls of this module and of calib3d. There is one object of each, see kindOf().
+/** The properties of one problem: the ground truth that a pair must have, the error measures of
+estimates, and the calls of this module and of calib3d. kindOf() returns the only object of a
+problem.
 */
 class ProblemKind
 {
 public:
-    //! @param letter of lists and tables. @param modelSize of a model as the functions return it.
-    //! @param threshold, maxIterations defaults of the command line
+    //! @param letter of the problem in lists and tables. @param modelSize size of a model as the
+    //! functions return it. @param threshold, maxIterations defaults of the command line
     ProblemKind(ProblemType type, char letter, const cv::Size& modelSize, double threshold,
                 int maxIterations);
     virtual ~ProblemKind() {}
@@ -29,45 +30,48 @@ public:
     const double threshold;
     const int maxIterations;
 
-    //! Is the error of a model in pixels? Else it is in degrees.
+    //! True if the error of a model is in pixels; otherwise it is in degrees.
     virtual bool inPixels() const { return true; }
-    //! Does the problem take the camera matrices of image 1 and 2?
+    //! True if the problem needs the camera matrix of image 1 (image 2).
     virtual bool hasCamera1() const { return false; }
     virtual bool hasCamera2() const { return false; }
-    //! Reads the matches and the truth of a pair, see readImagePair(). Default: the files of two
-    //! views.
+    //! Reads the matches and the ground truth of a pair, see readImagePair(). Default: the files of
+    //! two images.
     virtual void read(const std::string& path, ImagePair& pair) const;
 
-    //! See measures.hpp for these. In the coordinates of the input; what the pair has not is
-    //! negative.
+    //! Error measures, see measures.hpp. Models are in the coordinates of the input. Default of
+    //! poseError(): negative, as there is no pose.
     virtual double modelError(const ImagePair& pair, const cv::Mat& model) const = 0;
     virtual double failureLimit(const ImagePair& pair) const = 0;
     virtual double modelCost(const ImagePair& pair, const cv::Mat& model,
                              double threshold) const = 0;
     virtual double poseError(const ImagePair& pair, const Estimate& estimate) const;
-    //! Of the camera, percent of the depth of the scene, or what the problem has in its place;
-    //! infinite without a model.
+    //! Error of the camera center in percent of the depth of the scene, or the measure that
+    //! replaces it (see the derived classes). Infinite without a model, negative if the problem has
+    //! none.
     virtual double centerError(const ImagePair& pair, const cv::Mat& model) const;
-    //! @param error, centerError those of the model. Default: the error is above failureLimit().
+    //! True if the estimate is a failure. @param error, centerError errors of the model. Default:
+    //! the error is above failureLimit().
     virtual bool failed(const ImagePair& pair, double error, double centerError) const;
 
     //! An estimator of this module for the matches of a pair; it can be run once.
     virtual cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
                                                  const cv::usacv20::Params& params) const;
-    //! The function of this module that a user calls. @param estimate output, model and mask
+    //! Calls the function of this module as a user does. @param estimate output: model and mask
     virtual void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
                             Estimate& estimate) const = 0;
-    //! The function of calib3d that a user calls with a flag. @param estimate output, as that
+    //! Calls the function of calib3d as a user does, with a flag. @param estimate output, as that
     //! function returns it
     virtual void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
                             Estimate& estimate) const = 0;
 
 protected:
-    //! Tells of what the problem needs and the pair lacks. Default: nothing.
+    //! Raises an exception if the pair lacks something that the problem needs. Default: checks
+    //! nothing.
     virtual void checkTruth(const TruthReader& in, const ImagePair& pair) const;
 };
 
-//! The object of a problem.
+//! The object that describes a problem.
 const ProblemKind& kindOf(ProblemType problem);
 
 //! The letters of all problems, in the order of cv::usacv20::ProblemType.

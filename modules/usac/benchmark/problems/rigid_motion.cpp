@@ -13,7 +13,8 @@ namespace benchmark {
 
 namespace {
 
-//! Those of cv::estimateAffine3D; iterations those that 10 % of right matches take.
+//! The threshold of cv::estimateAffine3D, and the number of iterations needed for an inlier ratio
+//! of 10 %.
 const double THRESHOLD = 3;
 const int MAX_ITERATIONS = 10000;
 

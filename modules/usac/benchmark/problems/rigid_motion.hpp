@@ -9,20 +9,20 @@
 
 namespace benchmark {
 
-/** R, the motion [R t] of space that takes points to their counterparts; M, the same with a scale,
-[s R t].
+/** R, the rigid motion [R t] that maps points of space 1 to points of space 2; M, the same with a
+scale, [s R t].
 
-An affine map has the rotation that is the closest to it. In the place of the error of a camera's
-center: the root mean square distance between where the estimated and the true motion take the right
-points, in percent of the size of the scene. calib3d has no such function; what comes closest are
-those of Rival. */
+The rotation of an affine map is taken as the closest rotation. centerError() is the root mean
+square distance between the true points moved by the estimated and by the true motion, in percent of
+the size of the scene. calib3d has no function for this problem; the functions of Rival are the most
+similar ones. */
 class RigidMotion : public MotionKind
 {
 public:
     /** AFFINE3D: `cv::estimateAffine3D(points1, points2, model, mask, threshold, confidence)`,
-    RANSAC for an affine map of space, at most 1000 samples of four points. AFFINE3D_REFIT: behind
-    it the motion of least squares of its inliers by the function of the same name that takes no
-    threshold. */
+    RANSAC for an affine map of space with at most 1000 samples of four points. AFFINE3D_REFIT: the
+    same, followed by a least-squares motion of the inliers, which the overload without a threshold
+    computes. */
     enum Rival { AFFINE3D = 1000, AFFINE3D_REFIT };
 
     explicit RigidMotion(bool scaled);

@@ -9,8 +9,8 @@
 
 namespace benchmark {
 
-//! S, rotation, uniform scale and translation of image 1 to image 2. Defaults are those of
-//! calib3d's function.
+//! S: rotation, uniform scale and translation of image 1 to image 2. The default settings are those
+//! of calib3d's function.
 class Similarity : public PlaneMap
 {
 public:

@@ -11,11 +11,12 @@
 
 namespace benchmark {
 
-//! The model in double. A function that returns several stacked models is held to the first.
-//! @return false if it has another shape, or is not finite.
+//! Converts the model to double. If a function returns several stacked models, the first is taken.
+//! @return false if the shape is wrong or a value is not finite.
 bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix);
 
-//! The 3x4 model [A t] in double. @return false if it has another shape, or is not finite.
+//! Converts the 3x4 model [A t] to double. @return false if the shape is wrong or a value is not
+//! finite.
 bool toMotion(const cv::Mat& model, cv::Matx33d& A, cv::Vec3d& t);
 
 inline cv::Vec3d homogeneous(const cv::Point2d& point) { return cv::Vec3d(point.x, point.y, 1); }
@@ -25,7 +26,8 @@ inline double diagonal(const cv::Size2d& size)
     return std::sqrt(size.width * size.width + size.height * size.height);
 }
 
-//! Root of the mean of squared errors `errorOf(i)`; infinite if it is not finite.
+//! Root mean square of errors, given their squares `errorOf(i)`; infinite if the result is not
+//! finite.
 template <class Error>
 double rootOfMean(int count, const Error& errorOf)
 {
@@ -36,7 +38,7 @@ double rootOfMean(int count, const Error& errorOf)
     return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
-//! Mean of min(1, squared error / threshold^2).
+//! Mean of min(1, squared error / threshold^2), given the squared errors `errorOf(i)`.
 template <class Error>
 double truncatedMean(int count, double threshold, const Error& errorOf)
 {
@@ -44,13 +46,13 @@ double truncatedMean(int count, double threshold, const Error& errorOf)
     for (int i = 0; i < count; ++i)
     {
         const double cost = errorOf(i) / (threshold * threshold);
-        sum += cost < 1 ? cost : 1;  // also for NaN
+        sum += cost < 1 ? cost : 1;  // NaN costs 1, too
     }
     return sum / count;
 }
 
-//! Degrees; from the chord |R1 - R2| = 2 sqrt(2) sin(angle / 2), which is exact for small angles,
-//! too.
+//! Angle in degrees. It is computed from the chord |R1 - R2| = 2 sqrt(2) sin(angle / 2), which is
+//! accurate for small angles, too.
 double angleBetween(const cv::Matx33d& R1, const cv::Matx33d& R2);
 double angleBetween(const cv::Vec3d& a, const cv::Vec3d& b);
 

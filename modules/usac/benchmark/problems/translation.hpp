@@ -9,7 +9,8 @@
 
 namespace benchmark {
 
-//! T, translation of image 1 to image 2. OpenCV 4 has no function for it; defaults are those of S.
+//! T, translation of image 1 to image 2. OpenCV 4 has no function for it; the default settings are
+//! those of S.
 class Translation : public PlaneMap
 {
 public:

@@ -10,13 +10,13 @@
 
 namespace benchmark {
 
-//! Reads `x1 y1 x2 y2 score` lines. Raises std::runtime_error with file and line.
+//! Reads lines `x1 y1 x2 y2 score`. Raises std::runtime_error with file and line.
 void readCorrespondences(const std::string& file, ImagePair& pair);
 
-//! Reads what is known of two images.
+//! Reads the ground truth of two images.
 void readTwoViewTruth(const TruthReader& in, char letter, ImagePair& pair);
 
-//! Tells if there is nothing that an error could be measured with.
+//! Raises an exception if the pair has no ground truth to measure an error with.
 void checkTruePoints(const TruthReader& in, const ImagePair& pair);
 
 }  // namespace benchmark

@@ -23,8 +23,8 @@ void readDistortion(const Json& json, std::vector<double>& distortion)
         throw std::runtime_error("expected 4, 5, 8, 12 or 14 coefficients");
 }
 
-//! Median distance of the right matches from the camera along its axis, of all matches if it is not
-//! known which are right.
+//! Median depth of the right matches along the camera's axis; of all matches if it is unknown which
+//! are right.
 double depthOf(const ImagePair& pair, const std::vector<int>& right)
 {
     std::vector<double> depths;

@@ -10,17 +10,17 @@
 
 namespace benchmark {
 
-//! Reads `X Y Z u v` lines into the object points and the points of image 2. Raises
-//! std::runtime_error with file and line, as all here.
+//! Reads lines `X Y Z u v` into the object points and the points of image 2. Raises
+//! std::runtime_error with file and line.
 void readObjectPoints(const std::string& file, ImagePair& pair);
 
-//! Reads a score a line, one for each match; where there is no such file, all are 1.
+//! Reads one score on each line, one for each match. If there is no such file, all scores are 1.
 void readScores(const std::string& file, ImagePair& pair);
 
-//! Reads numbers of matches; null: none.
+//! Reads an array of indices of matches; `null` gives an empty vector.
 void readIndices(const Json& json, int size, std::vector<int>& indices);
 
-//! Reads what is known of the camera and of its pose, behind the points.
+//! Reads the camera and its true pose. The points must have been read before.
 void readViewTruth(const TruthReader& in, char letter, ImagePair& pair);
 
 }  // namespace benchmark

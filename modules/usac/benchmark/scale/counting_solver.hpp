@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-/** A minimal solver that remembers its samples, and the models of some of them. For one thread. It
-solves them one by one, so that no sample is solved that the run does not reach. */
+/** A minimal solver that records its samples and the first models. It is not thread-safe. It solves
+samples one by one, so that it solves only samples that the run reaches. */
 class CountingSolver : public cv::usacv20::MinimalSolver
 {
 public:
@@ -34,12 +34,12 @@ public:
         return count;
     }
 
-    //! Samples solved so far.
+    //! Number of samples solved so far.
     int solved() const { return (int)samples.size() / sampleSize(); }
     const int* sample(int i) const { return &samples[(size_t)i * sampleSize()]; }
-    //! All models, also those of samples that the polishing starts from.
+    //! Number of all models, including those of samples from which the polishing starts.
     int modelsOfAll() const { return computed; }
-    //! The first models.
+    //! The first models found, at most MOST_MODELS.
     const std::vector<Model>& models() const { return found; }
 
 private:

@@ -9,15 +9,15 @@
 
 namespace benchmark {
 
-/** A verifier that counts the points that the models of the samples are tested with.
+/** A verifier that counts the points that models of minimal samples are tested with.
 
-It is asked before and after each block of points, so it learns of every one; blocks and decisions
-are those of the verifier behind it, without one the blocks of a run without verifier. For one
-thread. */
+It is called before and after each block of points, so it can count every point. Blocks and
+decisions are those of the wrapped verifier; if there is none, the blocks are those of a run without
+a verifier. It is not thread-safe. */
 class CountingVerifier : public cv::usacv20::Verifier
 {
 public:
-    //! @param verifier_ may be empty.
+    //! @param verifier_ the verifier to wrap; may be empty.
     explicit CountingVerifier(const cv::Ptr<cv::usacv20::Verifier>& verifier_)
         : verifier(verifier_), before(0), count(0)
     {}
@@ -60,7 +60,7 @@ public:
             verifier->adapt(context, state);
     }
 
-    //! Points so far, over all models.
+    //! Number of tested points so far, summed over all models.
     int64 tested() const { return count; }
 
 private:

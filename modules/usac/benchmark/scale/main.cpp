@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// How the time of robust estimators grows with the number of matches and with the part of wrong
-// ones, on synthetic scenes; and how near the search of the module's methods is to what its solver
-// and its kernel need alone.
+// Measures how the time of robust estimators grows with the number of matches and with the fraction
+// of outliers on synthetic scenes. For the module's methods it also compares the time of the search
+// with a lower bound: the time that the minimal solver and the kernel (the computation of errors)
+// need alone.
 //
 //     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
 //     python3 modules/usac/benchmark/plot_scale.py scale.csv --out=pictures
@@ -51,7 +52,7 @@ void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& 
     }
 }
 
-//! Of the methods of the module; OpenCV's do not tell what they have done.
+//! Only for methods of this module, since OpenCV's do not report the numbers of samples and models.
 void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods)
 {
     std::ofstream csv;

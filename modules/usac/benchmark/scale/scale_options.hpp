@@ -13,36 +13,36 @@
 
 namespace benchmark {
 
-/** The command line of usac_scale. */
+/** The options of usac_scale's command line. */
 struct ScaleOptions
 {
     std::vector<ProblemType> problems;
     std::vector<std::string> methods;
-    std::vector<int> sizes;            //!< sweep over the number of matches, upwards
-    std::vector<double> inliers;       //!< sweep over the part of right matches, downwards
-    std::vector<double> boundInliers;  //!< where the lower bound is measured
-    int size;                          //!< where the number of matches is fixed
-    double part;                       //!< where the part of right matches is fixed
+    std::vector<int> sizes;            //!< sweep over the number of matches, ascending
+    std::vector<double> inliers;       //!< sweep over the inlier ratio, descending
+    std::vector<double> boundInliers;  //!< inlier ratios for which the lower bound is measured
+    int size;                          //!< number of matches in the sweep over inlier ratios
+    double part;                       //!< inlier ratio in the sweep over sizes
     double noise;
     int repeats, seed, threads;
-    double limit;  //!< milliseconds
+    double limit;  //!< milliseconds of a median call; slower methods skip harder scenes
     bool sweepSizes, sweepInliers, bound;
-    std::string csv, boundCsv;  //!< files to write, empty: none
+    std::string csv, boundCsv;  //!< output files; empty: none
 
-    //! The `repeat`-th scene; the same for all methods.
+    //! The `repeat`-th scene, which is the same for all methods.
     opencv_test::Scene scene(ProblemType problem, int size, double part, int repeat) const;
-    //! What the methods are given.
+    //! The settings that the methods get.
     Settings settings(ProblemType problem) const;
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed
-    then. A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if it only asks for help, which has then been printed.
+    Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:
     void parseKinds(const cv::CommandLineParser& parser, const Arguments& arguments);
     void parseScenes(const cv::CommandLineParser& parser, const Arguments& arguments);
 
-    int maxIterations;  // 0: not given
+    int maxIterations;  // 0: default
 };
 
 }  // namespace benchmark

@@ -10,7 +10,8 @@
 
 namespace benchmark {
 
-//! A synthetic scene as a pair of the benchmark. The right matches without noise are the truth.
+//! Converts a synthetic scene to a pair of the benchmark. Its ground truth are the noise-free right
+//! matches.
 ImagePair toImagePair(const opencv_test::Scene& scene);
 
 }  // namespace benchmark

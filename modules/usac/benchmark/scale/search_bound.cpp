@@ -18,11 +18,11 @@ using opencv_test::Scene;
 
 namespace {
 
-//! So many times everything is timed.
+//! Number of times that each scene is timed; the minimum counts.
 const int ROUNDS = 15;
 
-//! Wall time, as Report::searchMs, of as many samples at once as in a run. @param found output,
-//! number of models.
+//! Wall time in milliseconds of solving all samples, in batches of the same size as in a run, for
+//! comparison with Report::searchMs. @param found output, number of models.
 double solverMsOf(const Usac& usac, const MinimalSolver& solver, const CountingSolver& samples,
                   int& found)
 {
@@ -48,7 +48,7 @@ double solverMsOf(const Usac& usac, const MinimalSolver& solver, const CountingS
     return watch.wallMs();
 }
 
-//! Of one point and one model.
+//! Mean wall time in milliseconds of testing one point with one model.
 double kernelMsOf(const Context& context, const std::vector<Model>& models)
 {
     const Stopwatch watch;
@@ -115,7 +115,7 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
         kernel = std::min(kernel, kernelMsOf(context, solver->models()));
     }
     samples += expected.iterations;
-    solved += expected.iterations - expected.rejectedSamples;  // polishing may solve more
+    solved += expected.iterations - expected.rejectedSamples;  // excludes samples of the polishing
     models += expected.models;
     points += verifier->tested();
     searchMs += search;

@@ -12,21 +12,23 @@
 
 namespace benchmark {
 
-/** What the search of a run costs (Report::searchMs: all but reading the points, local optimization
-and polishing), and what it would cost at least: the minimal solver alone for the samples that it
-got, and the kernel alone for the points that the models were tested with.
+/** Compares the time of a run's search (Report::searchMs: all except reading the points, local
+optimization and polishing) with a lower bound: the time of the minimal solver alone for the samples
+that it solved, plus the time of the kernel (the computation of errors) alone for the points that
+the models were tested with.
 
 The solver is timed on the samples of the run, the kernel on models of the run over all points. A
-run of counting components tells how many there are; the same run without them is timed. All times
-are the least of several, as the same instructions run each time. One thread. */
+run with counting components determines the numbers of samples and points; the same run without
+these components is timed. Each time is the minimum of several measurements, since the same
+instructions run each time. Single-threaded. */
 class SearchBound
 {
 public:
     SearchBound(const std::string& method, ProblemType problem, double part,
                 const ScaleOptions& options);
 
-    //! Measures on all scenes. Raises std::runtime_error if what the method does with points cannot
-    //! be counted.
+    //! Measures all scenes. Raises std::runtime_error if the method's use of points cannot be
+    //! counted.
     void run(const cv::usacv20::Params& params);
 
     static void markdownHeader(std::ostream& out);
@@ -45,7 +47,7 @@ private:
     // sums over the scenes
     int64 samples, solved, models, points;
     double searchMs, solverMs, kernelMs,
-        allSolverMs;  //!< the last one: as if all samples had been solved
+        allSolverMs;  //!< allSolverMs: solver time if all samples had been solved
 };
 
 }  // namespace benchmark

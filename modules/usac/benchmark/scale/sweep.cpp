@@ -13,7 +13,7 @@ namespace {
 
 const char* const NAMES[] = {"size", "inliers"};
 
-//! A number for a CSV file, empty if it is NaN.
+//! A number as text for a CSV file; empty if it is NaN.
 std::string field(double value)
 {
     return std::isnan(value) ? std::string() : cv::format("%.6g", value);
@@ -42,7 +42,7 @@ void Sweep::run(const std::vector<cv::Ptr<Method>>& methods, Meter& meter, Progr
     const ImagePair first = toImagePair(options.scene(problem, options.size, options.part, 0));
     for (size_t m = 0; m < methods.size(); ++m)
         if (active[m])
-            meter.measure(*methods[m], first, options.settings(problem), 0);  // warms up
+            meter.measure(*methods[m], first, options.settings(problem), 0);  // warm-up
     for (size_t i = 0; i < points.size(); ++i)
     {
         progress.step(std::string(1, letterOf(problem)) + " " + label(points[i]));

@@ -14,11 +14,11 @@
 
 namespace benchmark {
 
-/** Times of all methods on scenes of growing hardness: more matches, or a smaller part of right
-ones.
+/** Measures the time of all methods on scenes of increasing difficulty: more matches, or a lower
+inlier ratio.
 
-On each scene all methods run one after the other. A method whose median time is above
-ScaleOptions::limit does not run on the harder ones. */
+On each scene all methods run one after the other. A method whose median time exceeds
+ScaleOptions::limit does not run on harder scenes. */
 class Sweep
 {
 public:
@@ -28,7 +28,7 @@ public:
 
     void run(const std::vector<cv::Ptr<Method>>& methods, Meter& meter, Progress& progress);
 
-    //! Scenes of different hardness, for Progress.
+    //! Number of scenes of different difficulty, for Progress.
     size_t size() const { return points.size(); }
     void markdown(std::ostream& out) const;
     static void csvHeader(std::ostream& out);
@@ -39,10 +39,10 @@ private:
     {
         int size;
         double part;
-        std::vector<Summary> rows;  //!< one a method; Summary::lists is 0 where it did not run
+        std::vector<Summary> rows;  //!< one for each method; Summary::lists is 0 if it did not run
     };
 
-    //! @param active which methods run; those that were too slow are taken out.
+    //! @param active the methods to run; methods that prove too slow are removed.
     void measure(Point& point, const std::vector<cv::Ptr<Method>>& methods,
                  std::vector<bool>& active, Meter& meter) const;
     std::string label(const Point& point) const;

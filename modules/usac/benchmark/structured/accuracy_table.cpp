@@ -14,10 +14,10 @@ namespace benchmark {
 
 namespace {
 
-//! Thresholds; below, a quotient tells more of rounding than of the method, and the error itself is
-//! shown.
+//! Noise in thresholds. With less noise, ratios of errors mainly reflect rounding, so the table
+//! shows the errors themselves.
 const double LITTLE_NOISE = 0.05;
-//! Right matches of a plane with relief as a drone sees it.
+//! Inlier ratio for a plane with relief seen from a drone.
 const double AERIAL_RATIO = 0.9;
 
 double medianOf(std::vector<double> values)
@@ -43,7 +43,8 @@ double percentOf(const std::vector<bool>& flags)
     return 100. * std::count(flags.begin(), flags.end(), true) / flags.size();
 }
 
-//! End of an entry of the table: the median pose error if there is one, and what part is wrong.
+//! The end of a table entry: the median pose error in degrees if the problem has one, and the
+//! percentage of wrong results.
 std::string poseText(const std::vector<double>& poses, const std::vector<bool>& wrong)
 {
     const double pose = medianOf(poses);
@@ -51,7 +52,7 @@ std::string poseText(const std::vector<double>& poses, const std::vector<bool>& 
            cv::format(" (%.0f) |", percentOf(wrong));
 }
 
-//! Of the runs that are not far off; those have any quotient.
+//! values / by, without runs whose model is far from the truth, since their ratios are arbitrary.
 std::vector<double> quotients(const std::vector<double>& values, const std::vector<bool>& far,
                               const std::vector<double>& by)
 {

@@ -13,20 +13,20 @@
 
 namespace benchmark {
 
-/** Errors of methods against that of least squares over the right matches, over motions and noise.
- Wrong matches are * uniform. */
+/** Compares the errors of methods with those of least squares over the right matches, for several
+ motions and noise levels. Wrong matches are uniformly distributed. */
 class AccuracyTable
 {
 public:
     //! Unknown methods raise std::runtime_error.
     explicit AccuracyTable(const StructuredOptions& options);
 
-    //! One table for each problem to `out`, one row for each cell and method to `csv`, if it is
-    //! open.
+    //! Writes a table for each problem to `out`, and a row for each cell and method to `csv` unless
+    //! it is null.
     void run(std::ostream& out, std::ostream* csv);
 
 private:
-    //! All runs of one method in one cell; of the least-squares model, too.
+    //! The results of all runs of one method, or of least squares, in one cell.
     struct Errors
     {
         std::vector<double> errors, poses;

@@ -11,7 +11,7 @@ namespace benchmark {
 
 namespace {
 
-//! The same call as ModuleMethod::run makes, with its report.
+//! Makes the same call as ModuleMethod::run, but with the report.
 void runModule(const ModuleMethod& method, const ImagePair& pair, Estimate& estimate, bool& limited)
 {
     cv::usacv20::Report report;

@@ -9,17 +9,17 @@
 
 namespace benchmark {
 
-//! One call of a method, and what it tells of itself.
+//! One call of a method with its results.
 struct Call
 {
-    //! Runs it. An exception counts as no model. @param initial the model to begin with, for
+    //! Runs the method. An exception counts as no model. @param initial Params::initialModel, for
     //! methods of this module only; empty: none
     Call(Method& method, const ImagePair& pair, const Settings& settings,
          const cv::Mat& initial = cv::Mat());
 
     Estimate estimate;
     double cpuUs;  //!< processor time, microseconds
-    bool limited;  //!< ended by Settings::maxIterations; false where the method does not tell
+    bool limited;  //!< true: stopped by Settings::maxIterations; false if unknown
 };
 
 }  // namespace benchmark

@@ -13,16 +13,17 @@ namespace benchmark {
 
 namespace {
 
-//! A model is worse from here on, in matches: less than half a wrong match is within what polishing
-//! can gain or lose.
+//! A model is worse than another one if its cost is higher by at least this much, in matches.
+//! Polishing may change the cost by less than half a match.
 const double MARGIN = 0.5;
-//! An inlier of the true model is lost to another one beyond so many thresholds, ...
+//! An inlier of the true model counts as lost if its distance from another model exceeds this many
+//! thresholds.
 const double LOST = 2;
-//! ... and a model that loses at most this part of them is the same one, found but less well
-//! refined.
+//! A model that loses at most this fraction of the true model's inliers counts as the true model,
+//! with a less accurate refinement.
 const double FEW = 0.01;
-//! Limits of a result that is right: thresholds, or deviations of the noise if that is more (H, F),
-//! and degrees (E).
+//! Limits of a right result. H and F: this many thresholds, or standard deviations of the noise if
+//! these are larger. E: degrees.
 const double WRONG_ERROR = 3, WRONG_POSE = 5;
 
 }  // namespace

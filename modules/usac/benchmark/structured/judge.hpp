@@ -11,30 +11,29 @@
 
 namespace benchmark {
 
-//! What is to be said about one model.
+//! The judgment on one model.
 struct Verdict
 {
-    bool worse;   //!< costs more than the true model
-    bool failed;  //!< a search failure: worse, and another model than the true one
-    bool far;  //!< RMS distance of the right matches without noise above three thresholds and three
+    bool worse;   //!< has a higher cost than the true model
+    bool failed;  //!< a search failure: worse, and not close to the true model
+    bool far;  //!< RMS distance of the noise-free right matches is above three thresholds and three
                //!< times the noise
-    bool wrong;    //!< H, F: `far`, even if its cost is lower; E: the pose is off by more than 5
-                   //!< degrees
-    bool none;     //!< no model; counts as worse, failed, far and wrong, too
-    double error;  //!< RMS distance of the right matches without noise, pixels; infinite without a
-                   //!< model
+    bool wrong;        //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
+    bool none;         //!< no model; sets worse, failed, far and wrong, too
+    double error;      //!< RMS distance of the noise-free right matches, pixels; infinite without a
+                       //!< model
     double poseError;  //!< degrees; negative for H and F
 };
 
-/** Compares models with the one that made a scene.
+/** Compares models with the true model of a scene.
 
-The true model is the cheaper one of two: that which made the scene, and its least-squares fit to
-the right matches. The cost is that of MSAC, the sum of min(1, (error / threshold)^2) over all
-matches. */
+The true model is the one of lower cost among two: the model that the scene was made with, and its
+least-squares fit to the right matches. The cost is that of MSAC, the sum of min(1, (error /
+threshold)^2) over all matches. */
 class Judge
 {
 public:
-    //! @param noise of the scene, pixels
+    //! @param noise standard deviation of the scene's noise, pixels
     Judge(const opencv_test::Scene& scene, const ImagePair& pair, const Settings& settings,
           double noise);
 
@@ -42,12 +41,12 @@ public:
 
     const cv::Mat& trueModel() const { return best; }
 
-    //! The least-squares fit to all right matches: what accuracy is measured by.
+    //! The least-squares fit to all right matches, the reference for accuracy.
     const cv::Mat& leastSquares() const { return fit; }
 
 private:
     double costOf(const cv::Mat& model) const;
-    //! Distance of a match with noise from a model.
+    //! Distance in pixels of a match, with its noise, from a model.
     double distance(const cv::Mat& model, int row) const;
     void offer(const cv::Mat& model);
     bool sameInliers(const cv::Mat& model) const;

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// How often robust estimators miss the model that made a scene, and how exact they are, on
-// synthetic scenes with the structure of real ones: motions of machines, planes, repeated matches,
-// structured wrong ones, scores of any quality.
+// Measures how often robust estimators miss the true model, and how accurate they are, on synthetic
+// scenes with the structure of real ones: typical camera motions, planes, repeated matches,
+// structured wrong matches, and scores of different quality.
 //
 //     usac_structured --mode=search --methods=USACV20,cv:USAC_ACCURATE --runs=50 --csv=search.csv >
 //     search.md

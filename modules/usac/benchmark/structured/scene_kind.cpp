@@ -13,9 +13,10 @@ using namespace opencv_test;
 namespace {
 
 const int COPIES = 5;
-//! Kind `second`: matches of the other model for one of the right one, as 270 for 300.
+//! Kind `second`: ratio of the numbers of matches of the other model and of the right model, for
+//! example 270 / 300.
 const double SECOND = 0.9;
-//! Kind `partSecond`: the same, beside wrong matches anywhere.
+//! Kind `partSecond`: the same ratio; other wrong matches are anywhere.
 const double PART_SECOND = 0.7;
 
 struct NamedScores
@@ -64,11 +65,12 @@ const NamedOutliers OUTLIERS[] = {
     {"border", OUTLIERS_BORDER},
 };
 
-//! Wrong matches that agree with each other: a name and percent of all matches.
+//! Kinds whose wrong matches agree with each other. The name is followed by their number in percent
+//! of all matches.
 const NamedOutliers AGREEING[] = {
     {"shift", OUTLIERS_SHIFT}, {"moving", OUTLIERS_PLANE}, {"place", OUTLIERS_PLACE}};
 
-//! The part of a name that is `word` and a number of percent; 0 if it is none.
+//! For a name that is `word` and a number of percent, the number as a fraction; otherwise 0.
 double partOf(const std::string& name, const std::string& word)
 {
     const std::string number = name.compare(0, word.size(), word) == 0 ? name.substr(word.size())
@@ -172,7 +174,7 @@ bool Cell::options(int spare, SceneOptions& result) const
     if (result.scoreModel == SCORES_OF_SECOND && kind != "second" && kind != "partSecond")
         return false;  // there is no second motion
     if (problem == cv::usacv20::HOMOGRAPHY && planeOf(kind) > 0)
-        return false;  // all of its right matches are on a plane
+        return false;  // all right matches of H are on a plane
     if (result.structured != INT_MAX && result.structured > result.outliers)
         return false;
     if (motion == "frontal" && problem == cv::usacv20::FUNDAMENTAL)

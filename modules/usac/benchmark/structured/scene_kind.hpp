@@ -11,68 +11,84 @@
 
 namespace benchmark {
 
-//! Matches of a minimal sample.
+//! Number of matches in a minimal sample.
 int sampleSizeOf(ProblemType problem);
 
-/** One cell of the grid: scenes that differ in their seed only. */
+/** One cell of the grid of scenes. Its scenes differ only in their seed. */
 struct Cell
 {
     ProblemType problem;
     std::string motion;  //!< see setMotion
     std::string kind;    //!< see setKind
-    int size;      //!< matches; kind `copies`: different ones; kind `second`: of the right model
-    double ratio;  //!< part of right matches
-    std::string order;  //!< `none`: without scores; else see setOrder
+    int size;      //!< number of matches; kind `copies`: of different ones; kind `second`: of the
+                   //!< right model
+    double ratio;  //!< inlier ratio
+    std::string order;  //!< `none`: no scores; otherwise see setOrder
 
-    //! Points, but for noise and seed. @return false if there is no such scene, or it holds less
-    //! than `spare` right matches more than a sample.
+    //! Sets the options of the scenes, except noise and seed. @return false if there is no such
+    //! scene, or if it has less right matches than a minimal sample plus `spare`.
     bool options(int spare, opencv_test::SceneOptions& result) const;
     bool scored() const { return order != "none"; }
-    //! Kind `second`: all is given by the size, whatever `ratio` is.
+    //! True for the kind `second`, where `size` and SECOND determine the inlier ratio and `ratio`
+    //! has no effect.
     bool fixedRatio() const { return kind == "second"; }
-    //! Of one of problem, motion, kind, size, ratio, order.
+    //! The value of the property `axis`: problem, motion, kind, size, ratio or order.
     std::string value(const std::string& axis) const;
-    //! As in tables: "F general plane95 300 0.5 none".
+    //! The name in tables, for example "F general plane95 300 0.5 none".
     std::string name() const;
 };
 
-/** Motions:
+/** Sets the motion by name:
 
-    general    12 degrees, mostly sideways                  planar    in the horizontal plane, 12
-    degrees forward    along the optical axis, 2 degrees            car       on a circle, up to 12
-    degrees forward0   the same without rotation                    narrow    general with 1/100 of
-    the distance sideways   parallel to the image, 2 degrees             rotation  the same with
-    1/1000 rectified  along the rows, no rotation                  frontal   sideways without
-    rotation over a plane parallel to the image aerial     rectified, depths within 10 % of one (E,
-    F)            (E, H: all points on it; F is not determined)
+    general    12 degrees, mostly sideways
+    planar     in the horizontal plane, 12 degrees
+    forward    along the optical axis, 2 degrees
+    forward0   along the optical axis, no rotation
+    car        on a circle, up to 12 degrees
+    narrow     general with 1/100 of the distance
+    rotation   general with 1/1000 of the distance
+    baselineN  general with N percent of the distance
+    sideways   parallel to the image, 2 degrees
+    rectified  along the rows, no rotation
+    frontal    sideways without rotation over a plane parallel to the image (E and H: all points on
+               it; F would not be determined)
+    aerial     rectified, depths within 10 % of their mean
 
 @return false for any other name. */
 bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
 
-/** Wrong matches and repetitions:
+/** Sets the kind of wrong matches or repetitions by name:
 
-    generic      wrong matches anywhere                     clustered   from one square of 80 pixels
-    to one of image 2 local        right but for 5 to 50 pixels               manyToOne   about ten
-    with the same point of image 2 targets      to two points of image 2                   line
-    every second one on one line of image 2 planeN       generic, N percent of the right ones on one
-    plane (F, E) duplicates   half of the right ones repeat others       copies      all are there
-    five times second       right ones of another model, 90 % as many as of the right one, from a
-    square of 160 pixels partSecond   the same, 70 % as many, and the others anywhere shiftN       N
-    percent of all matches shifted by the same 30 to 100 pixels, the other wrong ones anywhere
-    movingN      the same on a plane that another motion has seen placeN       the same in image 2
-    at one place, but for 0.4 pixels clusters     each point in one of five squares of 20 pixels
-    center       both points near the middle of their image window       displaced by up to 60
-    pixels border       both points on the border of their image
+    generic     wrong matches anywhere
+    clustered   from a square of 80 pixels in image 1 to one in image 2
+    local       displaced from the true position by 5 to 50 pixels
+    manyToOne   about ten with the same point of image 2
+    targets     to two points of image 2
+    line        every second one on a line of image 2
+    planeN      generic, and N percent of the right matches on a plane (F, E)
+    duplicates  generic, and half of the right matches repeat others
+    copies      every match is there five times
+    second      right matches of another model, 90 % as many as of the right model, from a square of
+                160 pixels
+    partSecond  like second, but 70 % as many; the other wrong matches are generic
+    shiftN      N percent of all matches shifted by the same 30 to 100 pixels, the others generic
+    movingN     N percent of all matches on a plane with another motion, the others generic
+    placeN      N percent of all matches at one place of image 2, within 0.4 pixels
+    clusters    each point in one of five squares of 20 pixels of its image
+    center      both points near the middle of their image
+    window      displaced by up to 60 pixels
+    border      both points on the border of their image
 
 @return false for any other name. */
 bool setKind(const std::string& name, opencv_test::SceneOptions& options);
 
-/** Scores: the probability that a right match has a better one than a wrong one, above 0 up to 1,
-or
+/** Sets the scores by name. A number above 0 up to 1 is the probability that a right match has a
+better score than a wrong match. Names of misleading scores:
 
-    second  those of the second motion are the best, the others random
-    place   the right ones of a square of 160 pixels are the best, the others random
-    near    the nearer to one point of image 1, the better, right or wrong
+    second  the best scores are those of the second motion, the others random
+    place   the best scores are those of the right matches in a square of 160 pixels, the others
+            random
+    near    the score is better the nearer the match is to a point of image 1, right or wrong
 
 @return false for anything else. */
 bool setOrder(const std::string& name, opencv_test::SceneOptions& options);

@@ -16,13 +16,14 @@ namespace {
 
 const char SUFFIX[] = "+scores";
 
-//! The name with scores: "USACV20{runnersUp=1}" becomes "USACV20+scores{runnersUp=1}".
+//! Adds the suffix for scores to a method's name: "USACV20{runnersUp=1}" becomes
+//! "USACV20+scores{runnersUp=1}".
 std::string scoredName(std::string name)
 {
     return name.insert(std::min(name.find('{'), name.size()), SUFFIX);
 }
 
-//! Of calib3d's flags one alone makes use of scores.
+//! True for all methods of this module. Among the flags of calib3d only USAC_PROSAC uses scores.
 bool takesScores(const std::string& name)
 {
     return name.compare(0, 3, "cv:") != 0 || name == "cv:USAC_PROSAC";
@@ -63,8 +64,8 @@ std::vector<Cell> SearchGrid::cells() const
                         {
                             const Cell cell = {problem, motion, kind, size, ratio, order};
                             if (!cell.options(options.spare, scene) || scene.inliers == last)
-                                continue;  // few matches have the same number of right ones for
-                                           // several parts
+                                continue;  // with few matches, several ratios give the same number
+                                           // of inliers
                             last = scene.inliers;
                             result.push_back(cell);
                         }

@@ -15,21 +15,22 @@
 
 namespace benchmark {
 
-/** How often methods miss the true model, over a grid of scenes. In each scene all methods run one
-after the other. */
+/** Measures how often methods miss the true model over a grid of scenes. In each scene all methods
+run one after the other. */
 class SearchGrid
 {
 public:
     //! Unknown methods raise std::runtime_error.
     explicit SearchGrid(const StructuredOptions& options);
 
-    //! @param csv gets a row for each cell and method as soon as it is done, if it is open
+    //! @param csv gets a row for each cell and method as soon as it is measured; may be null
     void run(std::ostream* csv);
-    //! A table with one row for each group of cells and method or, brief, a column for each method.
+    //! Writes a table with a row for each group of cells and method; a brief table has a row for
+    //! each group and a column for each method.
     void markdown(std::ostream& out) const;
 
 private:
-    //! A method with scores and without, each only where it can be run so.
+    //! A method with and without scores; null if it cannot be run that way.
     struct Entry
     {
         cv::Ptr<Method> plain, scored;
@@ -40,7 +41,7 @@ private:
     void measure(const Cell& cell, const opencv_test::SceneOptions& scene, std::ostream* csv);
     void full(std::ostream& out) const;
     void brief(std::ostream& out) const;
-    //! Names of the first columns, and what the others are called.
+    //! Writes the head of a table. @param names names of the further columns.
     void head(std::ostream& out, const std::string& names, size_t columns) const;
     std::string groupOf(const Cell& cell) const;
     Tally& tallyOf(const std::string& group, size_t method);

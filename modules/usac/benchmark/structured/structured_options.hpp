@@ -13,7 +13,7 @@
 
 namespace benchmark {
 
-/** The command line of usac_structured. */
+/** The options of usac_structured's command line. */
 struct StructuredOptions
 {
     bool search, accuracy, random;  //!< one of them: --mode
@@ -22,18 +22,19 @@ struct StructuredOptions
     std::vector<std::string> motions, kinds, orders, by;
     std::vector<int> sizes;
     std::vector<double> ratios;
-    std::vector<double> noises;  //!< accuracy: in thresholds
+    std::vector<double> noises;  //!< noise levels for mode=accuracy, in thresholds
     bool ratiosGiven, brief;
-    bool startsTrue;  //!< a search failure only where the search keeps the true model if it has it
+    bool startsTrue;  //!< count a search failure only if the search that starts from the true model
+                      //!< keeps it
     double noise, threshold, confidence;
     int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
-    std::string csv;  //!< file to write, empty: none
+    std::string csv;  //!< output file; empty: none
 
-    //! What the methods are given in a cell.
+    //! The settings that the methods get in a cell.
     Settings settings(const Cell& cell) const;
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed
-    then. A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if it only asks for help, which has then been printed.
+    Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:

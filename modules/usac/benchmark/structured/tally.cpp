@@ -11,7 +11,7 @@ namespace benchmark {
 
 namespace {
 
-//! Of the normal distribution, for 95 %.
+//! Quantile of the normal distribution for a two-sided 95 % interval.
 const double QUANTILE = 1.959964;
 
 double median(std::vector<float> values)

@@ -13,49 +13,49 @@
 
 namespace benchmark {
 
-//! A proportion with the interval of Wilson that holds the true one with 95 %.
+//! A proportion with Wilson's 95 % confidence interval.
 struct Proportion
 {
     Proportion(int count, int of);
-    //! In percent: "1.2 [0.4, 3.5]"; "-" of nothing.
+    //! In percent, as "1.20 [0.40, 3.50]"; "-" if `of` is 0.
     std::string text() const;
 
     int of;
     double value, low, high;  //!< 0 .. 1
 };
 
-/** Counts what calls of one method on the scenes of one or more cells have given. */
+/** Counts the results of calls of one method on the scenes of one or more cells. */
 class Tally
 {
 public:
     Tally();
 
     void add(const Call& call, const Verdict& verdict);
-    //! Those of a whole cell.
+    //! Adds the counts of a whole cell.
     void add(const Tally& cell, const std::string& name);
 
-    //! Search failures among the calls that ended by themselves.
+    //! Proportion of search failures among the calls that did not reach the limit of iterations.
     Proportion failures() const { return Proportion(failed - limitedFailed, calls - limited); }
 
     int size() const { return calls; }
     bool empty() const { return calls == 0; }
 
-    enum { COLUMNS = 10 };  //!< of a Markdown table
+    enum { COLUMNS = 10 };  //!< number of columns in a Markdown table
     static std::string markdownHeader();
     std::string markdown() const;
-    //! One entry of a table: the search failures, and behind a plus the part of the calls that the
-    //! limit let fail.
+    //! A table entry: the proportion of search failures and, after a plus sign, the percentage of
+    //! calls that failed because of the limit of iterations.
     std::string brief() const;
     static std::string csvHeader();
     std::string csv() const;
 
 private:
-    //! Negative where the method does not tell.
+    //! Negative if the method does not report iterations.
     double meanIterations() const;
 
     int calls, limited, failed, limitedFailed, worse, wrong, none;
-    double iterations;  //!< sum
-    bool tells;         //!< every call told its iterations
+    double iterations;  //!< sum over the calls
+    bool tells;         //!< every call reported its iterations
     std::vector<float> times;
     std::string worstCell;
     double worstRate;

@@ -17,11 +17,11 @@ namespace {
 
 typedef cv::Vec<double, TrueModel::MAX_DIRECTIONS> Step;
 
-//! Of the numeric derivatives, in units of the normalized image plane. The error of a central
-//! difference is of the order of its square, that of rounding 1e-16 divided by it: 1e-10, far below
-//! what the last steps need.
+//! Step of the numeric derivatives in units of the normalized image plane. The error of a central
+//! difference is of the order of the squared step (1e-12), and its rounding error is about 1e-16 /
+//! step = 1e-10; both are far below what the last iterations need.
 const double DIFFERENCE = 1e-6;
-//! Steps are few, as the search starts at the truth.
+//! Few steps suffice, since the search starts at the true model.
 const int MAX_STEPS = 60;
 
 cv::Matx33d crossMatrix(const cv::Vec3d& v)
@@ -131,8 +131,8 @@ void TrueModel::normalEquations(const std::vector<int>& rows, cv::Mat& A, cv::Ma
         n.at<double>(k) = radial()[k];
     }
     A = J.t() * J;
-    A += n * n.t() * (cv::trace(A)[0] / count);  // the scale is of no effect; this keeps it
-    b = -J.t() * cv::Mat(J.rows, 1, CV_64F, values.data());  // since OpenCV 5 a vector is 1-D
+    A += n * n.t() * (cv::trace(A)[0] / count);  // fixes the scale, which does not affect errors
+    b = -J.t() * cv::Mat(J.rows, 1, CV_64F, values.data());  // in OpenCV 5, Mat(values) is 1-D
 }
 
 TrueModel TrueModel::leastSquares(const std::vector<int>& rows) const
@@ -160,8 +160,8 @@ TrueModel TrueModel::leastSquares(const std::vector<int>& rows) const
             damping *= 10;
             continue;
         }
-        // What is left is quadratic in the distance to the minimum: less than 1e-5 of the effect of
-        // the noise.
+        // The remaining decrease is quadratic in the distance to the minimum, so this distance is
+        // less than 1e-5 of the effect of the noise.
         const bool arrived = cost - nextCost < 1e-10 * cost;
         best = next;
         cost = nextCost;

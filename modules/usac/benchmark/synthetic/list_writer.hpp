@@ -14,39 +14,39 @@ namespace benchmark {
 
 /** Makes the folders of a data set, its lists and the names of its pairs.
 
-`<folder>/lists/<name>.<letter>.list` for each letter names the pairs, whose files are
-`<folder>/pairs/<name>/<number>` with an extension. Files of the same names are replaced. What
-cannot be written raises std::runtime_error. */
+For each letter, `<folder>/lists/<name>.<letter>.list` names the pairs, whose files are
+`<folder>/pairs/<name>/<number>` with an extension. Existing files of these names are replaced.
+Files that cannot be written raise std::runtime_error. */
 class ListWriter
 {
 public:
-    //! @param letters the problems that the pairs are for
+    //! @param letters problems that the pairs can be used for
     ListWriter(const std::string& folder, const std::string& name, const std::string& letters);
 
-    //! Puts the next pair into all lists. @return its path without extension
+    //! Adds the next pair to all lists. @return its path without extension
     std::string next();
 
 private:
     std::string folder, name;
-    std::vector<cv::Ptr<std::ofstream>> lists;  //!< one a letter
-    int count;                                  //!< pairs so far
+    std::vector<cv::Ptr<std::ofstream>> lists;  //!< one for each letter
+    int count;                                  //!< number of pairs so far
 };
 
-//! Raises std::runtime_error if what was written to the file did not get there.
+//! Closes a file. Raises std::runtime_error if some of its contents could not be written.
 void closeFile(std::ofstream& out, const std::string& file);
 
-//! Writes a score a line.
+//! Writes one score on each line.
 void writeScores(const std::string& file, const std::vector<float>& scores);
 
-//! A new JSON file. One that cannot be opened raises std::runtime_error.
+//! Opens a new JSON file. Raises std::runtime_error if that fails.
 void openJson(cv::FileStorage& out, const std::string& file);
-//! Writes the first rows of a matrix.
+//! Writes the first rows of a matrix, by default all.
 void writeMatrix(cv::FileStorage& out, const std::string& name, const cv::Matx33d& matrix,
                  int rows = 3);
 void writeVector(cv::FileStorage& out, const std::string& name, const cv::Vec3d& vector);
-//! Writes the letters of the problems that a pair is for.
+//! Writes the letters of the problems that a pair can be used for.
 void writeProblems(cv::FileStorage& out, const std::string& letters);
-//! Writes the numbers of the right matches.
+//! Writes the indices of the right matches.
 void writeRightMatches(cv::FileStorage& out, const std::vector<uchar>& truth);
 
 }  // namespace benchmark

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Writes synthetic scenes with exact truth as data for usac_benchmark. The generator of pairs of
-// images is that of the module's tests.
+// Writes synthetic scenes with exact ground truth as data for usac_benchmark. Image pairs come from
+// the scene generator of the module's tests.
 //
 //     usac_synthetic --out=<folder> --scene=plane --planeFraction=0.9 --pairs=20 --size=2000
 //     --inliers=0.3

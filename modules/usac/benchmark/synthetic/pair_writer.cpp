@@ -12,10 +12,11 @@ using opencv_test::Scene;
 
 namespace {
 
-//! More known points than this make the measurement of an error slower, not better.
+//! Largest number of true points that are written. More points make the measurement of errors
+//! slower but not more accurate.
 const int MAX_TRUE_POINTS = 500;
 
-//! What is known of the map or of the cameras.
+//! Writes the true map between the images or the true cameras.
 void writeModel(cv::FileStorage& out, const Scene& scene)
 {
     if (opencv_test::isAffine(scene.problem))

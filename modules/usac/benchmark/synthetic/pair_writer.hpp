@@ -10,12 +10,12 @@
 
 namespace benchmark {
 
-/** Writes scenes of two images as a data set of the benchmark, `.corr` and `.json` for each pair,
+/** Writes scenes of two images as a data set of the benchmark: `.corr` and `.json` for each pair,
 see ListWriter. */
 class PairWriter
 {
 public:
-    //! @param letters the problems that the pairs are for: "H", "FE", "A", "S" or "T".
+    //! @param letters problems that the pairs can be used for: "H", "FE", "A", "S" or "T".
     PairWriter(const std::string& folder, const std::string& name, const std::string& letters);
 
     void write(const opencv_test::Scene& scene);

@@ -10,20 +10,20 @@
 
 namespace benchmark {
 
-//! Of unit length.
+//! A random vector of unit length.
 cv::Vec3d randomDirection(cv::RNG& rng);
 
-//! @param axis of unit length
+//! @param axis vector of unit length
 cv::Matx33d rotationAbout(const cv::Vec3d& axis, double degrees);
 
-//! Numbers from 0 in random order.
+//! The numbers 0 to size - 1 in random order.
 std::vector<int> shuffled(int size, cv::RNG& rng);
 
 /** Makes the matches of a scene in random order.
-@param duplicates of the right matches, this many are copies of others
-@param make `make(row, i)` makes a match, a right one for i < 0, else the i-th wrong one
-@param copy `copy(row, from)` makes one that repeats another one
-@return for each row, whether it is right */
+@param duplicates number of right matches that are copies of other right matches
+@param make `make(row, i)` makes a match: a right one for i < 0, otherwise the i-th wrong one
+@param copy `copy(row, from)` makes a match that repeats the match `from`
+@return for each row, 1 if it is right */
 template <class Make, class Copy>
 std::vector<uchar> makeRows(int inliers, int outliers, int duplicates, cv::RNG& rng,
                             const Make& make, const Copy& copy)

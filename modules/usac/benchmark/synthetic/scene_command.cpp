@@ -54,12 +54,12 @@ const char
 
 bool isPart(double value) { return value >= 0 && value <= 1; }
 
-//! What a kind of scene is for.
+//! A kind of scene and its problems.
 struct SceneKind
 {
     const char* name;
     ProblemType
-        problem;  //!< of the generator of image pairs; views and motions of space have others
+        problem;  //!< of the generator of image pairs; unused for views and motions of space
     const char* letters;
 };
 
@@ -88,7 +88,7 @@ const OutlierKind OUTLIERS[] = {
     {"second", OUTLIERS_SECOND_MODEL},
 };
 
-//! The kind of that name; there being none raises std::runtime_error with the names of all.
+//! The kind of the given name. Raises std::runtime_error with all names if there is none.
 template <class Kind, size_t count>
 const Kind& find(const Kind (&kinds)[count], const std::string& name, const char* option)
 {
@@ -102,7 +102,7 @@ const Kind& find(const Kind (&kinds)[count], const std::string& name, const char
     throw std::runtime_error(std::string("--") + option + ": expected one of " + names);
 }
 
-//! What the options of a kind of scene are for that kind alone.
+//! Refuses options that do not apply to the chosen kind of scene.
 void requireKinds(const std::string& scene, const SceneCommand& command, const Arguments& arguments)
 {
     require(scene == "plane" || arguments.all("planeFraction").empty(),
@@ -141,7 +141,7 @@ void readImages(const cv::CommandLineParser& parser, const std::string& scene,
             "--size, --inliers: there is no right match");
 }
 
-//! What views and motions of space have in common with pairs of images.
+//! Copies the options that views and motions of space share with image pairs.
 template <class Options>
 void readMatches(const SceneOptions& images, Options& options)
 {
@@ -163,7 +163,7 @@ double readThickness(const cv::CommandLineParser& parser)
     return thickness;
 }
 
-//! Reads the options of views. @param images what both have in common
+//! Reads the options of views. @param images options shared with image pairs
 void readView(const cv::CommandLineParser& parser, const std::string& scene,
               const SceneOptions& images, ViewOptions& options)
 {

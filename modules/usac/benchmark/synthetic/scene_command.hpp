@@ -13,23 +13,24 @@
 
 namespace benchmark {
 
-/** The command line of usac_synthetic. */
+/** The options of usac_synthetic's command line. */
 struct SceneCommand
 {
     std::string folder, name;
-    std::string letters;               //!< of the problems that the scenes are for
-    ProblemType problem;               //!< of the generator, but for views and motions of space
+    std::string letters;               //!< letters of the problems that the scenes can be used for
+    ProblemType problem;               //!< of the generator; unused for views and motions of space
     int pairs;                         //!< number of scenes
-    opencv_test::SceneOptions images;  //!< of the first one; the seeds count up
-    ViewOptions view;                  //!< the same for views
-    SpaceOptions space;                //!< and for motions of space
+    opencv_test::SceneOptions images;  //!< of the first scene; each next seed is larger by 1
+    ViewOptions view;                  //!< as `images`, for views
+    SpaceOptions space;                //!< as `images`, for motions of space
 
-    //! Are the scenes views of object points, or motions of space? Else they are pairs of images.
+    //! isView: the scenes are views of object points; isSpace: motions of space; neither: image
+    //! pairs
     bool isView() const { return letters == "P"; }
     bool isSpace() const { return letters == "R" || letters == "M"; }
 
-    //! @return false if only help was asked for, which has been printed then. A mistake raises
-    //! std::runtime_error.
+    //! @return false if the command line only asks for help, which has then been printed. Wrong
+    //! options raise std::runtime_error.
     bool parse(int argc, char** argv);
 };
 

@@ -15,13 +15,14 @@ using cv::Vec3d;
 
 namespace {
 
-//! Side of the cloud, and distance of the middle of each cloud from the origin of its space.
+//! Width of the cloud of points, and distance of the middle of each cloud from the origin of its
+//! space.
 const double WIDTH = 200, DISTANCE = 300;
 const double CLUSTER = WIDTH / 8, PATCH = WIDTH / 4;
-const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;  //!< degrees; of the second motion
+const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;  //!< second motion, in degrees
 const double LARGEST_SCALE = 2;
 
-//! A part of the cloud, in its own axes about its own middle.
+//! A cube within the cloud, in the axes of the cloud and relative to its middle.
 struct Cube
 {
     Vec3d corner;
@@ -42,7 +43,7 @@ Cube randomCube(RNG& rng, double side)
     return cube;
 }
 
-/** Makes single matches without noise, with the random numbers that the caller hands over. */
+/** Makes single matches without noise. The random numbers come from the caller. */
 class SpaceGeometry
 {
 public:
@@ -68,7 +69,7 @@ public:
         X2 = move(X1);
     }
 
-    //! The i-th wrong match.
+    //! Makes the i-th wrong match.
     void wrong(int i, RNG& rng, Vec3d& X1, Vec3d& X2) const
     {
         if (options.outlierModel == opencv_test::OUTLIERS_SECOND_MODEL && i < options.inliers / 2)
@@ -95,9 +96,9 @@ private:
 
     const SpaceOptions& options;
     const SpaceScene& motion;
-    Matx33d axes;  //!< of the cloud, a plane has the third one as its normal
+    Matx33d axes;  //!< axes of the cloud; if it is flat, the third is the plane's normal
     Vec3d middle;
-    Matx33d turn;  //!< about the middle, for the second motion
+    Matx33d turn;  //!< rotation about the middle, for the second motion
     Vec3d shift;
     Cube whole, from, to, patch;
 };

@@ -20,24 +20,24 @@ struct SpaceOptions
     {}
 
     int inliers, outliers;
-    int duplicates;  //!< of the right matches, this many are copies of others
-    double noise;    //!< standard deviation of the points of space 2 in each coordinate; that cloud
-                     //!< is 200 wide times the scale
-    bool scaled;     //!< the motion has a scale between 1/2 and 2; else 1
-    bool flat;       //!< all points of space 1 on a plane; else they fill a cube
-    double thickness;  //!< of that plane: standard deviation of the distances from it over the
-                       //!< width of the cloud
-    /** OUTLIERS_UNIFORM: a point of the cloud with any point of the cube around the moved cloud.
-    OUTLIERS_CLUSTERED: from a cube of an eighth of the width to another one. OUTLIERS_SECOND_MODEL:
-    right for another motion, in a cube of a quarter of the width, half as many as there are right
-    ones at most; the others anywhere. */
+    int duplicates;  //!< number of right matches that are copies of others
+    double noise;    //!< standard deviation of each coordinate in space 2, where the cloud is 200 *
+                     //!< scale wide
+    bool scaled;     //!< true: the scale is between 1/2 and 2; false: 1
+    bool flat;       //!< true: points of space 1 on a plane; false: in a cube
+    double thickness;  //!< if flat: standard deviation of the distances from the plane, as a
+                       //!< fraction of the cloud's width
+    /** OUTLIERS_UNIFORM: a point of the cloud with a random point of the cube around the moved
+    cloud. OUTLIERS_CLUSTERED: from a cube of an eighth of the width to another such cube.
+    OUTLIERS_SECOND_MODEL: matches of another motion in a cube of a quarter of the width, at most
+    half as many as right matches; the other wrong matches are uniform. */
     opencv_test::OutlierModel outlierModel;
     double scoreInformation;  //!< probability that a right match has a better score than a wrong
-                              //!< one, below 1 or 1
+                              //!< one
     uint64 seed;
 };
 
-//! Two clouds with the exact motion. Rows are in random order.
+//! Two clouds of points and the exact motion. Matches are in random order.
 struct SpaceScene
 {
     std::vector<cv::Point3d> points1, points2;

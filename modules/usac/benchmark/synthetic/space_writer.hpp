@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-/** Writes pairs of clouds as a data set of the benchmark for R or M, `.txt`, `.score` and `.json`
-for each, see ListWriter. */
+/** Writes pairs of point clouds as a data set of the benchmark for R or M: `.txt`, `.score` and
+`.json` for each pair, see ListWriter. */
 class SpaceWriter
 {
 public:

@@ -21,8 +21,8 @@ const double WIDTH = opencv_test::SCENE_WIDTH, HEIGHT = opencv_test::SCENE_HEIGH
              MARGIN = 5;
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6.5, LEAST_DEPTH = 1, MOST_DEPTH = 20;
 const double MAX_TILT = 50, MIN_TURN = 15,
-             MAX_TURN = 40;  //!< degrees; of the plane, of the second pose
-//! Sides of the squares of clustered matches and of those of a second pose, pixels.
+             MAX_TURN = 40;  //!< degrees: of the plane; rotation of the second pose
+//! Sides of the squares in pixels: for clustered matches, and for matches of a second pose.
 const double CLUSTER = 80, PATCH = 160;
 
 struct Square
@@ -49,8 +49,8 @@ Point2d randomPixel(RNG& rng)
     return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
 }
 
-/** Makes single matches. Its random numbers are those that the caller hands over, but for the
-geometry, which is made from the seed. Points X are in the coordinates of the camera. */
+/** Makes single matches. The constructor draws the geometry from the generator that it gets; the
+methods use their own argument. Points X are in camera coordinates. */
 class ViewGeometry
 {
 public:
@@ -66,14 +66,14 @@ public:
         patch = randomSquare(rng, PATCH);
     }
 
-    //! A point of the object and its image.
+    //! Makes a point of the object and its image.
     void right(RNG& rng, Vec3d& X, Point2d& x) const
     {
         while (!follow(rng, randomPixel(rng), X) || !see(X, x))
             ;
     }
 
-    //! The i-th wrong match. @return whether it gets noise
+    //! Makes the i-th wrong match. @return true if its image point gets noise
     bool wrong(int i, RNG& rng, Vec3d& X, Point2d& x) const
     {
         if (options.outlierModel == opencv_test::OUTLIERS_SECOND_MODEL && i < options.inliers / 2 &&
@@ -92,7 +92,8 @@ public:
     }
 
 private:
-    //! A point of the object on the ray of a pixel.
+    //! Makes a point of the object on the ray of a pixel. @return false if its depth is out of
+    //! range
     bool follow(RNG& rng, const Point2d& pixel, Vec3d& X) const
     {
         const Vec3d ray((pixel.x - WIDTH / 2) / FOCAL, (pixel.y - HEIGHT / 2) / FOCAL, 1);
@@ -107,7 +108,7 @@ private:
         return X[2] > LEAST_DEPTH && X[2] < MOST_DEPTH;
     }
 
-    //! @return false if the point is out of sight.
+    //! Projects a point. @return false if the image point is outside of the image.
     bool see(const Vec3d& X, Point2d& x) const
     {
         const Point2d p(X[0] / X[2], X[1] / X[2]);
@@ -117,8 +118,8 @@ private:
                x.y < HEIGHT - MARGIN;
     }
 
-    //! A point of the object with the image of the object as it stands after another motion.
-    //! @return false if the square of its points is out of sight then
+    //! Makes a point of the object and its image after another motion of the object.
+    //! @return false if no point of the square `patch` is visible after this motion
     bool second(RNG& rng, Vec3d& X, Point2d& x) const
     {
         const Vec3d middle(0, 0, MIDDLE);
@@ -129,8 +130,8 @@ private:
     }
 
     const ViewOptions& options;
-    Vec3d normal;  //!< of the plane, which the optical axis meets at MIDDLE
-    Matx33d turn;  //!< of the object, for the second pose
+    Vec3d normal;  //!< normal of the plane, which meets the optical axis at MIDDLE
+    Matx33d turn;  //!< rotation of the object for the second pose
     Vec3d shift;
     Square from, to, patch;
 };

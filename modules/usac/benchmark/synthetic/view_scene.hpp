@@ -20,24 +20,25 @@ struct ViewOptions
     {}
 
     int inliers, outliers;
-    int duplicates;    //!< of the right matches, this many are copies of others
-    double noise;      //!< standard deviation of the points of the image in each coordinate, pixels
-    bool onPlane;      //!< all object points on a plane, at most 50 degrees off the image; else at
-                       //!< depths from 4 to 9
-    double thickness;  //!< of that plane: standard deviation of the distances from it over its own
-                       //!< distance
+    int duplicates;     //!< number of right matches that are copies of others
+    double noise;       //!< standard deviation of each image coordinate, pixels
+    bool onPlane;       //!< true: object points on a plane, tilted by at most 50 degrees from the
+                        //!< image plane; false: depths from 4 to 9
+    double thickness;   //!< if on a plane: standard deviation of the distances from the plane, as a
+                        //!< fraction of its distance from the camera
     double distortion;  //!< first radial coefficient
-    /** OUTLIERS_UNIFORM: an object point with any point of the image. OUTLIERS_CLUSTERED: object
-    points that are seen in one square of 80 pixels, with points of another one.
-    OUTLIERS_SECOND_MODEL: right for another pose, in a square of 160 pixels, half as many as there
-    are right ones at most; the others anywhere. */
+    /** OUTLIERS_UNIFORM: an object point with a random point of the image. OUTLIERS_CLUSTERED:
+    object points that are visible in a square of 80 pixels, with points of another such square.
+    OUTLIERS_SECOND_MODEL: matches of another pose in a square of 160 pixels, at most half as many
+    as right matches; the other wrong matches are uniform. */
     opencv_test::OutlierModel outlierModel;
     double scoreInformation;  //!< probability that a right match has a better score than a wrong
-                              //!< one, below 1 or 1
+                              //!< one
     uint64 seed;
 };
 
-//! Object points and an image of 640 x 480 pixels, with the exact pose. Rows are in random order.
+//! Object points and an image of 640 x 480 pixels, with the exact pose. Matches are in random
+//! order.
 struct ViewScene
 {
     std::vector<cv::Point3d> objectPoints;

@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-/** Writes views of object points as a data set of the benchmark for P, `.txt`, `.score` and `.json`
-for each, see ListWriter. */
+/** Writes views of object points as a data set of the benchmark for P: `.txt`, `.score` and `.json`
+for each view, see ListWriter. */
 class ViewWriter
 {
 public:

@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// What the model of the frame before (Params::initialModel) gives a tracker: sequences of a camera
-// that moves smoothly and once jumps, with and without it, for several limits of the samples.
+// Measures how the model of the previous frame (Params::initialModel) helps a tracker. The
+// sequences show a camera that moves smoothly and jumps once. Trackers run with and without this
+// model, for several limits of samples.
 //
 //     usac_tracking --problems=P --ratios=0.2,0.6 --limits=1,32 > tracking.md
 
@@ -18,11 +19,11 @@ using namespace benchmark;
 
 namespace {
 
-//! Names of Beginning.
+//! Names of the enumerators of Beginning.
 const char* const BEGINNINGS[] = {"no", "yes", "yes or again"};
 
-//! Runs all trackers on a frame each, in turn, so that a disturbance of the machine hurts all
-//! alike; each frame begins with another one.
+//! Runs all trackers on each frame in turn, so that a disturbance of the machine affects all of
+//! them. The tracker that runs first changes from frame to frame.
 void runAll(const TrackingOptions& options, SequenceOptions sequence,
             std::vector<Tracker>& trackers)
 {

@@ -17,7 +17,7 @@ using cv::Vec3d;
 namespace {
 
 const double WIDTH = 640, HEIGHT = 480, FOCAL = 600, DISTANCE = 6.5;
-const double BOX_X = 3, BOX_Y = 2.2, BOX_Z = 1.5;  //!< half sides of the box
+const double BOX_X = 3, BOX_Y = 2.2, BOX_Z = 1.5;  //!< half lengths of the box's sides
 const Matx33d CAMERA(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
 
 Matx33d rotationOf(const Vec3d& vector)
@@ -67,7 +67,7 @@ ImagePair Sequence::frame(int number) const
     setPose(number, pair);
     cv::RNG rng(0x51ed270b + 7919 * (uint64)options.seed + 104729 * (uint64)number);
     const bool plane = options.problem == cv::usacv20::HOMOGRAPHY;
-    // the picture is the plane Z = 0 as a camera at the middle of the path would see it
+    // the picture is the plane Z = 0 as seen by a camera at the middle of the path
     const Matx33d place(DISTANCE / FOCAL, 0, -WIDTH / 2 * DISTANCE / FOCAL, 0, DISTANCE / FOCAL,
                         -HEIGHT / 2 * DISTANCE / FOCAL, 0, 0, 1);
     const Matx33d& R = pair.R;

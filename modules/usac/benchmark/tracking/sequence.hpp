@@ -9,27 +9,27 @@
 
 namespace benchmark {
 
-//! What the frames of a sequence have in common.
+//! Properties that the frames of a sequence share.
 struct SequenceOptions
 {
     ProblemType problem;  //!< HOMOGRAPHY or ABSOLUTE_POSE
-    int size;             //!< matches of a frame
-    double inliers;       //!< part of them that is right
-    double noise;  //!< standard deviation of the points of the image in each coordinate, pixels
-    double speed;  //!< 1: about 1.4 pixels a frame
-    int jump;      //!< frame before which the camera jumps to another place
+    int size;             //!< number of matches in a frame
+    double inliers;       //!< inlier ratio
+    double noise;         //!< standard deviation of each image coordinate, pixels
+    double speed;         //!< a speed of 1 moves image points by about 1.4 pixels a frame
+    int jump;             //!< number of the frame before which the camera jumps to another place
     int seed;
 };
 
-/** Frames of a camera that moves smoothly about a box of object points (P) or a picture on a plane
-(H), 640 x 480 pixels, and once jumps. Each frame has matches of its own, wrong ones anywhere in the
-image. */
+/** A sequence of frames of 640 x 480 pixels. A camera moves smoothly around a box of object points
+(P) or a picture on a plane (H), and jumps once. Each frame has new matches; wrong ones are uniform
+in the image. */
 class Sequence
 {
 public:
     explicit Sequence(const SequenceOptions& options_) : options(options_) {}
 
-    //! Matches and truth; the same for the same frame.
+    //! The matches and the ground truth of a frame; reproducible.
     ImagePair frame(int number) const;
 
 private:

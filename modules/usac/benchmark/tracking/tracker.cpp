@@ -54,7 +54,7 @@ Estimate Tracker::estimate(const ImagePair& frame, const cv::usacv20::Params& wi
 void Tracker::count(const ImagePair& frame, const cv::usacv20::Params& with)
 {
     cv::usacv20::Report
-        report;  // of a run that is not timed, as counting independent inliers takes its time
+        report;  // from an untimed run, since counting independent inliers takes time
     cv::Mat mask;
     kindOf(problem).estimator(frame, with)->run(mask, &report);
     samples += report.iterations;

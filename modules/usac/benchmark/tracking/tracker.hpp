@@ -12,53 +12,54 @@
 
 namespace benchmark {
 
-//! What a tracker makes of the model of the frame before.
+//! How a tracker uses the model of the previous frame.
 enum Beginning {
-    BEGIN_ANEW,       //!< nothing
-    BEGIN_WITH_LAST,  //!< each frame begins with it
-    /** The same; where there is none, or the new one has less than half of its inliers, the frame
-    is estimated again, as without it and with the limit of the problem. */
+    BEGIN_ANEW,       //!< not at all
+    BEGIN_WITH_LAST,  //!< as the initial model of each frame
+    /** As BEGIN_WITH_LAST. If there is no model, or if it has less than half as many inliers as the
+    last one, the frame is estimated again without an initial model and with the problem's default
+    limit of iterations. */
     BEGIN_WITH_LAST_OR_AGAIN
 };
 
-/** A way to estimate the models of a sequence, and what it has given so far. */
+/** A way to estimate the models of a sequence, and statistics of its results so far. */
 class Tracker
 {
 public:
-    //! @param maxIterations of a frame
+    //! @param maxIterations limit of iterations for each frame
     Tracker(ProblemType problem, Beginning beginning, int maxIterations);
 
-    //! The next frame. @param afterJump whether it is the first one behind the jump, or a later one
+    //! Estimates the model of the next frame. @param afterJump true for all frames after the jump
     void track(const ImagePair& frame, int seed, bool afterJump);
-    //! Another sequence begins.
+    //! Starts another sequence.
     void restart();
 
     Beginning begins() const { return beginning; }
     int limit() const { return params.maxIterations; }
 
-    double medianError() const;  //!< a failure counts as infinite
-    double failures() const;     //!< percent
-    double meanSamples() const;  //!< a frame
-    double meanCpuMs() const;    //!< a frame
-    double meanRecovery()
-        const;  //!< frames behind a jump until the first that is no failure, all of them if none is
+    double medianError() const;   //!< median of the errors; failures count as infinite
+    double failures() const;      //!< percentage of frames that failed
+    double meanSamples() const;   //!< per frame
+    double meanCpuMs() const;     //!< per frame
+    double meanRecovery() const;  //!< mean number of frames after a jump until the first success,
+                                  //!< all if there is none
     int frames() const { return (int)errors.size(); }
 
 private:
     Estimate estimate(const ImagePair& frame, const cv::usacv20::Params& with);
-    //! Adds the samples of an estimate, which is made again for that.
+    //! Adds the number of samples of an estimate, which is repeated for this purpose.
     void count(const ImagePair& frame, const cv::usacv20::Params& with);
     void judge(const ImagePair& frame, const Estimate& found, bool afterJump);
 
     const ProblemType problem;
     const Beginning beginning;
     cv::usacv20::Params params;
-    cv::Mat last;  //!< model of the frame before; empty: none
+    cv::Mat last;  //!< model of the previous frame; empty: none
     int lastInliers;
     std::vector<double> errors;
     double samples, cpuMs;  //!< sums
     int failed, sequences, lost;
-    bool isLost;  //!< in all frames since the jump, so far
+    bool isLost;  //!< true if all frames since the jump have failed so far
 };
 
 }  // namespace benchmark

@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-/** The command line of usac_tracking. */
+/** The options of usac_tracking's command line. */
 struct TrackingOptions
 {
     std::vector<ProblemType> problems;
@@ -19,10 +19,10 @@ struct TrackingOptions
     std::vector<int> limits;
     int frames, size, sequences, seed;
     double noise, speed;
-    std::string csv;  //!< file to write, empty: none
+    std::string csv;  //!< output file; empty: none
 
-    /** Reads the command line. @return false if only help was asked for, which has been printed
-    then. A mistake raises std::runtime_error. */
+    /** Reads the command line. @return false if it only asks for help, which has then been printed.
+    Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 };
 

@@ -3,18 +3,22 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the library and its samples against the installed OpenCV, installs them into a temporary prefix, moves that, and builds
-# and runs the consumer project by the CMake package and by pkg-config, and checks that the compiler rejects programs that would
-# lose a flag. With a build of OpenCV that has the module inside, the same project is built and run against that, too: its build
-# tree, and an installation that was moved. Then the library inside another CMake project, as C++20; the pages of the
-# documentation; the Debian packages and their contents; and the commands and code of README, the module's page, the tutorials,
-# contributing and benchmark, which need the packages of common.sh. The last line is "<N> passed, <M> failed".
+# Builds the library and its samples against the installed OpenCV, and installs them into a
+# temporary prefix, which is then moved. Builds and runs the consumer project by the CMake package
+# and by pkg-config. Checks that the compiler rejects programs that would lose a flag. If there is a
+# build of OpenCV with the module inside, the consumer project is also built and run against its
+# build tree and against a moved installation. Further checks: the library as C++20 inside another
+# CMake project; the pages of the documentation; the Debian packages and their contents; the
+# commands and code of README, the module's page, the tutorials, contributing and benchmark, which
+# need the packages of common.sh. The last line is "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
-#        check.sh --build working directory [target...]      only the library's build, for what is tested beside these checks
+#        check.sh --build working directory [target...]      only builds the library
 #
-#   USAC_CONSUMER_OPTIONS  more options for CMake of the library's build, <working directory>/build
-#   USAC_CONSUMER_QUICK    if not empty, the projects around the library are configured, which checks that they keep their build type, targets
-#                          and package, but the library is not compiled once more as a part of them
+#   USAC_CONSUMER_OPTIONS  further CMake options for the build of the library in <working
+#                          directory>/build
+#   USAC_CONSUMER_QUICK    if not empty, projects that contain the library are only configured: this
+#                          checks that they keep their build type, targets and package, but does not
+#                          compile the library again
 
 here=$(cd "$(dirname "$0")" && pwd)
 project=$(cd "$here/../../../.." && pwd)
@@ -42,7 +46,7 @@ check() # name, command
     fi
 }
 
-# Configured anew each time; compiled files are kept.
+# The build is configured from scratch each time; compiled files are kept.
 build_library() # targets
 {
     rm -f "$work/build/CMakeCache.txt" "$work"/build/*.deb
@@ -65,8 +69,9 @@ relocatable()
     [ -d "$work/prefix" ] && ! grep -rIF -e "$project" -e "$work" "$work/prefix"
 }
 
-# Builds the same project for all ways of using the module. CMake must find the requested package and, if it is given, the
-# requested OpenCV. The libraries of an OpenCV that was moved need LD_LIBRARY_PATH to find each other.
+# Builds the consumer project, which is the same for all ways of using the module. CMake must find
+# the requested package and, if it is given, the requested OpenCV. The libraries of a moved OpenCV
+# need LD_LIBRARY_PATH to find each other.
 consumer() # name, option of CMake, directory of the package, directory of OpenCV's package or nothing, LD_LIBRARY_PATH or nothing
 {
     cmake -S "$here" -B "$work/$1" "$2" > "$work/$1.cmake.log" 2>&1 || { cat "$work/$1.cmake.log"; return 1; }
@@ -92,7 +97,7 @@ by_pkg_config()
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/by_pkg_config"
 }
 
-# Samples with custom components, against the installed library.
+# Compiles and runs samples with custom components against the installed library.
 custom_components()
 {
     flags=$(PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" pkg-config --cflags --libs opencv_usac $installed) &&
@@ -102,8 +107,8 @@ custom_components()
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_quality" "$project/test_data/graf.txt"
 }
 
-# The pages must be built without warnings, with resolved citations and the pictures of the tutorials, without paths of the build
-# and broken links.
+# The pages must be built without warnings. Citations must be resolved, and the tutorials' pictures
+# must be there. There must be no paths of the build and no broken links.
 documentation()
 {
     cmake --build "$work/build" --target usac_docs &&
@@ -130,15 +135,16 @@ flag_case() # name
     grep -q "flag case $1: as it should be" "$work/flag_cases.log" || { grep "flag case $1:" "$work/flag_cases.log"; false; }
 }
 
-# All installed files are removed, and their own folders.
+# Uninstalling must remove all installed files and the folders that belong to the library.
 uninstalled()
 {
     [ -d "$work/uninstalled" ] && ! find "$work/uninstalled" -type f -o -name '*usac*' | grep .
 }
 
-# The library inside another CMake project, by add_subdirectory and by FetchContent, each configured anew. There is no build type,
-# so nothing is optimized; this tests for warnings of C++20 (GCC's include those of C++23). The second project reuses the library
-# of the first, which has the same options, so nothing is compiled again.
+# Builds the library inside another CMake project, by add_subdirectory and by FetchContent, each
+# configured from scratch. There is no build type, so nothing is optimized; the build checks for
+# warnings of C++20 (those of GCC include C++23). The second project reuses the library of the
+# first, which has the same options, so nothing is compiled twice.
 parent() # name, option of CMake
 {
     rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
@@ -151,7 +157,7 @@ parent() # name, option of CMake
     [ "$(find "$work/parent/prefix" -type f)" = "$work/parent/prefix/bin/parent" ]
 }
 
-# The headers alone, and the sample of a custom component.
+# Compiles the headers alone and the sample of a custom component.
 standard() # of C++
 {
     for source in "$here/main.cpp" "$project/samples/custom_sampler.cpp"; do
@@ -160,8 +166,9 @@ standard() # of C++
     done
 }
 
-# An object file compiled for AVX may export one symbol only, its table of kernels: the linker might use any other inline function
-# of it in place of the version for all processors. Checked in the optimized build and in the unoptimized one of the other project.
+# An object file compiled for AVX may export only its table of kernels. The linker might use any
+# other inline function of the file instead of the version for all processors. Both the optimized
+# build and the unoptimized one of the other project are checked.
 instruction_sets()
 {
     [ "$(uname -m)" = x86_64 ] || return 0
@@ -173,7 +180,7 @@ instruction_sets()
     done
 }
 
-# Unpacks the packages; each must contain its copyright file.
+# Builds and unpacks the packages; each must contain its copyright file.
 debian_packages()
 {
     (cd "$work/build" && cpack -G DEB) &&
@@ -185,7 +192,8 @@ debian_packages()
     done
 }
 
-# `uninstall` must not use the lists that cpack writes: nothing was installed from this build.
+# The target `uninstall` must not use the lists that cpack writes, since nothing was installed from
+# this build.
 debian_uninstall()
 {
     rm -f "$work/build/install_manifest.txt"
@@ -234,7 +242,8 @@ debian_benchmark()
     LD_LIBRARY_PATH="$work/debian/usr/lib" "$work/debian/usr/bin/usac_benchmark" --help
 }
 
-# Runs what the documents show: commands, programs, output. The library is already built, and compiled files of a previous run are kept.
+# Runs the commands and programs that the documents show and compares their output. The library is
+# already built, and compiled files of a previous run are kept.
 documents()
 {
     PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$here/documents/documents.py" "$project" "$work" "$opencv"

@@ -8,7 +8,8 @@
 
 int main()
 {
-    // 300 points under a known homography, every third one replaced by a random point.
+    // 300 points and their images under a known homography; every third image is replaced by a
+    // random point.
     const cv::Mat truth = cv::Mat_<double>({3, 3}, {1.1, 0.1, 20, -0.05, 0.9, 10, 1e-4, -5e-5, 1});
     cv::RNG rng(1);
     std::vector<cv::Point2d> src(300), dst;
@@ -18,7 +19,8 @@ int main()
     for (size_t i = 0; i < dst.size(); i += 3)
         dst[i] = cv::Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.));
 
-    // The flag itself, and flags of the module and of OpenCV that are known only at run time.
+    // Calls with the flag itself, and with flags of the module and of OpenCV that are known only at
+    // run time.
     const int methods[] = {(int)cv::USACV20_FAST, cv::RANSAC};
     const cv::Mat models[] = {cv::findHomography(src, dst, cv::USACV20, 1.0),
                               cv::usacv20::findHomography(src, dst, methods[0], 1.0),

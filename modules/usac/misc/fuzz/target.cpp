@@ -9,7 +9,8 @@
 #include <stdint.h>
 #include "fuzz/fuzz_contracts.hpp"
 
-// The fuzzer's target, and with USAC_FUZZ_REPLAY a program that runs the files of its command line.
+// The target of the fuzzer. With USAC_FUZZ_REPLAY it is a program that runs the files named on its
+// command line.
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 

@@ -36,18 +36,18 @@ static usacv20::Params exchange(const UsacParams& params)
     return exchange(params.threshold, params.confidence, params.maxIterations);
 }
 
-// Six of the documented differences are taken back here, so that the tests see the rest.
+// Six of the documented differences from OpenCV are undone here, so that the tests show only
+// others.
 
 static bool isUsac(int method) { return method >= USAC_DEFAULT && method <= USAC_MAGSAC; }
 
-//! 1. cv::findFundamentalMat takes a confidence of 0 or 1 for 0.99; for this module that is a
-//!    mistake in the call.
+//! 1. cv::findFundamentalMat replaces a confidence of 0 or 1 by 0.99; this module refuses it.
 static double confidenceOf(double confidence)
 {
     return confidence > 0 && confidence < 1 ? confidence : 0.99;
 }
 
-//! 2. F has unit norm; that of OpenCV's flags has f33 = 1.
+//! 2. This module returns F with unit norm; OpenCV's flags return F with f33 = 1.
 static Mat scaled(const Mat& F)
 {
     return F.empty() || F.at<double>(2, 2) == 0 ? F : Mat(F / F.at<double>(2, 2));
@@ -59,13 +59,13 @@ static usacv20::Params anySide(usacv20::Params params)
     return params;
 }
 
-/** 3. OpenCV's flags other than USAC_* do not ask whether points are in front of both cameras;
-those of test_fundam.cpp look anywhere, and no sample of points before and behind a camera gives the
-right model. All points are right there. Where not all are inliers, the model is estimated without
-that test, too; it is returned if all are inliers of that one, or if there is no other (11 of 1000
-calls).
+/** 3. OpenCV's flags other than USAC_* do not test whether points are in front of both cameras. The
+   points of test_fundam.cpp are on both sides, and a sample with points on both sides is refused by
+   that test. In these tests all points are right. So if not all points are inliers, the model is
+   also estimated without the test. The second model is returned if all points are its inliers, or
+   if the first estimate has no model (11 of 1000 calls).
 
-@param find, findAnywhere calls with and without the test; they take the place of the mask */
+@param find, findAnywhere calls with and without the test; their argument is the mask */
 template <typename Find, typename FindAnywhere>
 Mat maybeBehind(int method, OutputArray mask, const Find& find, const FindAnywhere& findAnywhere)
 {
@@ -79,9 +79,8 @@ Mat maybeBehind(int method, OutputArray mask, const Find& find, const FindAnywhe
     return better ? other : model;
 }
 
-//! 4. For E, OpenCV's USAC flags compare the symmetric distance to the epipolar lines with the
-//!    threshold, not the
-//! Sampson one.
+//! 4. For E, OpenCV's USAC flags compare the threshold with the symmetric distance to the epipolar
+//!    lines instead of the Sampson distance.
 static usacv20::Params symmetric(usacv20::Params params)
 {
     params.residual = usacv20::RESIDUAL_SYMMETRIC;
@@ -281,8 +280,8 @@ bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputAr
                         bool useExtrinsicGuess, int maxIters, float threshold, double confidence,
                         OutputArray inliers, int)
 {
-    // 5. OpenCV's flags other than SOLVEPNP_ITERATIVE do not look at the guess, which may be empty
-    //    then.
+    // 5. OpenCV's flags other than SOLVEPNP_ITERATIVE ignore the guess of the pose, which may then
+    //    be empty.
     useExtrinsicGuess = useExtrinsicGuess && !rvec.empty() && !tvec.empty();
     return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, useExtrinsicGuess,
                           maxIters, threshold, confidence, inliers, exchange());
@@ -292,8 +291,8 @@ bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputOu
                         InputArray distortion, OutputArray rvec, OutputArray tvec,
                         OutputArray inliers, const UsacParams& params)
 {
-    if (K.empty())  // 6. OpenCV estimates the camera matrix, too, from samples of six points; here
-                    // it has to be known
+    if (K.empty())  // 6. OpenCV also estimates an unknown camera matrix from samples of six points;
+                    //    this module cannot
         return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers,
                               params);
     return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, inliers,

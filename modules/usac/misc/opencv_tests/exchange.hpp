@@ -5,10 +5,11 @@
 #ifndef OPENCV_USACV20_EXCHANGE_HPP
 #define OPENCV_USACV20_EXCHANGE_HPP
 
-// Included before the first line of each of OpenCV's test files: their calls of findHomography,
+// Included before the first line of each of OpenCV's test files. Their calls of findHomography,
 // findFundamentalMat, findEssentialMat, estimateAffine2D, estimateAffinePartial2D and
-// solvePnPRansac go to functions with the same arguments, which put a flag of this module in the
-// place of OpenCV's. The headers come first, so that the names in them stay what they are.
+// solvePnPRansac are redirected to functions with the same arguments, which replace OpenCV's flag
+// by a flag of this module. OpenCV's headers are included first, so that their declarations keep
+// their names.
 
 #include "opencv2/ts.hpp"
 #include "opencv2/calib3d.hpp"
@@ -16,7 +17,7 @@
 
 namespace cv {
 
-//! The flag that is put in the place of all others, and how often that has happened.
+//! The flag that replaces all others, and the number of calls in which it has done so.
 struct Exchange
 {
     static UsacV20Method flag;

@@ -9,13 +9,13 @@ int main(int argc, char** argv)
     cvtest::TS::ptr()->init("");
     testing::InitGoogleTest(&argc, argv);
     Outcomes* const outcomes = new Outcomes(USAC_DIFFERENCES);
-    testing::UnitTest::GetInstance()->listeners().Append(outcomes);  // which deletes it at exit
+    testing::UnitTest::GetInstance()->listeners().Append(outcomes);  // which deletes it in the end
     const std::string missing = outcomes->withoutData();
     std::string& filter = testing::GTEST_FLAG(filter);
     if (!missing.empty())
         filter += (filter.find('-') == std::string::npos ? "-" : ":") + missing;
     testing::GTEST_FLAG(repeat) = Outcomes::flags();
     cvtest::parseCustomOptions(argc, argv);
-    const int result = RUN_ALL_TESTS();  // 1 for what is expected, too
+    const int result = RUN_ALL_TESTS();  // 1 also if failures are expected
     return outcomes->good() ? 0 : std::max(result, 1);
 }

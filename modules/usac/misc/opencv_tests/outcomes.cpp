@@ -26,7 +26,8 @@ static std::string nameOf(const testing::TestInfo& test)
     return std::string(test.test_case_name()) + "." + test.name();
 }
 
-//! The names in a list with commas, `*` for all; one that is no flag is an error.
+//! Splits a list of flags separated by commas; `*` stands for all flags. An unknown flag raises an
+//! error.
 static std::vector<std::string> flagsOf(const std::string& list)
 {
     std::set<std::string> all;

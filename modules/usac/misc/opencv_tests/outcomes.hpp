@@ -10,28 +10,28 @@
 #include <vector>
 #include "opencv2/ts.hpp"
 
-/** Runs all tests once with each flag of the module, compares what comes out with the list of
-differences, and counts.
+/** Runs all tests once with each flag of the module, compares the outcomes with the list of
+expected differences, and counts.
 
-Only a test that has called one of the exchanged functions counts. One that fails with a flag for
-which it is on the list is neither passed nor failed; one that is on the list and passes is a
-failure, and so is one that is on the list and not among the tests, so that the list stays true. The
-tests of the list itself (test_outcomes.cpp) count, too. */
+Only tests that call one of the redirected functions count. A test that fails with a flag as the
+list says counts neither as passed nor as failed. To keep the list up to date, there are two more
+failures: a test that passes although it is on the list, and a test on the list that does not exist.
+The tests of the list itself (test_outcomes.cpp) count, too. */
 class Outcomes : public testing::EmptyTestEventListener
 {
 public:
-    //! Reads the list; its first lines say what is in it.
+    //! Reads the list; its first lines explain the format.
     explicit Outcomes(const std::string& listOfDifferences);
 
     static int flags();
 
-    //! The pattern of the tests whose data are missing, for the filter; empty if all are there.
+    //! A GoogleTest pattern of the tests whose data files are missing; empty if no file is missing.
     std::string withoutData();
 
-    //! Why a test is expected to fail with a flag; empty: it is not.
+    //! The reason why a test is expected to fail with a flag; empty if it must pass.
     std::string reason(const std::string& flag, const std::string& test) const;
 
-    //! Tests that are on the list and that this program does not have, in alphabetical order.
+    //! Tests on the list that this program does not have, in alphabetical order.
     std::vector<std::string> missingTests() const;
 
     bool good() const { return passed > 0 && failed == 0; }
@@ -45,9 +45,9 @@ public:
 private:
     typedef std::pair<std::string, std::string> Pair;  // flag or file, test
 
-    std::map<Pair, std::string> fails, data;  // their reasons
-    std::set<std::string> notOurs;            // tests that call none of the functions
-    std::string flag, expected, unexpected;   // the last two: what is printed at the end
+    std::map<Pair, std::string> fails, data;  // the reasons
+    std::set<std::string> notOurs;            // tests that call none of the redirected functions
+    std::string flag, expected, unexpected;   // the last two: texts printed at the end
     int passed, failed;
 };
 

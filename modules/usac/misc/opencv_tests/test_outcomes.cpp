@@ -2,7 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Reading of the list of differences (class Outcomes). The list may name these tests like OpenCV's.
+// Tests of reading the list of differences (class Outcomes). Like OpenCV's tests, these may be on
+// the list.
 
 #include "outcomes.hpp"
 #include <cstdio>
@@ -31,7 +32,7 @@ TEST(Usac_Differences, versions)
         EXPECT_THROW(isForVersion(mistake, "4.10.0"), cv::Exception) << mistake;
 }
 
-//! What the list of these lines makes of a test.
+//! The reason that a list with these lines gives for a test to fail.
 std::string reasonOf(const std::string& lines, const std::string& flag, const std::string& test)
 {
     const std::string path = cv::tempfile(".txt");
@@ -69,7 +70,8 @@ TEST(Usac_Differences, lines)
         EXPECT_EQ("refused", reasonOf(mistake, "USACV20", "A.b")) << mistake;
 }
 
-//! A line about a test that this version of OpenCV does not have would never be noticed.
+//! A line about a test that this version of OpenCV does not have must be reported, since it would
+//! have no effect otherwise.
 TEST(Usac_Differences, everyTestIsThere)
 {
     const std::string path = cv::tempfile(".txt");

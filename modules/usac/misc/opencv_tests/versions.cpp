@@ -8,7 +8,7 @@
 #include <vector>
 #include "opencv2/core.hpp"
 
-//! The numbers between dots; what follows the digits of the last one (`-dev`) does not count.
+//! The numbers of a version between the dots. A suffix of the last number (`-dev`) is ignored.
 static std::vector<int> numbersOf(const std::string& version)
 {
     std::vector<int> numbers;

@@ -7,11 +7,12 @@
 
 #include <string>
 
-/** Does a line of the list of differences hold for a version of OpenCV?
+/** True if a line of the list of differences applies to a version of OpenCV.
 
-@param condition `>=4.10` (this version and later ones), `<4.10` (earlier ones), or empty: for all.
-Numbers are compared one by one, so that 4.10 is later than 4.6. All else raises a cv::Exception.
-@param version of OpenCV, with two numbers or more: `4.6.0`. */
+@param condition `>=4.10` (this version and later ones), `<4.10` (earlier ones), or empty (all
+versions). Numbers are compared one by one, so 4.10 is later than 4.6. Any other text raises a
+cv::Exception.
+@param version of OpenCV, with at least two numbers: `4.6.0`. */
 bool isForVersion(const std::string& condition, const std::string& version);
 
 #endif

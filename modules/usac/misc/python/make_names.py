@@ -3,14 +3,17 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Writes what of the package repeats C++: package/usacv20/_enumerations.py, _problems.py and a list of names in __init__.py.
+"""Writes the parts of the package that repeat C++ declarations: package/usacv20/_enumerations.py,
+_problems.py and a list of names in __init__.py.
 
-make_names.py          writes them
-make_names.py --check  prints what in them is not as it would be written, and where the table of problems
-                       (src/problems/registry.inl.hpp) and the declarations in the public headers differ
+ make_names.py          writes them
+ make_names.py --check  prints which of these parts are out of date, and where the table of problems
+                        (src/problems/registry.inl.hpp) and the declarations in the public headers
+                        differ
 
-Enumerators and their comments are those of the headers. Each row of the table becomes two functions; what they say of model and
-threshold is taken from the comment of the declaration in estimate.hpp, the rest from the kind of the arguments (class Arguments)."""
+Enumerators and their comments come from the headers. Each row of the table becomes two functions.
+Their descriptions of model and threshold come from the comment of the declaration in estimate.hpp,
+the other text from the kind of the arguments (class Arguments)."""
 
 import os
 import re
@@ -38,7 +41,7 @@ def read(*path):
 # --- what the headers say ---------------------------------------------------------------------------------------------------------
 
 def plain(comment):
-    """The text of a comment of Doxygen in words of Python."""
+    """Converts a Doxygen comment to plain text with Python names."""
     text = re.sub(r"(?m)^\s*(//!<|//!|//|/\*\*|\*/)|\*/", " ", comment)
     text = re.sub(r"@brief |@cite \w+| \(paper,\s+section\s+\"[^\"]*\"\)", "", " ".join(text.split()))
     text = re.sub(r"@ref |#(?=[A-Za-z])|usacv20::", "", text).replace("cv::Exception", "usacv20.error")
@@ -47,18 +50,18 @@ def plain(comment):
 
 
 def sentence(comment):
-    """The first sentence of a comment, without the stop."""
+    """The first sentence of a comment, without the period."""
     return re.split(r"\.(?:\s|$)", plain(comment))[0]
 
 
 def short(comment):
-    """A comment of an enumerator; of a long one the first sentence."""
+    """The comment of an enumerator; only its first sentence if it is long."""
     text = plain(comment)
     return text if len(text) < 2 * WIDTH else sentence(comment)
 
 
 class Enumeration:
-    """name, comment and members (name, value, comment) of an enumeration of a header."""
+    """An enumeration of a header: name, comment and members (name, value, comment)."""
 
     def __init__(self, name, comment, body):
         self.name, self.comment, self.members = name, comment, []
@@ -77,13 +80,15 @@ def enumerations():
 
 
 class Arguments:
-    """The arguments of a kind of problem beside the options: the value of the column ARGUMENTS of the table.
+    """The arguments of a kind of problem, without the options. The column ARGUMENTS of the table
+    names the kind.
 
-    cpp, many -- names of those of the function, and of the one for many sets of points, in C++
-    python, pythonMany -- how the functions in Python declare them
-    about, aboutMany -- what their docstrings say
-    call, callMany -- how they are passed on
-    forms -- calls that the declaration does not show, and `prepare`, which makes one of them the other"""
+    cpp, many -- names of the arguments in C++, for one set of points and for many
+    python, pythonMany -- declarations of the arguments in Python
+    about, aboutMany -- their descriptions in the docstrings
+    call, callMany -- the arguments in the call of estimate() and estimateMany()
+    forms -- forms of the call that the declaration does not show; `prepare` is code that converts
+    one form to another"""
 
     def __init__(self, cpp, many, about, optional=(), names="", prepare="", forms=""):
         self.cpp, self.many, self.about, self.names, self.prepare, self.forms = cpp, many, about, names, prepare, forms
@@ -130,14 +135,15 @@ ARGUMENTS = {
 
 
 class Problem:
-    """A row of the table."""
+    """A row of the table of problems."""
 
     def __init__(self, type, name, plural, arguments):
         self.type, self.function, self.batch, self.kind = type, "estimate" + name, "estimate" + plural, arguments
         self.arguments = ARGUMENTS[arguments]
 
     def documented(self):
-        """Brief description, meaning of the threshold, and model, of the comment of the declaration; None without one."""
+        """Returns the brief description, the meaning of the threshold, and the model's description
+        from the comment of the declaration; None if they are missing."""
         pattern = r"/\*\* @brief ((?:(?!\*/)(?:.|\n))*)\*/\nCV_EXPORTS Mat {}\(".format(self.function)
         found = re.search(pattern, read(HEADERS, "estimate.hpp"))
         if not found:
@@ -170,7 +176,7 @@ def docstring(text, indent="    "):
 
 
 def wrapped(start, items, end):
-    """start + items + end, broken between the items."""
+    """Returns start + items + end with line breaks between the items."""
     lines, line = [], start
     for i, item in enumerate(items):
         piece = item + (", " if i + 1 < len(items) else end)
@@ -234,7 +240,8 @@ interpreter's lock is released meanwhile."""
 
 
 def functions(problem, first):
-    """The two functions; the batches of others refer to that of the first problem."""
+    """The two functions of a problem. The docstring of a function for many sets refers to that of
+    the first problem."""
     brief, threshold, model = problem.documented()
     kind = problem.arguments
     options = ["params: Optional[Params] = None", "mask: _Mask = None"]
@@ -267,7 +274,8 @@ def problemsFile():
 # --- what must agree --------------------------------------------------------------------------------------------------------------
 
 def parameters(header, pattern, name):
-    """Names of the arguments of the first declaration of a function, without options and results."""
+    """Returns the names of the arguments in the first declaration of a function, without options
+    and results."""
     found = re.search(pattern + name + r"\(((?:[^()]|\(\))*)\);", header)
     if not found:
         return None
@@ -276,7 +284,7 @@ def parameters(header, pattern, name):
 
 
 def mistakes():
-    """Where the table and the public headers differ."""
+    """Returns messages on differences between the table and the public headers."""
     rows, found = problems(), []
     type_ = [enumeration for enumeration in enumerations() if enumeration.name == "ProblemType"][0]
     if [row.type for row in rows] != [member for member, _, _ in type_.members] or [
@@ -300,7 +308,8 @@ def mistakes():
 
 
 def packageFile():
-    """__init__.py with the names of both files in a list of their own: type checkers read __all__ only where it is written out."""
+    """Returns __init__.py with a list of the names in both files. The list is written out because
+    type checkers do not evaluate expressions in __all__."""
     rows = problems()
     names = [member for enumeration in enumerations() for member, _, _ in enumeration.members]
     names += [row.function for row in rows] + [row.batch for row in rows]

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_PYTHON_USAC_HPP
 #define OPENCV_USACV20_PYTHON_USAC_HPP
 
-// Only the Python bindings see this file.
+// Only the generator of Python bindings reads this file.
 
 #include <atomic>
 #include <map>
@@ -17,8 +17,8 @@
 namespace cv {
 
 #ifdef OPENCV_BINDING_PARSER
-// The enumerators of an enum class would become cv2.UsacV20Method_USACV20 and so on. The generator
-// takes the names from here; the code that it writes uses the constants of params.hpp.
+// The generator would name the enumerators of an enum class cv2.UsacV20Method_USACV20 and so on. It
+// takes the names from here instead; the generated code uses the constants of params.hpp.
 enum UsacV20Method {
     USACV20 = 0x4000,
     USACV20_FAST = 0x4001,
@@ -32,17 +32,16 @@ enum UsacV20Method {
 
 namespace usacv20 {
 
-/** @brief What usacv20.progress does in Python: another thread sees how far the runs are, and stops
-them.
+/** @brief Used by usacv20.progress in Python: lets another thread observe runs and stop them.
 
-OpenCV's generator binds no functions as arguments: the threads that run enter it, and the one that
-waits for them asks. */
+OpenCV's generator cannot bind functions as arguments. So the threads that run estimations call
+enter() and leave(), and the waiting thread calls the other functions. */
 class CV_EXPORTS_W RunControl
 {
 public:
     CV_WRAP RunControl() : stopped(false) {}
 
-    //! The runs of this thread, until it leaves.
+    //! Applies to the runs of the calling thread until it calls leave().
     CV_WRAP void enter()
     {
         std::unique_ptr<ProgressScope> scope(new ProgressScope([this](const Report& report) {
@@ -60,11 +59,11 @@ public:
         scopes.erase(std::this_thread::get_id());
     }
 
-    //! All runs end, with what they have found.
+    //! Stops all runs; they return the best model so far.
     CV_WRAP void cancel() { stopped = true; }
     CV_WRAP bool cancelled() const { return stopped; }
 
-    //! Of the run that was asked last; that of no run before.
+    //! The report of the run that has last reported its progress; an empty report before that.
     CV_WRAP Report report() const
     {
         const std::lock_guard<std::mutex> lock(mutex);
@@ -78,14 +77,14 @@ private:
     std::atomic<bool> stopped;
 };
 
-/** @brief #estimateBatch for OpenCV's generator, which binds no lists of a class as arguments or
-results: tasks are added, and results asked for, one by one. */
+/** @brief #estimateBatch for OpenCV's generator, which cannot bind lists of classes as arguments or
+results. Tasks are added, and results fetched, one by one. */
 class CV_EXPORTS_W Batch
 {
 public:
     CV_WRAP Batch() {}
 
-    //! The arguments of #estimateModel. The points are not copied.
+    //! Adds a task with the arguments of #estimateModel. The points are not copied.
     CV_WRAP void add(int problem, InputArray points1, InputArray points2, const Params& params,
                      InputArray cameraMatrix1 = noArray(), InputArray cameraMatrix2 = noArray(),
                      InputArray distCoeffs1 = noArray(), InputArray distCoeffs2 = noArray())
@@ -100,7 +99,7 @@ public:
 
     CV_WRAP void run(int threads) { results = estimateBatch(tasks, threads); }
 
-    // The result of a task, after run().
+    // Results of a task, valid after run().
     CV_WRAP Mat model(int task) const { return results.at(task).model; }
     CV_WRAP Mat mask(int task) const { return results.at(task).mask; }
     CV_WRAP Report report(int task) const { return results.at(task).report; }
@@ -111,9 +110,9 @@ private:
     std::vector<Estimate> results;
 };
 
-// The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in the place of the
-// flag. In C++ they are in the namespace cv alone: a second set would make a call below `using
-// namespace cv` ambiguous, as the class Params leads to the namespace cv::usacv20.
+// The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in place of the flag. In
+// C++ they exist only in the namespace cv: a second set would make calls ambiguous after `using
+// namespace cv`, as the class Params adds the namespace cv::usacv20 to the lookup.
 
 //! @overload
 CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
@@ -154,7 +153,7 @@ CV_EXPORTS_W inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2
 }
 
 //! @overload
-// `params` has a default for its place among the arguments: the last one, as in OpenCV's function.
+// `params` must be last, as in OpenCV's function, and therefore needs a default.
 CV_EXPORTS_W inline bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
                                         InputOutputArray cameraMatrix, InputArray distCoeffs,
                                         OutputArray rvec, OutputArray tvec, OutputArray inliers,

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Draws the picture of the tutorial: the 95 % ellipses of an object's corners by one estimate, and the corners by many estimates.
+"""Draws the picture of the tutorial: the 95 % confidence ellipses of an object's corners from one
+estimate, and the corners from many estimates.
 
 usage: corners.py images/corners.png"""
 
@@ -15,10 +16,10 @@ from matplotlib.figure import Figure
 
 import usacv20
 
-SIZE = np.array([400, 300])  # of the object's image
+SIZE = np.array([400, 300])  # pixels, of the object's image
 CORNERS = SIZE * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
 TRUTH = np.array([[0.8, -0.2, 170], [0.15, 0.75, 60], [3e-4, -1e-4, 1]])
-NOISE = 1.0  # pixels
+NOISE = 1.0  # pixels, standard deviation of each coordinate
 RIGHT, WRONG = 60, 40
 ESTIMATES = 300
 NAMES = ("top left", "top right", "bottom right", "bottom left")
@@ -30,7 +31,8 @@ def mapped(H, points):
 
 
 def estimate(points1, rng):
-    """One estimate from the right matches, with new noise, and new wrong ones."""
+    """Estimates the homography from the right matches with new noise and new wrong matches; returns
+    it and the report."""
     others = rng.uniform(0, SIZE, (WRONG, 2))
     points2 = np.r_[mapped(TRUTH, points1) + rng.normal(0, NOISE, points1.shape), rng.uniform(0, [640, 480], (WRONG, 2))]
     H, _, report = usacv20.estimateHomography(np.r_[points1, others], points2, usacv20.Params(threshold=3, covariance=1))
@@ -45,7 +47,7 @@ def ellipse(center, C, **style):
 
 def main(path):
     rng = np.random.default_rng(0)
-    points1 = SIZE * np.c_[rng.beta(1, 2.5, RIGHT), rng.uniform(0.1, 0.9, RIGHT)]  # most of them to the left
+    points1 = SIZE * np.c_[rng.beta(1, 2.5, RIGHT), rng.uniform(0.1, 0.9, RIGHT)]  # most points are on the left
     H, report = estimate(points1, rng)
     shapes = usacv20.pointCovariance("homography", H, report.covariance, CORNERS)
     centers, truth = mapped(H, CORNERS), mapped(TRUTH, CORNERS)

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What can be done with a block of a document. Each action has a method run(place, block), which raises Wrong, and ends with what the
-block has printed."""
+"""Actions for a block of a document. An action has a method run(place, block), which returns what
+the block has printed, or raises Wrong."""
 
 import json
 import os
@@ -20,24 +20,26 @@ from blocks import Block, commandsOf
 HERE = os.path.dirname(os.path.abspath(__file__))
 NUMBER = r"(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)?"
 UNUSED = "Manually-specified variables were not used by the project"
-DEADLINE = 1200  # seconds of one block
+DEADLINE = 1200  # time limit of a block in seconds
 
 
 class Wrong(Exception):
-    """A block does not do what its document says."""
+    """Raised if a block does not do what its document says."""
 
 
 class Place:
-    """Where blocks run: folders below `work`, which check.sh has made with the build and the prefix of the library.
+    """The folders in which blocks run. They are in `work`, where check.sh has put the build and the
+    prefix of the library.
 
-    clone    laid out as a checkout: links to all that is in the project; `build` is a link to the library's build
-    collection, programs, python  of the blocks of these kinds"""
+        clone                         laid out as a checkout: links to all files of the project;
+                                      `build` is a link to the library's build
+        collection, programs, python  for blocks of these kinds"""
 
     def __init__(self, project: str, work: str, opencv: str = "") -> None:
         self.project, self.checks, self.opencv = os.path.realpath(project), os.path.realpath(work), opencv
         self.build = os.path.join(self.checks, "build")
         self.work = os.path.join(self.checks, "documents")
-        self.printed: Dict[str, str] = {}  # by each block, or command, that has run
+        self.printed: Dict[str, str] = {}  # the output of each block or command that has run
         self.services: List[subprocess.Popen] = []
         for name in ("clone", "collection", "prefix", "bin", "python", "benchmark"):
             shutil.rmtree(self.folder(name), ignore_errors=True)
@@ -58,19 +60,19 @@ class Place:
         return os.path.join(self.work, *names)
 
     def images(self) -> str:
-        """OpenCV's sample images: those that quickstart.sh takes, too."""
+        """The folder of OpenCV's sample images, as quickstart.sh finds it; "" if there is none."""
         folders = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), "/usr/share/doc/opencv-doc/examples/data",
                    self.folder("quickstart", "opencv-doc", "usr", "share", "doc", "opencv-doc", "examples", "data"))
         return next((name for name in folders if os.path.isfile(os.path.join(name, "graf1.png"))), "")
 
     def environment(self, *path: str, **variables: str) -> Dict[str, str]:
-        """Of a process; path: folders that are looked in first."""
+        """The environment of a process. `path` has folders that are searched first."""
         folders = [*path, self.folder("bin"), os.path.join(self.build, "bin"), os.environ["PATH"]]
         return dict(os.environ, PATH=os.pathsep.join(folders), USAC_DOCUMENTS_PROJECT=self.project, PYTHONDONTWRITEBYTECODE="1",
                     MPLBACKEND="Agg", **variables)
 
     def call(self, command: Sequence[str], cwd: str, environment: Optional[Dict[str, str]] = None) -> str:
-        """What it prints, both streams."""
+        """Runs a command; returns its output and error stream. Raises Wrong if it fails."""
         try:
             run = subprocess.run(command, cwd=cwd, env=environment or self.environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT, universal_newlines=True, errors="replace", timeout=DEADLINE)
@@ -92,9 +94,10 @@ class Place:
 
 
 class Elsewhere(NamedTuple):
-    """The command is run by another check or test of the gate.
+    """Action of a command that another check or test of the gate (run_tests.sh) runs.
 
-    words -- of the command, which that file has, too: a command that changes has to change there"""
+    words -- parts of the command that must also be in the file of that check, so that a changed
+    command must be changed there, too"""
 
     file: str
     name: str
@@ -116,7 +119,7 @@ class Elsewhere(NamedTuple):
 
 
 class Impossible(NamedTuple):
-    """The command needs what no machine of the gate has."""
+    """Action of a command that cannot run on any machine of the gate."""
 
     reason: str
 
@@ -127,13 +130,14 @@ class Impossible(NamedTuple):
 
 
 class Shell(NamedTuple):
-    """Commands of a shell, all of a block in one.
+    """Runs the commands of a shell block in one shell.
 
-    where -- folder; name -- values of what the text has in angle brackets or capitals; `{clone}` and so on are folders, {port} a
-    free one; elsewhere -- commands that do not run here; before -- what is there already; prints -- what the output has, regular
-    expressions; leaves -- files that are there afterwards; after -- a command that is to succeed; always -- what
-    runs at the end, whatever has happened; service -- goes on running;
-    more -- arguments"""
+    where -- folder; names -- replacements for words of the text such as <prefix> ({clone} and so on
+    stand for folders, {port} for a free port); elsewhere -- commands that are not run here; before
+    -- commands that run first; prints -- regular expressions that the output must have; leaves --
+    files that must exist afterwards; after -- a command that must succeed; always -- a command that
+    runs at the end, even after a failure; service -- true: keeps running; more -- additional
+    arguments"""
 
     where: str = "clone"
     names: Dict[str, str] = {}
@@ -197,10 +201,11 @@ class Shell(NamedTuple):
 
 
 class Printed(NamedTuple):
-    """What a document shows of the output of a command.
+    """Compares the output of a command with the output that a document shows.
 
-    of -- key of the block, or a command of the table's own; tolerance -- relative, of its numbers; free -- regular expressions of
-    numbers that may be any, with their surroundings: times, say, or all of them"""
+    of -- key of the block that has printed it; before -- a command to run instead; tolerance --
+    relative tolerance of numbers; free -- regular expressions for parts of lines whose numbers may
+    have any value, such as times"""
 
     of: str
     tolerance: float = 0.0
@@ -233,9 +238,10 @@ class Printed(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """A command within the text, and the numbers that the text has of it.
+    """Runs a command of the text and compares the numbers that the text gives for it.
 
-    text, printed -- regular expressions whose groups, or whose occurrences, are the numbers, in the document and in the output"""
+    text, printed -- regular expressions for the numbers in the document (one group for each) and in
+    the output (one match for each)"""
 
     text: str
     printed: str
@@ -255,10 +261,11 @@ class Numbers(NamedTuple):
 
 
 class Cpp(NamedTuple):
-    """A part of a program, compiled with warnings as errors and run.
+    """Compiles a part of a program with warnings as errors, and runs it.
 
-    before, after -- around it (frame.hpp); within -- what follows a line of it, as where it declares the points of the reader;
-    top -- above it; folders -- of the project, for headers"""
+    before, after -- code around the part (frame.hpp); within -- code that follows a given line of
+    the part, for example to fill the reader's points after their declaration; top -- code above
+    everything; folders -- folders of the project with headers"""
 
     before: str = ""
     after: str = ""
@@ -286,9 +293,9 @@ class Cpp(NamedTuple):
 
 
 class Python(NamedTuple):
-    """A part of a program, with what frame.py has.
+    """Runs a part of a Python program with the names of frame.py.
 
-    cv2 -- it calls the functions of an OpenCV with the module"""
+    cv2 -- true: it calls the functions of an OpenCV that contains the module"""
 
     before: str = ""
     after: str = ""
@@ -300,7 +307,7 @@ class Python(NamedTuple):
         loader = os.path.join(place.opencv, "python_loader") if place.opencv else ""
         if self.cv2 and os.path.isdir(loader):
             python, variables = "/usr/bin/python3", {"PYTHONPATH": loader}
-        elif self.cv2:  # the same functions: with the package beside a cv2
+        elif self.cv2:  # usacv20.patch_cv2() adds the same functions to another cv2
             before = ("import cv2, usacv20\nusacv20.patch_cv2()\ncv2.usacv20 = usacv20\n"
                       "for name in dir(usacv20):\n    if name.startswith('USACV20'): setattr(cv2, name, getattr(usacv20, name))\n") + before
         tasks = place.folder("python", block.name + ".json")
@@ -313,10 +320,13 @@ class Python(NamedTuple):
 
 
 class CMake(NamedTuple):
-    """Lines of a CMakeLists.txt, after those that make a program.
+    """Makes a project from the lines of a CMakeLists.txt. They are appended to lines that define a
+    target `program`.
 
-    options -- of the configuration; names -- values of what the text has; links -- within the folder, by name; build -- the program is made
-    and run; whole -- nothing comes before, main.cpp has that name"""
+    options -- of the configuration; names -- replacements for words of the text; links -- links to
+    make in the folder, by name; build -- true: the program is built and run; whole -- if not empty,
+    the block is a complete CMakeLists.txt, and this name in it is replaced by the path of main.cpp
+    """
 
     options: Tuple[str, ...] = ()
     names: Dict[str, str] = {}
@@ -349,7 +359,7 @@ class CMake(NamedTuple):
 
 
 def write(path: str, text: str) -> None:
-    """Only if it changes: what is made of it stays."""
+    """Writes a file only if its text changes, so that files made from it stay up to date."""
     if os.path.exists(path):
         with open(path, encoding="utf-8") as file:
             if file.read() == text:
@@ -359,7 +369,8 @@ def write(path: str, text: str) -> None:
 
 
 def preparePrograms(place: Place, programs: List[Tuple[Block, Cpp]]) -> None:
-    """One project for all; those that are compiled already stay. Mistakes are told by the blocks themselves."""
+    """Makes one project of all programs and builds it; programs that are up to date are not
+    compiled again. Errors are ignored here, since the actions report them."""
     folder = place.folder("programs")
     os.makedirs(os.path.join(folder, "source"), exist_ok=True)
     lines = ["cmake_minimum_required(VERSION 3.13)", "project(documents CXX)", "find_package(opencv_usac REQUIRED)",

@@ -2,29 +2,30 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Blocks of code of a document in Markdown, fenced as there or as in doxygen's pages, and commands within its text."""
+"""Finds blocks of code in a Markdown document, fenced in the manner of Markdown or of doxygen, and
+commands within its text."""
 
 import re
 from typing import Iterator, List, NamedTuple
 
 LANGUAGES = {"": "text", "txt": "text", "py": "python", "sh": "sh", "cpp": "cpp", "cmake": "cmake", "python": "python"}
-# What a command within a text begins with; it has at least one more word.
+# The beginning of a command within a text; at least one more word must follow.
 COMMAND = re.compile(r"(?:\S*/)?(?:cmake|python3|pip3?|pkg-config|apt|sudo|sh|bash|colmap|dask-\w+|(?:example_)?usac_\w+) \S"
                      r"|(?:pairs|verify|report) \S|\S*\.ci/run$|dask-scheduler$")
 
 
 class DocumentError(Exception):
-    """What cannot be read of a document."""
+    """Raised if a document has a block that cannot be read."""
 
 
 class Block(NamedTuple):
-    """A block of code, or a command within the text (language "inline")."""
+    """A block of code, or a command within the text (which has the language "inline")."""
 
     document: str
     line: int  # of the first line of the code, from 1
-    heading: str  # the last one before it
+    heading: str  # the last heading before the block
     language: str
-    number: int  # among those of this language below the heading, from 1
+    number: int  # counts the blocks of this language below the heading, from 1
     text: str
 
     @property
@@ -33,19 +34,19 @@ class Block(NamedTuple):
 
     @property
     def key(self) -> str:
-        """What a rule calls it: it stays when the code changes."""
+        """The key that rules use for the block. It does not change when the code changes."""
         if self.language == "inline":
             return "{} | {} | `{}`".format(self.document, self.heading, self.text)
         return "{} | {} | {} {}".format(self.document, self.heading, self.language, self.number)
 
     @property
     def name(self) -> str:
-        """The same for a file."""
+        """The key as a file name."""
         return re.sub(r"[^a-z0-9]+", "_", self.key.replace("|", "_").lower()).strip("_")
 
 
 def blocksOf(document: str, text: str) -> Iterator[Block]:
-    """All blocks, and the commands within the text, from the first to the last line."""
+    """Yields all blocks and the commands within the text in the order of the document."""
     lines = text.split("\n")
     counts = {}
     heading, prose, start = "", [], 0
@@ -97,7 +98,8 @@ def blocksOf(document: str, text: str) -> Iterator[Block]:
 
 
 def commandsOf(text: str) -> List[str]:
-    """The commands of a shell's block, a line each: continued lines joined, comments left out."""
+    """Returns the commands of a shell block. Continued lines are joined, and comments are removed.
+    """
     joined = re.sub(r"\\\n\s*", "", text)
     lines = (re.sub(r"(^|\s+)#.*$", "", line).strip() for line in joined.split("\n"))
     return [line for line in lines if line]

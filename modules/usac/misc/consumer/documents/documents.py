@@ -3,13 +3,15 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs the commands and compiles the code that the documents show: each block as it stands there, in a folder laid out as the text
-has it. The table says with what; a block without a rule, and a rule without a block, is a failure.
+"""Runs the commands and compiles the code that the documents show. Each block is run unchanged in a
+folder laid out as the text says; a table gives the action of each block. A block without a rule in
+the table, or a rule without a block, is a failure.
 
 usage: documents.py PROJECT CHECKS [OPENCV [WORD...]]
 
-PROJECT is the checkout, CHECKS the working directory of check.sh with the library's build and installation, OPENCV a build tree of
-OpenCV with the module, or nothing; only blocks whose key has all words run. The last line is "<N> passed, <M> failed"."""
+PROJECT is the checkout. CHECKS is the working directory of check.sh with the library's build and
+installation. OPENCV is a build tree of OpenCV with the module, or empty. With WORDs, only blocks
+whose key has all these words run. The last line is "<N> passed, <M> failed"."""
 
 import os
 import sys
@@ -29,7 +31,8 @@ def keyOf(rule: Rule) -> str:
 
 
 def matched(blocks: Sequence[Block], table: Sequence[Rule]) -> Tuple[List[Tuple[Block, Any]], List[str]]:
-    """Blocks with their actions in the order of the table, and what is wrong with the table."""
+    """Returns the blocks with their actions in the order of the table, and a list of mistakes of
+    the table."""
     known = {}
     for block in blocks:
         known.setdefault(block.key.replace("`", ""), []).append(block)
@@ -50,7 +53,7 @@ def read(project: str, documents: Sequence[str]) -> List[Block]:
 
 
 def run(place: Place, tasks: Sequence[Tuple[Block, Any]]) -> int:
-    """How many have failed."""
+    """Runs the actions; returns the number of failures."""
     failed = 0
     try:
         programs = [task for task in tasks if isinstance(task[1], Cpp)]

@@ -2,9 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// What the parts of programs in the documents take for given, with a known truth: two images of points of space, a third of
-// which lies in a plane that both cameras face (so that its map is a homography, an affine map and a similarity), a fifth of
-// the matches wrong. Each part is a program: `before` of the table, the part, `after` of the table, which says REQUIRE.
+// Variables that the parts of programs in the documents assume, with a known true model. Two images
+// show points of space. A third of the points lies in a plane parallel to both images, so that its
+// map is a homography, an affine map and a similarity. A fifth of the matches is wrong. Each part
+// becomes a program: `before` of the table, the part, and `after` of the table, which uses REQUIRE.
 
 #include <atomic>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace truth {
 const cv::Matx33d K(700, 0, 320, 0, 700, 240, 0, 0, 1);
 const cv::Matx33d R(std::cos(0.1), -std::sin(0.1), 0, std::sin(0.1), std::cos(0.1), 0, 0, 0, 1);
 const cv::Vec3d t(1, 0.2, 0);
-const double depth = 10;  // of the plane
+const double depth = 10;  // depth of the plane
 const cv::Matx33d H = K * (R + t * cv::Vec3d(0, 0, 1 / depth).t()) * K.inv();
 const cv::Matx23d A(H(0, 0), H(0, 1), H(0, 2), H(1, 0), H(1, 1), H(1, 2));
 const cv::Matx33d E = cv::Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
@@ -29,10 +30,10 @@ const cv::Matx34d Rt(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2),
 }
 
 const cv::Mat K(truth::K);
-const cv::Mat distortion, distCoeffs;  // none
+const cv::Mat distortion, distCoeffs;  // empty: no distortion
 std::vector<cv::Point2f> points1, points2, imagePoints;
 std::vector<cv::Point3f> objectPoints, space1, space2;
-std::vector<float> ratios;  // lower is better
+std::vector<float> ratios;  // scores of the matches; lower is better
 
 namespace frame {
 
@@ -72,7 +73,8 @@ inline void require(bool condition, const char* text)
     std::exit(1);
 }
 
-// Relative, up to the sign of a matrix without one.
+// Compares matrices up to scale and sign, with a relative tolerance. A matrix without sign, such as
+// F, may be negated.
 inline bool near(const cv::Mat& a, const cv::Mat& b, double error = 1e-3)
 {
     if (a.size() != b.size() || a.empty())

@@ -2,10 +2,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs the parts of Python programs in the documents: frame.py TASKS.json, a list of {key, document, line, code, before, after}.
+"""Runs the parts of Python programs in the documents: frame.py TASKS.json, a list of {key,
+document, line, code, before, after}.
 
-What they take for given has a known truth, as in frame.hpp. `before` and `after` are the table's; the latter says `require(...)`.
-The code of a part stands in the same line as in its document, so that a traceback names that."""
+The variables that a part assumes have a known true model, as in frame.hpp. `before` and `after`
+come from the table; the latter uses `require(...)`. The code of a part keeps its line number in the
+document, so that a traceback names this line."""
 
 import json
 import sys
@@ -16,7 +18,7 @@ import numpy as np
 K = np.array([[700.0, 0, 320], [0, 700, 240], [0, 0, 1]])
 R = np.array([[np.cos(0.1), -np.sin(0.1), 0], [np.sin(0.1), np.cos(0.1), 0], [0, 0, 1]])
 T = np.array([1, 0.2, 0])
-DEPTH = 10.0  # of the plane
+DEPTH = 10.0  # depth of the plane
 H = K @ (R + np.outer(T, [0, 0, 1 / DEPTH])) @ np.linalg.inv(K)
 E = np.array([[0, -T[2], T[1]], [T[2], 0, -T[0]], [-T[1], T[0], 0]]) @ R
 F = np.linalg.inv(K).T @ E @ np.linalg.inv(K)
@@ -29,7 +31,7 @@ def project(X):
 
 
 def near(a, b, error=1e-3):
-    """Relative, up to the sign."""
+    """Compares arrays up to scale and sign, with a relative tolerance."""
     if a is None or np.size(a) != np.size(b):
         return False
     a, b = np.ravel(a) / np.linalg.norm(a), np.ravel(b) / np.linalg.norm(b)
@@ -46,7 +48,7 @@ def require(condition):
 
 
 def given():
-    """Names of the parts: fresh ones for each."""
+    """Returns the variables that a part can use; new ones for each part."""
     rng = np.random.RandomState(1)
     i = np.arange(300)
     z = np.where(i % 3 == 0, DEPTH, rng.uniform(4, 8, 300))

@@ -2,9 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A folder of overlapping images, as the tutorial on collections begins with: images.py FOLDER.
+"""Makes a folder of overlapping images, as the tutorial on collections needs it: images.py FOLDER.
 
-Textured rectangles of different depths and slants, seen by cameras on an arc."""
+The images show textured rectangles of different depths and slants, seen by cameras on an arc."""
 
 import os
 import sys
@@ -14,13 +14,14 @@ import numpy as np
 
 SIZE = (320, 240)
 K = np.array([[300.0, 0, 160], [0, 300, 120], [0, 0, 1]])
-# Corner, edges along columns and rows; z is ahead. From far to near.
+# For each plane: a corner and its edges along columns and rows. z points away from the camera.
+# Sorted from far to near.
 PLANES = [((-9, -7, 12), (18, 0, 0), (0, 14, 0)), ((-5, -3, 9), (4, 0, 1.5), (0, 5, 0)), ((1, -3.5, 9), (4, 0, -1.5), (0, 5, 0.8)),
           ((-3, 0.5, 7), (3, 0, -0.5), (0, 2, 0.5)), ((0.2, -2, 7), (2, 0, 0.6), (0, 3.5, 0))]
 
 
 def texture(rng, width, height):
-    """Something to match everywhere: blurred noise of three sizes."""
+    """An image with features everywhere: blurred noise of three sizes."""
     image = np.zeros((height, width))
     for size in (6, 16, 48):
         noise = rng.uniform(-1, 1, (height // size + 2, width // size + 2))
@@ -29,7 +30,7 @@ def texture(rng, width, height):
 
 
 def view(textures, degrees):
-    """From a place on an arc around a point ahead of the middle."""
+    """Renders the view of a camera on an arc around a point in front of the middle camera."""
     angle = np.radians(degrees)
     R = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
     t = np.array([0, 0, 9]) - R @ [0, 0, 9]

@@ -3,10 +3,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Stands for cmake, apt, apt-get and sudo where the commands of the documents run.
+"""Replaces cmake, apt, apt-get and sudo when commands of the documents run.
 
-cmake: the sources in the scratch checkout are those of the project, and its folder `build` is the build that the project has. apt
-install: packages are to be installed already, or, as files, to be installable; apt-get: the same of scripts, which may fetch. sudo: apt without it."""
+cmake: the sources of the scratch checkout are replaced by those of the project, and the folder
+`build` by the existing build. apt install: does not install; the packages must be installed already
+or, if they are files, installable. apt-get: the same for scripts, which may also download. sudo:
+runs apt without it."""
 
 import os
 import subprocess
@@ -16,7 +18,7 @@ PROJECT = os.environ.get("USAC_DOCUMENTS_PROJECT", "")
 
 
 def elsewhere(name):
-    """The program itself."""
+    """The path of the real program."""
     for folder in os.environ["PATH"].split(os.pathsep):
         path = os.path.join(folder, name)
         if os.path.realpath(path) != os.path.realpath(__file__) and os.access(path, os.X_OK):
@@ -62,7 +64,7 @@ def main(name, arguments):
         if not {"download", "update"} & set(arguments):
             sys.exit("a package is missing: apt-get " + " ".join(arguments))
         os.execv("/usr/bin/apt-get", ["apt-get"] + arguments)
-    elif arguments[:1] == ["apt"]:  # sudo
+    elif arguments[:1] == ["apt"]:  # the program is sudo
         apt(arguments[1:])
     else:
         sys.exit("not a command for a document: sudo " + " ".join(arguments))

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What is done with each block, in the order in which they run: (document, heading, language and number below the heading or the
-command itself, action)."""
+"""The action of each block in the order in which the blocks run: (document, heading, language and
+number below the heading or the command itself, action)."""
 
 import os
 import shutil
@@ -21,12 +21,12 @@ DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, THRE
 CHECK = "modules/usac/misc/consumer/check.sh"
 RUN_TESTS, MATRIX = "modules/usac/misc/run_tests.sh", "modules/usac/misc/matrix.sh"
 PYTHON_TESTS = "modules/usac/misc/python/test/"
-GATE = Elsewhere(RUN_TESTS, "consumer")  # the gate is what runs this check
+GATE = Elsewhere(RUN_TESTS, "consumer")  # the gate runs this check
 
 PIP = Elsewhere("samples/quickstart.sh", "python_package", ("install", "modules/usac"))
 
 ENV = ("{work}/clone/env/bin",)
-# In quick mode the package is linked with the library that is there instead of compiling it once more.
+# In quick mode the package is linked with the existing library instead of compiling it again.
 LINKED = " -Dopencv_usac_DIR={build}" if os.environ.get("USAC_CONSUMER_QUICK") else ""
 QUICKSTART = """mkdir -p "{work}/quickstart"
 ln -sfn "{build}" "{work}/quickstart/build-$(printf %s "$PWD" | cksum | cut -d ' ' -f 1)"
@@ -35,7 +35,7 @@ VENV = """rm -f "{checks}/readme_build/CMakeCache.txt\""""
 VENV_IS_RIGHT = """env/bin/python3 -c "import usacv20; print(usacv20.__version__)" |
     grep -Fx "$(sed -n 's/^set(USAC_VERSION \\(.*\\))$/\\1/p' modules/usac/cmake/usac_version.cmake)"
 [ -n "$(find env -path '*/usacv20-*.dist-info/*' -name LICENSE)" ]"""
-NATIVE = {"USACV20_BUILD_DIR": "{checks}/readme_build"}  # what is compiled stays for the next run
+NATIVE = {"USACV20_BUILD_DIR": "{checks}/readme_build"}  # compiled files are kept for the next run
 LISTS = """for scene in planar general view rigid; do
     usac_synthetic --out=DATA --scene=$scene --pairs=1 --size=200 --inliers=0.6 --scores=0.8 > /dev/null
 done
@@ -44,7 +44,7 @@ usac_synthetic --out=DATA --scene=view --name=pnp --pairs=1 --size=200 --inliers
 ln -sfn DATA DIR"""
 FIRST_LIST = """usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 > /dev/null
 ln -s ../clone/modules ."""
-FEW = {"--pairs=25": "--pairs=1"}  # scenes
+FEW = {"--pairs=25": "--pairs=1"}  # fewer scenes than the text says, to save time
 BENCHMARK_TESTS = "modules/usac/benchmark/test_"
 FILES = "import sys; sys.path.insert(0, '../clone/modules/usac/benchmark')\n"
 RUNS = "usac_benchmark --list=DATA/lists/homogr.H.list --runs=runs.csv --methods=USACV20,cv:USAC_DEFAULT,cv:RANSAC > /dev/null"
@@ -80,18 +80,19 @@ with h5py.File('matches.h5', 'w') as file:
             group = file.create_group(names[first] + '/' + names[second])
             group['matches0'], group['matching_scores0'] = partners, scores
 " """
-# As the text says below the commands.
+# The names of options in COLMAP 4, as the text below the commands says.
 OPTIONS_OF_COLMAP = {"--SiftExtraction.use_gpu": "--FeatureExtraction.use_gpu", "--SiftMatching.use_gpu": "--FeatureMatching.use_gpu"}
 if not shutil.which("colmap") or b"FeatureExtraction.use_gpu" not in subprocess.run(
         ["colmap", "feature_extractor", "--help"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout:
-    OPTIONS_OF_COLMAP = {}  # 3
+    OPTIONS_OF_COLMAP = {}  # the installed COLMAP is version 3
 COURT = """PYTHONPATH={project}/modules/usac/benchmark/collection python3 -c "
 from streets import Options, Street
 Street(Options('court', 24, seed=0)).write('court.db')"
 python3 -m usacv20.collection verify court.db"""
 
 TABLE = [
-    # The folder that most commands run in; the build there is that of check.sh.
+    # Blocks of README. Most commands run in a scratch checkout; its folder build is the build of
+    # check.sh.
     (README, "Two commands", "sh 1", Shell(
         before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON" + LINKED),
         elsewhere={"sh modules/usac/misc/run_tests.sh --installed":
@@ -123,7 +124,7 @@ REQUIRE(found && frame::pose(rvec, tvec)); REQUIRE(all.size() == 2 && frame::nea
     (MODULE, "Building", "sh 2", Shell(names=PREFIX, after=NO_FILES, elsewhere={
         "cmake --build build --target usac_docs": Elsewhere(CHECK, "documentation", ("--target usac_docs",))})),
     (MODULE, "Building", "cmake 1", CMake(("-DCMAKE_PREFIX_PATH={checks}/prefix",))),
-    (MODULE, "Building", "cmake 2", CMake(links={"opencv_usac": "{project}"}, build=False)),  # compiled by the checks parent and fetch
+    (MODULE, "Building", "cmake 2", CMake(links={"opencv_usac": "{project}"}, build=False)),  # the checks `parent` and `fetch` compile it
     (MODULE, "Building", "pkg-config --cflags --libs opencv_usac", Elsewhere(CHECK, "by_pkg_config", ("pkg-config --cflags --libs opencv_usac",))),
     (MODULE, "Building", "sh 3", Shell(
         before="rm -f build/*.deb", prints=(r"python3-usacv20_\S*deb generated",), always="cmake -S . -B build -DBUILD_SAMPLES=ON",
@@ -198,12 +199,12 @@ const std::vector<Point2f> nextPoints1 = points1, nextPoints2 = points2;
 const Ptr<usacv20::Usac> usac = usacv20::Usac::create(cv::usacv20::HOMOGRAPHY, std::vector<Point2f>(50), std::vector<Point2f>(50), params);""",
                                           after="REQUIRE(frame::near(next, truth::H));")),
 
-    # A folder of images of five views.
+    # Blocks of the tutorial on collections, on a folder of five synthetic images.
     (COLLECTIONS, "Goal", "pip install ./modules/usac", PIP),
     (COLLECTIONS, "Features and matches", "sh 1", Shell(
         "collection", names=OPTIONS_OF_COLMAP, before="/usr/bin/python3 {project}/modules/usac/misc/consumer/documents/images.py images", leaves=("scene.db",))),
     (COLLECTIONS, "Verification", "sh 1", Shell("collection", path=ENV, prints=("^10 pairs in .*: 10 verified, 0 refused$",))),
-    (COLLECTIONS, "Verification", "text 1", Printed("Verification | sh 1", free=(".*",))),  # of other images
+    (COLLECTIONS, "Verification", "text 1", Printed("Verification | sh 1", free=(".*",))),  # any values, as the document shows other images
     (COLLECTIONS, "Repeated structure", "text 1", Printed(
         "", before=COURT, tolerance=0.05, free=(r"in \S+ s \(\S+ a second\)",))),
     (COLLECTIONS, "Repeated structure", "pairs LIST", Elsewhere(PYTHON_TESTS + "test_usac_collection_command.py", "test_pairs")),
@@ -252,13 +253,13 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "sh modules/usac/misc/matrix.sh": Impossible("it needs root, a mirror of Debian and some hours")})),
     (CONTRIBUTING, "Results that change", "python3 modules/usac/benchmark/measure.py --build=build --data=DATA",
         Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
-    (CONTRIBUTING, "Results that change", "sh 1", Shell(elsewhere={  # they write the stored hashes
+    (CONTRIBUTING, "Results that change", "sh 1", Shell(elsewhere={  # not run here, since they overwrite the stored hashes
         "USAC_WRITE_HASHES=test_data/hashes.txt build/bin/opencv_test_usac --gtest_filter=Usac_Hashes.stored":
             Elsewhere("modules/usac/test/runs/test_hashes.cpp", "Usac_Hashes", ("USAC_WRITE_HASHES", "stored")),
         "USAC_TEST_MODULE=usacv20 env/bin/python3 modules/usac/misc/python/test/test_usac_hashes.py --write":
             Elsewhere(PYTHON_TESTS + "test_usac_hashes.py", "results", ("--write",))})),
 
-    # Lists of one pair.
+    # Blocks of the benchmark's document, on lists of one pair.
     (BENCHMARK, "Quick start", "sh 1", Shell("benchmark", before=FIRST_LIST, leaves=("tables.csv", "pictures"), elsewhere={
         "python3 modules/usac/benchmark/dataset.py strecha --images=DIR/strecha --out=DATA --pairs=50":
             Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", ("--images", "--out", "--pairs"))})),

@@ -3,9 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The checks of the documents: a command or code that is wrong fails, and so does a block without a rule.
+"""Tests of the checks of the documents: wrong commands, wrong code and blocks without a rule must
+fail.
 
-USAC_DOCUMENTS_CHECKS names the working directory of check.sh, with the library's build: without it nothing is compiled."""
+USAC_DOCUMENTS_CHECKS names the working directory of check.sh with the library's build. Without it
+nothing is compiled."""
 
 import contextlib
 import io
@@ -227,7 +229,7 @@ class OtherActionsTest(ActionCase):
 
 @unittest.skipUnless(CHECKS, "USAC_DOCUMENTS_CHECKS is not set")
 class ProgramsTest(unittest.TestCase):
-    """What run() prints of whole documents, with C++."""
+    """Tests the output of run() on whole documents with C++ code."""
 
     def test_code(self):
         folder = os.path.join(CHECKS, "documents_test")
@@ -248,7 +250,7 @@ class ProgramsTest(unittest.TestCase):
             self.assertIn("FAILED " + place + ": ", out.getvalue())
 
     def test_main(self):
-        """A checkout with another document: the program fails and names the block."""
+        """A checkout with a changed document. The program must fail and name the new block."""
         with tempfile.TemporaryDirectory() as folder:
             for name in os.listdir(PROJECT):
                 if name not in (".git", "README.md"):

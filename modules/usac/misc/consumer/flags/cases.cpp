@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Programs that would lose a flag without a word: they must not compile. One is chosen by its macro
-// REFUSED_*. With MENDED the marked place is as it should be, and the same program must compile,
-// which shows that it is refused for this place. What stands below a macro ALLOWED_* must compile
-// as it is.
+// Programs that would silently lose a flag and therefore must not compile. A macro REFUSED_*
+// selects one program. If MENDED is defined, too, the marked place is corrected and the program
+// must compile, which shows that it is refused because of this place. Programs below a macro
+// ALLOWED_* must compile unchanged.
 
 #include <map>
 #include <string>
@@ -106,7 +106,7 @@ cv::Mat estimate(const Points& a, const Points& b)
     return cv::findFundamentalMat(a, b, FLAG(cv::USACV20) | cv::RANSAC);
 }
 #elif defined(REFUSED_focal_length)
-// The camera has been forgotten.
+// The camera matrix is missing, so the flag would be taken as the focal length.
 cv::Mat estimate(const Points& a, const Points& b)
 {
     return cv::findEssentialMat(a, b, FLAG(cv::USACV20));

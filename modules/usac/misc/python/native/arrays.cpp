@@ -10,10 +10,10 @@ namespace python {
 
 namespace {
 
-//! Most dimensions of a cv::Mat, and one.
+//! One more than the largest number of dimensions of a cv::Mat.
 constexpr int TOO_MANY = 32;
 
-//! What cv::Mat calls the type of the array, or -1.
+//! The depth of a cv::Mat with elements of this type; -1 if there is none.
 int depthOf(const py::dtype& type)
 {
     const char kind = type.kind();
@@ -27,8 +27,8 @@ int depthOf(const py::dtype& type)
     }
 }
 
-//! Whether the elements lie as those of a cv::Mat may: the last `solid` dimensions without gaps,
-//! the others ascending.
+//! True if a cv::Mat can have this memory layout: the last `solid` dimensions have no gaps, and
+//! strides do not increase towards the last dimension.
 bool fits(const py::array& array, int solid)
 {
     py::ssize_t gapless = array.itemsize(), least = gapless;
@@ -45,7 +45,7 @@ bool fits(const py::array& array, int solid)
     return true;
 }
 
-//! Numbers of a matrix, row by row.
+//! A NumPy array with a copy of the matrix.
 template <class T>
 py::object copyOf(const Mat& mat)
 {
@@ -89,8 +89,8 @@ ArrayMat::ArrayMat(const py::object& given, const char* name)
         matrix = Mat((int)sizes.size(), sizes.data(), type);
         return;
     }
-    // NumPy's strides of dimensions of size 1 are arbitrary; those of a cv::Mat are taken in
-    // their place.
+    // NumPy's strides of dimensions of size 1 are arbitrary. They are replaced by the strides that
+    // a cv::Mat has.
     size_t step = CV_ELEM_SIZE(type);
     steps.resize(sizes.size(), step);
     for (size_t i = sizes.size(); i-- > 0; step = steps[i] * sizes[i])

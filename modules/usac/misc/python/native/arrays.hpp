@@ -11,19 +11,19 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief A cv::Mat of an array of NumPy's, in the form that cv2 gives it: rows and columns, of
-three dimensions the last one is the channels. The numbers are those of the array where its layout
-is one that cv::Mat has, else a copy. The array must have numbers of a type that cv::Mat has, in the
-order of bytes of this machine. */
+/** @brief A cv::Mat of a NumPy array in the form that cv2 gives it: rows and columns; a third
+dimension becomes the channels. The matrix shares the array's memory if a cv::Mat can have its
+layout; otherwise it is a copy. The array must have a type of numbers that cv::Mat has, in native
+byte order. */
 class ArrayMat
 {
 public:
-    //! None: an empty matrix. @param name of the argument, for messages
+    //! None gives an empty matrix. @param name name of the argument, for messages
     ArrayMat(const py::object& array, const char* name);
 
-    //! The matrix; as long as this object lives, and nobody else changes the array.
+    //! The matrix. It is valid while this object lives and nobody changes the array.
     const Mat& mat() const { return matrix; }
-    //! The same with numbers of its own, for use without the interpreter's lock.
+    //! A copy of the matrix, for use without the interpreter's lock.
     Mat own() const { return matrix.clone(); }
 
 private:
@@ -31,7 +31,7 @@ private:
     Mat matrix;
 };
 
-//! An array with a copy of the numbers; None if the matrix is empty.
+//! A NumPy array with a copy of the matrix; None if it is empty.
 py::object arrayOf(const Mat& mat);
 
 }  // namespace python

@@ -9,7 +9,8 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-//! The entry of a task in a list with an entry for each task, one for all, or none (`None`).
+//! The entry for a task in a list that has an entry for each task or one entry for all tasks;
+//! `None` if the list is empty.
 static py::object entryOf(const py::list& list, size_t task)
 {
     if (list.empty())
@@ -17,9 +18,9 @@ static py::object entryOf(const py::list& list, size_t task)
     return list[list.size() == 1 ? 0 : task];
 }
 
-/** Many estimations of one problem. Arrays and options are copied while the interpreter's lock is
-held, so that other threads may change them during the run, which is without it.
-@return for each task (model, mask, report, message of its mistake or an empty string) */
+/** Makes many estimations of one problem. Arrays and options are copied while the interpreter's
+lock is held, so other threads may change them during the run, which does not hold the lock.
+@return for each task (model, mask, report, error message or empty string) */
 static py::list estimateBatch(int problem, const py::list& points1, const py::list& points2,
                               const py::list& params, const py::list& cameraMatrices1,
                               const py::list& cameraMatrices2, const py::list& distCoeffs1,

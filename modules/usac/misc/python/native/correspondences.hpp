@@ -11,9 +11,9 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-//! The fields of the class Correspondences of the package; all arrays are copies. `scores` are
-//! Params::scores, as the caller has given them: those of Correspondences have another sign where
-//! higher is better.
+//! The fields of the package's class Correspondences; all arrays are copies. `scores` is
+//! Params::scores as the caller has given it: Correspondences stores it negated if higher is
+//! better.
 py::tuple fieldsOf(const Correspondences& points, int sampleSize, const std::vector<float>& scores);
 
 }  // namespace python

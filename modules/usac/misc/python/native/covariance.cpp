@@ -5,7 +5,7 @@
 #include "arrays.hpp"
 #include "native.hpp"
 
-// How sure a model is. The functions are short and keep the interpreter's lock.
+// Functions for the covariance of a model. They are fast and keep the interpreter's lock.
 
 namespace cv {
 namespace usacv20 {

@@ -8,7 +8,7 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-//! Raises the exception of the package, with the attributes that those of cv2 have.
+//! Raises the exception of the Python package, with the attributes of cv2.error.
 static void raise(const cv::Exception& exception)
 {
     try

@@ -9,9 +9,9 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** Any of the problems. Arrays and options are copied while the interpreter's lock is held, so that
-other threads may change them during the run, which is without it, as is all that goes before the
-first sample. */
+/** Estimates the model of any problem. Arrays and options are copied while the interpreter's lock
+is held, so other threads may change them during the run, including its preparation, which does not
+hold the lock. */
 static py::tuple estimate(int problem, const py::object& points1, const py::object& points2,
                           const Params& params, const py::object& cameraMatrix1,
                           const py::object& cameraMatrix2, const py::object& distCoeffs1,

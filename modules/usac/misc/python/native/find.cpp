@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // The functions of calib3d with a flag of this module or of OpenCV. They run on copies of the
-// arrays, without the interpreter's lock.
+// arrays and without the interpreter's lock.
 
 #include "arrays.hpp"
 #include "unlocked.hpp"
@@ -16,7 +16,8 @@ namespace {
 
 Mat own(const py::object& array, const char* name) { return ArrayMat(array, name).own(); }
 
-//! Calls a function that writes a mask, without the lock. @return its result and the mask
+//! Calls a function that writes a mask, without the interpreter's lock. @return its result and the
+//! mask
 template <class Function>
 py::tuple unlocked(const Function& find)
 {
@@ -136,7 +137,7 @@ py::tuple solveOfParams(const py::object& objectPoints, const py::object& imageP
     return pose(found, rvec, tvec, inliers);
 }
 
-//! Numbers of the flags of cv::solvePnPRansac by their names: they differ between OpenCV 4 and 5.
+//! The values of the flags of cv::solvePnPRansac by name. They differ between OpenCV 4 and 5.
 py::dict solvePnPFlags()
 {
     py::dict flags;

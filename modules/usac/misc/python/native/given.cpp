@@ -5,8 +5,8 @@
 #include "arrays.hpp"
 #include "unlocked.hpp"
 
-// What needs no search, and the motion of two views: on copies of the arrays, without the
-// interpreter's lock.
+// Functions without a search (fit, refinement, errors) and the relative pose of two views. They run
+// on copies of the arrays and without the interpreter's lock.
 
 namespace cv {
 namespace usacv20 {
@@ -14,7 +14,7 @@ namespace python {
 
 namespace {
 
-//! The arrays of a call.
+//! Copies of the arrays of a call.
 struct Views
 {
     Views(int problem_, const py::object& points1, const py::object& points2,

@@ -11,7 +11,7 @@ namespace python {
 
 namespace {
 
-//! On copies of the arrays, without the interpreter's lock.
+//! Runs on copies of the arrays and without the interpreter's lock.
 py::object withoutDistortion(const py::object& array, const py::object& cameraMatrix,
                              const py::object& distCoeffs)
 {

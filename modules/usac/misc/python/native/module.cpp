@@ -6,8 +6,8 @@
 
 namespace {
 
-//! NumPy 2 changed the memory layout of the types of arrays; pybind11 supports it since
-//! version 2.12.
+//! Raises ImportError if the extension was built with a pybind11 before 2.12 and runs with NumPy 2,
+//! which changed the memory layout of array types.
 void checkNumPy()
 {
 #if PYBIND11_VERSION_HEX < 0x020C0000

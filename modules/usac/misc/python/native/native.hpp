@@ -5,8 +5,8 @@
 #ifndef OPENCV_USACV20_PYTHON_NATIVE_HPP
 #define OPENCV_USACV20_PYTHON_NATIVE_HPP
 
-// What the files of the extension module usacv20._native share. Its functions are described in
-// _native.pyi.
+// Declarations shared by the files of the extension module usacv20._native. Its functions are
+// described in _native.pyi.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -18,7 +18,7 @@ namespace python {
 
 namespace py = pybind11;
 
-//! Each adds its part to the module.
+//! Each function adds its part to the module.
 void addErrors(py::module_& module);
 void addParams(py::module_& module);
 void addReport(py::module_& module);

@@ -11,7 +11,7 @@ namespace python {
 
 namespace {
 
-//! Adds each field as a property; lists as arrays, which are copies.
+//! Adds each field as a property. Fields that are lists become arrays, which are copies.
 struct FieldAdder
 {
     py::class_<Params>& type;

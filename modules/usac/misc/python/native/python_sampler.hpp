@@ -11,9 +11,9 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief A sampler whose samples an object of the class Sampler of the package draws. Its methods
-take the interpreter's lock; an exception in Python goes through the search as py::error_already_set
-and comes out as what it was. */
+/** @brief A sampler that calls a Python object of the package's class Sampler. Its methods take the
+interpreter's lock. A Python exception passes through the search as py::error_already_set and
+reaches the caller unchanged. */
 class PythonSampler : public Sampler
 {
 public:
@@ -24,7 +24,7 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE;
 
 private:
-    py::object sampler, rng;  //!< `rng` is handed on with the generator of the iteration in it
+    py::object sampler, rng;  //!< Python object that passes the generator of the current iteration
     int sampleSize;
 };
 

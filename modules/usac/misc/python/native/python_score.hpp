@@ -11,8 +11,8 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief What an object of the class Score of the package makes of the errors. Several threads may
-call it at once, each takes the interpreter's lock; exceptions as in PythonSampler. */
+/** @brief A score that calls a Python object of the package's class Score. Several threads may call
+it at once; each takes the interpreter's lock. Exceptions are passed on as in PythonSampler. */
 class PythonScore : public Score
 {
 public:

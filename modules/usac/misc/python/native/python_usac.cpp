@@ -17,7 +17,7 @@ namespace {
 
 Mat own(const py::object& array, const char* name) { return ArrayMat(array, name).own(); }
 
-//! Sets a flag while it lives. It is destroyed with the interpreter's lock held.
+//! Sets a flag during its lifetime. It must be destroyed with the interpreter's lock held.
 class Running
 {
 public:
@@ -61,7 +61,8 @@ void PythonUsac::build(const Mat& points1, const Mat& points2, const Params& opt
     second = points2;
 }
 
-//! The object is for one thread at a time, and a component must not change what it is part of.
+//! Refuses changes during a run: the object must be used by one thread at a time, and a component
+//! must not change the estimator that calls it.
 void PythonUsac::checkIdle(const char* what) const
 {
     if (running)

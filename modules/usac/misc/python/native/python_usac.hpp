@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-//! An estimation with components that can be replaced by some that are written in Python.
+//! An estimation in which Python code can replace components.
 class PythonUsac
 {
 public:
@@ -20,16 +20,16 @@ public:
                const py::object& cameraMatrix2, const py::object& distCoeffs1,
                const py::object& distCoeffs2);
 
-    //! None: the one of the options.
+    //! None restores the component that the options choose.
     void setSampler(const py::object& sampler);
     void setScore(const py::object& score);
     void setPoints(const py::object& points1, const py::object& points2);
-    //! Other options, and other points where these are not None; components in Python stay. If
-    //! something is wrong, nothing changes.
+    //! Sets other options, and other points unless they are None. Components in Python are kept. If
+    //! an argument is wrong, nothing changes.
     void renew(const py::object& points1, const py::object& points2, const Params& params);
     py::tuple points() const;
-    //! @return model, mask, report; without the interpreter's lock, which components in Python
-    //! take.
+    //! Runs without the interpreter's lock; components in Python take it when they are called.
+    //! @return model, mask, report
     py::tuple run();
 
 private:
@@ -38,10 +38,10 @@ private:
 
     const ProblemType problem;
     const Mat K1, K2, d1, d2;
-    Mat first, second;  //!< points, for other options
+    Mat first, second;  //!< points, kept for renew()
     Params params;
     Ptr<Usac> usac;
-    Ptr<Sampler> ownSampler;  //!< those of the options
+    Ptr<Sampler> ownSampler;  //!< components chosen by the options
     Ptr<Score> ownScore;
     bool running;  //!< guarded by the interpreter's lock
 };

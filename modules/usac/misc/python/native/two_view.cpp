@@ -25,8 +25,9 @@ Size sizeOf(const py::handle& size)
     return Size(given.first, given.second);
 }
 
-//! A tuple (points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1,
-//! imageSize2, taken1, taken2, scores) of arrays, of which all but the points may be None.
+//! Converts a tuple (points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2,
+//! imageSize1, imageSize2, taken1, taken2, scores) of arrays, of which all except the points may be
+//! None.
 TwoViewPair pairOf(const py::tuple& given)
 {
     TwoViewPair pair;
@@ -71,8 +72,8 @@ py::tuple one(const py::tuple& given, const Params& params, const TwoViewRules& 
     return tupleOf(found);
 }
 
-//! Arrays and options are copied while the interpreter's lock is held, so that other threads may
-//! change them.
+//! Arrays and options are copied while the interpreter's lock is held, so other threads may change
+//! them during the run.
 py::list many(const py::list& given, const Params& params, const TwoViewRules& rules, int threads)
 {
     std::vector<TwoViewPair> pairs;

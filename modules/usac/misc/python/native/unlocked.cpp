@@ -11,8 +11,8 @@ namespace python {
 
 namespace {
 
-//! Milliseconds between two looks for signals. The lock takes up to 5 to come while other threads
-//! of Python work.
+//! Milliseconds between two checks for signals. While other Python threads run, taking the lock may
+//! need up to 5 ms.
 constexpr double PERIOD = 50;
 
 bool isMainThread()
@@ -21,7 +21,7 @@ bool isMainThread()
     return threading.attr("main_thread")().is(threading.attr("current_thread")());
 }
 
-//! Asks Python whether a signal has come.
+//! Asks Python now and then whether a signal has arrived.
 class Signals
 {
 public:
@@ -42,7 +42,8 @@ private:
     int64 looked;
 };
 
-/** The function of usacv20.progress: a scope of the thread that enters it, until it leaves it. */
+/** The context manager behind usacv20.progress. It applies to the thread that enters it, until that
+thread leaves it. */
 class PythonProgress
 {
 public:

@@ -12,11 +12,12 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief While it lives, the interpreter's lock is released, and what the thread estimates can be
+/** @brief While it exists, the interpreter's lock is released, and estimations of the thread can be
 interrupted.
 
-In the main thread, where Python handles signals, it looks for them now and then: what a handler
-raises, as KeyboardInterrupt, goes through the estimation as py::error_already_set. */
+In the main thread, where Python handles signals, it checks for signals regularly. An exception of a
+signal handler, such as KeyboardInterrupt, passes through the estimation as py::error_already_set.
+ */
 class Unlocked
 {
 public:

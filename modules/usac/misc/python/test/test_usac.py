@@ -3,9 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The flags of the module: every form of the functions of OpenCV.
+"""Tests the flags of the module with every form of OpenCV's functions.
 
-Runs alone (python3 test_usac.py) and among OpenCV's Python tests, on cv2.usacv20 and on the package: see usac_common.py.
+Runs alone (python3 test_usac.py) and with OpenCV's Python tests, on cv2.usacv20 and on the package:
+see usac_common.py.
 """
 
 import unittest
@@ -97,7 +98,7 @@ class FlagTest(unittest.TestCase):
             self.assertEqual(bits(inliers), bits(np.zeros((1, 1), np.uint8)))
 
     def test_none_in_the_place_of_the_mask(self):
-        # OpenCV's findFundamentalMat takes a None there for maxIters = 0
+        # OpenCV's findFundamentalMat would take None at this position as maxIters = 0
         g = GENERAL
         self.assertEqual(bits(FINDER.findFundamentalMat(g.points1, g.points2, usac.USACV20, 1.0, 0.99, None)),
                          bits(FINDER.findFundamentalMat(g.points1, g.points2, usac.USACV20, 1.0, 0.99)))

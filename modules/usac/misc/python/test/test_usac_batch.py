@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Many estimations in one call: the same bits as one by one, mistakes, cameras for all and for each."""
+"""Tests of many estimations in one call: identical results to single calls, errors, cameras for all
+and for each task."""
 
 import unittest
 
@@ -16,7 +17,7 @@ THREADS = (0, 1, 2, 3)
 
 
 def pairs(planar, count=9):
-    """Parts of different sizes of a scene."""
+    """Returns parts of a scene of different sizes."""
     scene = Scene(planar)
     parts = [slice(0, 60 + 25 * i) for i in range(count)]
     return [scene.points1[part] for part in parts], [scene.points2[part] for part in parts]
@@ -33,7 +34,7 @@ def spaces(count=6):
 
 
 def values(result):
-    """A result in a form that compares byte for byte, without the times of the report."""
+    """A result without the times of the report, for an exact comparison."""
     model, mask, report = result
     return bits((model, mask)), report.iterations, report.cost, report.stop
 
@@ -105,7 +106,7 @@ class BatchTest(unittest.TestCase):
                 usac.estimateHomographies(*call)
         with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
             usac.estimateEssentials(first, second, [np.eye(3)] * 2)
-        for both in (False, True):  # the camera of all is wrong
+        for both in (False, True):  # the camera matrix for all tasks is wrong
             with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
                 usac.estimateEssentials(first, second, "K", returnExceptions=both)
 

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The collection tool on a synthetic collection: what it says of the pairs, and what colmap makes of its table."""
+"""Tests of the collection tool on a synthetic collection: its results for the pairs, and colmap's
+reconstruction from its table."""
 
 from __future__ import annotations
 
@@ -23,12 +24,12 @@ from usac_common import once, package
 DEGENERATE, CALIBRATED, UNCALIBRATED, PLANAR, PANORAMIC, PLANAR_OR_PANORAMIC, WATERMARK = range(1, 8)
 KNOWN = Recipe(images=20, lonePairs=0.15)
 UNKNOWN = KNOWN._replace(cameras=(("SIMPLE_RADIAL", False),))
-# A scene that is flat but for some points is planar to who asks for most of the points.
+# A general scene with a larger fraction of points on a plane may also be classified as planar.
 CLEAR = 0.7
 
 
 def verify(database: str, threshold: str = "4") -> None:
-    """COLMAP's threshold is 4 pixels."""
+    """Runs the verification; the default threshold is COLMAP's, 4 pixels."""
     usac_colmap.runProgram([sys.executable, "-m", "usacv20.collection", "verify", "--threads", "1", "--threshold", threshold,
                             "--no-progress", database])
 
@@ -51,7 +52,7 @@ class Case(unittest.TestCase):
 @once
 @package
 class GeneratorTest(Case):
-    """The truth is true."""
+    """Tests that the ground truth of synthetic collections is correct."""
 
     def test_same_bytes_by_seed(self) -> None:
         recipe = Recipe(images=12)
@@ -79,7 +80,8 @@ class GeneratorTest(Case):
         self.assertGreater(counts.min(), 30)
 
     def epipolarError(self, collection: Collection, pair: PairTruth) -> Any:
-        """Of directions: the sine of the angle between a ray and the plane of the other one."""
+        """Epipolar error of directions: the sine of the angle between a ray of image 2 and the
+        epipolar plane of the ray of image 1."""
         rays = []
         for image, column in ((pair.first, 0), (pair.second, 1)):
             pixels = collection.keypoints[image][pair.matches[:, column]]
@@ -102,14 +104,14 @@ class GeneratorTest(Case):
 
 
 class Found:
-    """What a table says, beside the truth."""
+    """The contents of a table of results, with the ground truth."""
 
     def __init__(self, collection: Collection, database: str) -> None:
         self.collection = collection
         self.table = usac_colmap.verified(database)
 
     def configurations(self, kind: Kind) -> List[int]:
-        """Of pairs whose kind is beyond doubt."""
+        """The configurations of pairs whose kind is unambiguous."""
         return [self.table[pair.pairId].configuration for pair in self.collection.pairs if pair.kind is kind
                 and (kind is not Kind.GENERAL or pair.flatShare < CLEAR)]
 
@@ -117,7 +119,8 @@ class Found:
         return float(np.mean(np.array(self.configurations(kind)) == configuration))
 
     def inliers(self) -> Tuple[float, float]:
-        """Of the pairs that overlap: share of the right matches that are found, share of wrong ones in what is found."""
+        """For pairs with overlap: the recall of right matches, and the fraction of wrong matches
+        among the inliers."""
         right = found = both = 0
         for pair in self.collection.pairs:
             if pair.kind in (Kind.GENERAL, Kind.PLANAR, Kind.ROTATION):
@@ -143,7 +146,8 @@ class VerifyTest(Case):
         self.check(self.found(KNOWN), 0.98)
 
     def test_threshold_of_the_collection(self) -> None:
-        """One of 20 right matches has an error beyond it, whatever the noise."""
+        """The estimated threshold excludes 5 % of the right matches for any noise, so the required
+        recall is lower."""
         self.check(self.found(KNOWN._replace(noise=1.5), "auto"), 0.92)
 
     def check(self, found: Found, least: float) -> None:
@@ -199,7 +203,8 @@ class VerifyTest(Case):
 @package
 @unittest.skipUnless(usac_colmap.find(), "there is no program colmap")
 class MapperTest(Case):
-    """From our table and from COLMAP's, of the same matches."""
+    """Compares reconstructions from the tool's table and from COLMAP's table of the same matches.
+    """
 
     def mapped(self, database: str, collection: Collection, program: Optional[str] = None, command: str = "mapper") -> Dict[str, float]:
         model, _ = usac_colmap.mapper(database, program=program, command=command)
@@ -236,8 +241,8 @@ class MapperTest(Case):
 
     @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a later colmap")
     def test_later_version(self) -> None:
-        """Both mappers of COLMAP 4, from databases that were its own before and from those that were not, are as good with our
-        table as with its own."""
+        """Both mappers of COLMAP 4 must be as good with the tool's table as with COLMAP's own. The
+        databases were opened by COLMAP 4 before, or were not."""
         later = usac_colmap.findLater()
         for name, recipe in (("known", KNOWN), ("unknown", UNKNOWN)):
             collection = Collection(recipe)
@@ -255,7 +260,7 @@ class MapperTest(Case):
                         self.assertEqual(a["registered"], recipe.images)
                         self.assertGreater(a["auc1"], b["auc1"] - 0.02)
                         self.assertGreater(a["auc1"], 0.9)
-                    if base == "3.8":  # what COLMAP 4 has opened is its own from then on
+                    if base == "3.8":  # restored, as COLMAP 4 converts the database when it opens it
                         os.remove(ours)
                         ours = self.write(collection, "later-{}-{}".format(base, name))
                         verify(ours)

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The command line of the collection tool from end to end, and the scores of matches."""
+"""Tests of the command line of the collection tool from end to end, and of scores of matches."""
 
 import contextlib
 import io
@@ -23,15 +23,15 @@ from usac_common import once, package
 
 try:
     from usacv20.collection._command import main
-except ImportError:  # in-tree
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 
 NAMES = {1: "day/a.jpg", 2: "day/b.jpg", 3: "night/c.jpg", 4: "d.jpg"}
-WRONG = 0.96  # of the matches: nothing is found in a few samples without scores
+WRONG = 0.96  # fraction of wrong matches: without scores, few samples find no model
 
 
 def scenes(wrong):
-    """A pair of images each, with keypoints of their own."""
+    """Two pairs of images; each pair has its own keypoints."""
     return {(1, 2): Scene(7, wrong=wrong, count=2500), (3, 4): Scene(8, wrong=wrong, count=2500)}
 
 

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The program that measures COLMAP's verification and ours, on a small synthetic collection."""
+"""Tests of the program that compares COLMAP's verification with the tool's, on a small synthetic
+collection."""
 
 from __future__ import annotations
 

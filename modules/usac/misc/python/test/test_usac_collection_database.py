@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Databases of COLMAP as the collection tool reads and copies them, whole and damaged."""
+"""Tests of the collection tool's reading and copying of COLMAP databases, intact and damaged."""
 
 import contextlib
 import os
@@ -59,7 +59,8 @@ class SourceTest(DatabaseCase):
                 self.assertTrue(view.focalKnown)
 
     def test_points_without_a_direction(self):
-        """They and their scores are left out: of this lens the distortion falls from a radius on."""
+        """Beyond some radius the distortion of this lens decreases, so some points correspond to no
+        direction. These points and their scores must be left out."""
         smallDatabase(self.path, distorted=True)
         before = self.load(scores=Column())
         change(self.path, "UPDATE cameras SET params = ?", np.array([600, 610, 320, 240, -0.9, 0, 0, 0], "<f8").tobytes())
@@ -84,7 +85,7 @@ class SourceTest(DatabaseCase):
                 self.assertEqual(list(self.source().keys()), keys)
 
     def test_cache(self):
-        """Images are dropped from memory and read again."""
+        """Images must be dropped from the cache at its limit and read again later."""
         smallDatabase(self.path, distorted=True)
         limit = 3 * (1000 + 60 * 24)
         source = self.source(cache=limit)
@@ -93,7 +94,7 @@ class SourceTest(DatabaseCase):
         self.assertEqual(len(source._cache._images), 3)
         self.assertLessEqual(source._cache._bytes, limit)
         self.assertTrue(same(source.load(keys[::-1]), self.load()[::-1]))
-        for other in range(2, 7):  # the image of all these pairs stays
+        for other in range(2, 7):  # image 1 belongs to all these pairs, so it must stay in the cache
             source.load([pairId(1, other)])
             self.assertIn(1, source._cache._images)
             self.assertIn(other, source._cache._images)
@@ -110,7 +111,7 @@ class SourceTest(DatabaseCase):
         self.assertTrue(same(again.load(keys), source.load(keys)))
         self.assertEqual(again.fingerprint(), source.fingerprint())
         source.close()
-        self.assertTrue(same(again.load(keys), source.load(keys)))  # it is opened again
+        self.assertTrue(same(again.load(keys), source.load(keys)))  # the connection must be opened again
 
     def test_fingerprint(self):
         smallDatabase(self.path)
@@ -171,10 +172,12 @@ class Missing(Column):
 @once
 @package
 class FaultTest(DatabaseCase):
-    """One thing is wrong: the pairs with it are faults, the others are as before."""
+    """One part of the database is wrong: pairs that need it must be faults, and all other pairs
+    unchanged."""
 
     def faults(self, words, expected, *statements):
-        """Reasons of the faults, of pairs of those images, after the statements."""
+        """Executes the statements; exactly the `expected` pairs of images must become faults, with
+        the words in their reasons."""
         with contextlib.suppress(FileNotFoundError):
             os.remove(self.path)
         smallDatabase(self.path)
@@ -212,7 +215,8 @@ class FaultTest(DatabaseCase):
         self.faults(["58 rows of 2", "0 bytes"], [(2, 4)], ("UPDATE matches SET data = NULL WHERE pair_id = ?", key))
 
     def test_no_matches(self):
-        """COLMAP stores that nothing was found: a pair as any other."""
+        """COLMAP stores an empty row if no matches were found; such a pair must be read as a normal
+        pair."""
         smallDatabase(self.path)
         change(self.path, "UPDATE matches SET rows = 0, data = NULL")
         self.assertEqual([pair.matches.shape for pair in self.load()], [(0, 2)] * 15)
@@ -230,7 +234,8 @@ class FaultTest(DatabaseCase):
             self.faults(words, pairs, statement)
 
     def test_keypoints_without_a_place(self):
-        """Of the keypoints only those that are matched matter."""
+        """Keypoints that are not finite may make only those pairs faults that have matches of them.
+        """
         for value, text in ((np.nan, "(1, nan)"), (np.inf, "(1, inf)")):
             table = np.ones((60, 2), "<f4")
             table[59, 1] = value
@@ -266,7 +271,8 @@ class FaultTest(DatabaseCase):
 @once
 @package
 class WholeTest(DatabaseCase):
-    """A database that cannot be used at all, for reading and for writing."""
+    """Tests of databases that cannot be used at all. Reading and writing must give an error
+    message."""
 
     def unusable(self, *words, **keywords):
         path = keywords.get("path", self.path)
@@ -329,14 +335,14 @@ class WholeTest(DatabaseCase):
                 other.execute("BEGIN EXCLUSIVE")
                 self.refused(["a.db", "another program", "locked"], DatabaseSink, self.path, {})
                 if wal:
-                    self.assertEqual(len(self.load()), 15)  # readers do not wait for a writer
+                    self.assertEqual(len(self.load()), 15)  # in WAL mode, readers do not wait for a writer
                 else:
                     self.refused(["a.db", "another program", "locked"], self.load)
             sink.close(finished=False)
 
     def test_read_only(self):
         for wal in (True, False):
-            for mode in (0o444, 0o644):  # of the file; the folder is read-only in any case
+            for mode in (0o444, 0o644):  # permissions of the file; the folder is always read-only
                 with contextlib.suppress(FileNotFoundError):
                     os.remove(self.path)
                 smallDatabase(self.path, wal=wal)
@@ -357,7 +363,8 @@ class WholeTest(DatabaseCase):
         self.refused(["b.db", "cannot be written"], _sqlite.copyDatabase, self.path, os.path.join(self.folder, "b.db"))
 
     def asNobody(self, function, *args):
-        """What it raises in a process that is not the superuser, to whom nothing is read-only."""
+        """Calls a function in a process without superuser rights, for which alone files are
+        read-only; returns the exception as text."""
         reader, writer = os.pipe()
         child = os.fork()
         if not child:

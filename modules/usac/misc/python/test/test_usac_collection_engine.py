@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""All pairs of a database through the engine of the collection tool, on threads and Dask: the same table each time, also if the
-run is stopped, killed or loses a worker in the middle."""
+"""Runs the collection tool's engine on all pairs of a database, with threads and Dask. The table
+must be the same each time, even if the run is stopped or killed, or if a worker dies."""
 
 import contextlib
 import importlib.util
@@ -30,11 +30,11 @@ if not IN_TREE:
     from usacv20.collection._pair import CollectionError
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-PAIRS = 190  # of 20 images
+PAIRS = 190  # number of pairs of 20 images
 
 
 class Rows(object):
-    """A sink that counts, and calls a function before each commit."""
+    """A sink that counts commits and results, and calls a function before each commit."""
 
     def __init__(self, sink, before=None):
         self.sink, self.before, self.commits, self.results = sink, before, 0, 0
@@ -58,7 +58,7 @@ class EngineCase(DatabaseCase):
         smallDatabase(self.path, images=20, points=30)
 
     def run_engine(self, path=None, resume=False, before=None, settings=None, verify=None, progress=False, **keywords):
-        """(summary, rows of the results, what was told)."""
+        """Runs the engine; returns (summary, rows of the results, output on stderr)."""
         path = path or self.fresh()
         source, sink = self.source(path), DatabaseSink(path, settings or {}, resume)
         told = io.StringIO()
@@ -103,7 +103,7 @@ class ThreadsTest(EngineCase):
         self.assertNotEqual(self.run_engine(settings={"seed": 1})[1], expected)
 
     def test_bounded(self):
-        """What is under way does not depend on the number of pairs."""
+        """The number of pairs in work must not depend on the number of all pairs."""
         drawn = []
 
         class Counted(DatabaseSource):
@@ -123,7 +123,8 @@ class ThreadsTest(EngineCase):
         self.assertLessEqual(max(ahead), 4 * 5)
 
     def test_files_are_closed(self):
-        """No reader keeps the sink from leaving one file; a source can be used again."""
+        """After a run, the additional files of SQLite must be gone, so no reader may stay open. The
+        source must still be usable."""
         path = self.fresh()
         source, sink = self.source(path), DatabaseSink(path, {})
         _engine.run(source, sink, {}, stand.verify, threads=2)
@@ -147,7 +148,7 @@ class ThreadsTest(EngineCase):
         self.assertEqual((len(told), told[-1]), (21, "more pairs cannot be read; the report lists them"))
 
     def test_faults_of_the_estimation(self):
-        """The reason gets the names of the images."""
+        """The engine must add the names of the images to the reason."""
         told = self.run_engine(verify=stand.cannot, threads=1)[2].splitlines()
         self.assertEqual(told[0], "cannot be read: image1.jpg - image2.jpg: no")
 
@@ -160,9 +161,10 @@ class ThreadsTest(EngineCase):
         self.assertEqual(rows(path, "PRAGMA integrity_check"), [("ok",)])
 
     def test_mistake_keeps_the_others(self):
-        """What was found before is stored, also if it comes back together with the mistake: commits are slow here."""
+        """Results from before an error must be stored, even if they arrive together with the error,
+        which slow commits cause here."""
         expected = self.reference()["two_view_geometries"]
-        before = sum(20 - i for i in range(1, 10))  # pairs of the first nine images; the next one makes the mistake
+        before = sum(20 - i for i in range(1, 10))  # number of pairs of the first nine images; the tenth image causes the error
         for chunk in (5, 9, 15, 27, 45):
             path = self.fresh()
             with self.assertRaises(RuntimeError):
@@ -212,12 +214,12 @@ class ProgressTest(EngineCase):
         self.assertIn("{0}/{0}".format(PAIRS), told)
         self.assertIn("pairs/s", told)
         self.assertIn("cannot be read: image1.jpg - image2.jpg", told)
-        self.assertNotIn("pairs/s", self.run_engine(progress=None)[2])  # this is no terminal
+        self.assertNotIn("pairs/s", self.run_engine(progress=None)[2])  # stderr is not a terminal here
         path = self.fresh()
         self.run_engine(path)
         change(path, "DELETE FROM two_view_geometries WHERE pair_id >= ?", pairId(18, 19))
         summary, _, told = self.run_engine(path, resume=True, progress=True)
-        self.assertEqual((summary.pairs, summary.skipped), (4, PAIRS - 4))  # with the one that cannot be read
+        self.assertEqual((summary.pairs, summary.skipped), (4, PAIRS - 4))  # including the pair that cannot be read
         self.assertIn("{0}/{0}".format(PAIRS), told)
 
     def test_no_tqdm(self):
@@ -229,7 +231,7 @@ class ProgressTest(EngineCase):
 
 
 class ProcessCase(EngineCase):
-    """A run in a process of its own, which is stopped in the middle."""
+    """Tests with a run in a separate process, which is stopped while it works."""
 
     def start(self, path, *options):
         command = [sys.executable, os.path.join(FOLDER, "usac_collection_verify.py"), path] + list(options)
@@ -240,7 +242,7 @@ class ProcessCase(EngineCase):
         return process
 
     def wait(self, path, process, count=20):
-        """Until it has stored some pairs."""
+        """Waits until the run has stored some pairs."""
         for _ in range(600):
             time.sleep(0.05)
             self.assertIsNone(process.poll(), "it ended too early")
@@ -250,7 +252,7 @@ class ProcessCase(EngineCase):
         self.fail("it stores nothing")
 
     def stopped(self, path, number, group, *options):
-        """Stops a run by the signal: (exit code, stdout, stderr)."""
+        """Stops a run by a signal; returns (exit code, stdout, stderr)."""
         process = self.start(path, *options)
         self.wait(path, process)
         (os.killpg if group else os.kill)(process.pid, number)
@@ -258,7 +260,7 @@ class ProcessCase(EngineCase):
         return process.returncode, out, error
 
     def resumed(self, path):
-        """The rest: the same table as of a run that was not stopped."""
+        """Resumes the run; the table must equal that of a run that was not stopped."""
         self.assertEqual(rows(path, "PRAGMA integrity_check"), [("ok",)])
         before = rows(path, "SELECT count(*) FROM two_view_geometries")[0][0]
         self.assertTrue(20 <= before < PAIRS)
@@ -305,7 +307,7 @@ class DaskTest(ProcessCase):
         cls.address = cls.cluster.scheduler_address
 
     def killer(self, killed):
-        """Before the third commit a worker is killed."""
+        """Returns a function that kills a worker before the third commit."""
         def kill(counted):
             if counted.commits == 3:
                 process = list(self.cluster.workers.values())[0].pid
@@ -342,16 +344,18 @@ class DaskTest(ProcessCase):
             self.run_engine(scheduler=self.address, verify=stand.fails)
 
     def test_own_workers(self):
-        """As a command starts them; Ctrl-C in the terminal reaches the workers, too."""
+        """Ctrl-C in a terminal also reaches the workers that the command has started. The run must
+        end properly and be resumable."""
         path = self.fresh()
         code, out, error = self.stopped(path, signal.SIGINT, True, "workers")
-        self.assertEqual(code, 130, error)  # some versions of Dask tell in its log that workers were closed
+        self.assertEqual(code, 130, error)  # stderr may have log messages of some Dask versions about closed workers
         self.assertNotIn("Traceback", error)
         self.assertIn("interrupted", out)
         self.resumed(path)
 
     def test_workers_that_differ(self):
-        """One that came later and sees other files; a chunk that no worker survives."""
+        """A worker that joins later and sees other files must raise an error. A chunk that kills
+        several workers must be reported."""
         source = self.source(self.fresh())
         packed, keys = pickle.dumps(source), list(source.keys())
         for fingerprint in (source.fingerprint(), "another"):

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Configurations and poses of pairs of images."""
+"""Tests of the configurations and poses of image pairs."""
 
 import itertools
 import math
@@ -20,7 +20,7 @@ try:
     from usacv20.collection._pair import CollectionError, Configuration, Pair, View
     from usacv20.collection._poses import quaternion
     from usacv20.collection._settings import Settings
-except ImportError:  # in-tree
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 
 K = np.array([[900., 0, 500], [0, 900, 400], [0, 0, 1]])
@@ -45,7 +45,7 @@ def matrixOf(q):
 
 
 class Scene(object):
-    """Two images of points in space, a part of the matches wrong."""
+    """Two images of points in space; a fraction `wrong` of the matches is wrong."""
 
     def __init__(self, seed=1, planar=0., count=300, wrong=0.4, turn=(0.03, -0.2, 0.05), move=(-1., 0.2, 0.1), known=True,
                  focal=1., names=("a.jpg", "b.jpg"), key=5, noise=NOISE):
@@ -65,19 +65,19 @@ class Scene(object):
         self.pair = Pair(key, views[0], views[1], self.matches, None, True)
 
     def errors(self, result):
-        """Angles of the rotation and of the translation to the true ones, degrees."""
+        """Errors of rotation and translation direction in degrees."""
         turn = np.trace(matrixOf(result.quaternion).T @ self.R)
         move = self.t @ result.translation / np.linalg.norm(self.t)
         return np.degrees(np.arccos(np.clip([(turn - 1) / 2, move], -1, 1)))
 
     def marked(self, result):
-        """Which matches are inliers."""
+        """Returns for each match whether it is an inlier."""
         inliers = set(map(tuple, result.inliers.tolist()))
         return np.array([tuple(match) in inliers for match in self.matches.tolist()])
 
 
 def rightSamples(sample, matches, right):
-    """The part of the samples, drawn without replacement, whose points all are right."""
+    """The fraction of samples, drawn without replacement, that have only right points."""
     part = 1.0
     for i in range(sample):
         part *= (right - i) / (matches - i)
@@ -85,7 +85,8 @@ def rightSamples(sample, matches, right):
 
 
 def missedBySample(sample, matches, ratio):
-    """Logarithm of the chance that one sample of E does not find a pair, with what the local optimization adds."""
+    """Logarithm of the probability that a sample of E does not find the pair, including the
+    additional models from the local optimization."""
     easy = min(max((ratio * matches / 15)**2, 1), 4)
     return easy * math.log1p(-rightSamples(sample, matches, math.ceil(ratio * matches - 1e-9)))
 
@@ -146,7 +147,8 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.UNCALIBRATED)
 
     def test_samples_by_the_other_pairs(self):
-        """A right pair of the collection, drawn among those that are known and one that is worse, is found with `confidence`."""
+        """With known ratios, a right pair must be found with `confidence`, if it is drawn at random
+        from the known pairs and one worse pair."""
         plain = Settings()
         self.assertEqual(Settings(ratios=(0.25,) * 9).needed(5, 80), plain.needed(5, 80))
         self.assertEqual(Settings(ratios=(0.1, 0.2)).needed(5, 80), plain.needed(5, 80))
@@ -155,7 +157,7 @@ class GeometryTest(unittest.TestCase):
             settings = Settings(ratios=(0.45,) * count)
             needed = settings.needed(5, 80)
             self.assertLess(needed, before)
-            tail = [0.25 + 0.2 * (i + 0.5) / 8 for i in range(8)]  # any ratio that is less, as many as one pair together
+            tail = [0.25 + 0.2 * (i + 0.5) / 8 for i in range(8)]  # the worse pair: lower ratios, with the total weight of one pair
             logs = np.array([missedBySample(5, 80, ratio) for ratio in [0.45] * count + tail])
             weights = np.array([1.] * count + [1 / 8] * 8) / (count + 1)
             self.assertLessEqual(weights @ np.exp(needed * logs), 0.001)
@@ -166,7 +168,9 @@ class GeometryTest(unittest.TestCase):
             Settings(ratios=(0.5, 0.0))
 
     def test_samples_of_many_right_matches(self):
-        """The local optimization needs less of them than luck does: as many pairs are found as by ten times as many samples."""
+        """With many right matches the local optimization also finds models from samples with an
+        outlier, so fewer samples are needed. They must find as many pairs as ten times as many
+        samples."""
         settings = Settings(threshold=1)
         full = math.log(0.001) / math.log1p(-rightSamples(5, 200, 50))
         self.assertLess(settings.needed(5, 200), full / 3.9)
@@ -175,17 +179,18 @@ class GeometryTest(unittest.TestCase):
         pairs = []
         for seed in range(100):
             pair = Scene(1000 + seed, count=200, wrong=0).pair
-            pair.second.points[50:] = np.random.RandomState(seed).uniform(0, SIZE, (150, 2))  # a quarter is right
+            pair.second.points[50:] = np.random.RandomState(seed).uniform(0, SIZE, (150, 2))  # inlier ratio 0.25
             pairs.append(pair)
         found = [[result.configuration for result in verifyPairs(pairs, Settings(threshold=1, **options))]
                  for options in ({}, {"maxIterations": 10000, "inlierRatio": 0.18}, {"maxIterations": 1000})]
         for configurations in found:
             self.assertNotIn(Configuration.DEGENERATE, configurations)
-            # With 1000 samples E alone stays behind F in 6 of them; it starts from F then.
+            # With 1000 samples, E alone would be worse than F in 6 pairs; it then starts from F.
             self.assertGreaterEqual(configurations.count(Configuration.CALIBRATED), 99)
 
     def test_fundamental_matrix_alone(self):
-        """Where E was refused F is searched for in few samples, and more is asked of it."""
+        """If E is refused, F must be searched for with few samples only and a stricter
+        significance."""
         for seed in range(6):
             pair = Scene(seed, wrong=1.0, count=300).pair
             known = verifyPairs([pair], Settings(threshold=2, maxIterations=2000))[0]
@@ -195,7 +200,7 @@ class GeometryTest(unittest.TestCase):
             self.assertLessEqual(known.iterations, unknown.iterations + 500 + 50)
 
     def test_one_chance(self):
-        """Of a refused pair the reason and the chance are of the same model."""
+        """For a refused pair, the reason and the chance must refer to the same model."""
         seen = 0
         for seed in range(12):
             result = verifyPairs([Scene(seed, wrong=1.0, count=80).pair], Settings(threshold=2, maxIterations=300))[0]
@@ -215,10 +220,11 @@ class GeometryTest(unittest.TestCase):
         for seed in range(5):
             scene = Scene(seed, planar=1)
             result = verified(scene)
-            # A plane determines E weakly, and of what is left the epipolar lines with the most matches win: of the wrong ones
-            # 0.027 are inliers (40 seeds, at most 0.053), under the true E 0.008 (at most 0.035).
+            # A plane determines E weakly, and the search chooses the epipolar lines with the most
+            # matches. So a fraction 0.027 of the wrong matches are inliers (mean of 40 seeds, at
+            # most 0.053); under the true E it is 0.008 (at most 0.035).
             self.check(scene, result, Configuration.PLANAR, None, wrong=0.08)
-            cross = np.cross(np.eye(3), result.translation)  # two motions see the plane alike; E is that of the pose
+            cross = np.cross(np.eye(3), result.translation)  # for a plane two motions are possible; E must belong to the returned one
             E = -cross @ matrixOf(result.quaternion)
             self.assertAlmostEqual(abs(np.sum(E * result.E)), np.sqrt(2), places=6)
             right = scene.right
@@ -236,7 +242,7 @@ class GeometryTest(unittest.TestCase):
         for turn in ((0.02, -0.2, 0.05), (0, 0.1, 0), (0, 0, 1.5)):
             scene = Scene(4, turn=turn, move=(0., 0, 0))
             result = verified(scene)
-            self.check(scene, result, Configuration.PANORAMIC, wrong=0.08)  # as of planes: E is weakly determined
+            self.check(scene, result, Configuration.PANORAMIC, wrong=0.08)  # as for planes, E is weakly determined
             np.testing.assert_array_equal(result.translation, [0, 0, 0])
             angle = (np.trace(matrixOf(result.quaternion).T @ scene.R) - 1) / 2
             self.assertLess(np.degrees(np.arccos(min(1, angle))), 0.1)
@@ -275,7 +281,7 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
         without = verifyPairs([pair], Settings(threshold=2, watermarks=False))[0]
         self.assertIn(without.configuration, (Configuration.PANORAMIC, Configuration.PLANAR))
-        # An image of the same motion that is not in the border is none.
+        # Matches with the same motion that are not at the border of the image are no watermark.
         moved = pair._replace(first=views[0]._replace(taken=first + [300, 300]), second=views[1]._replace(taken=second + [300, 300]))
         self.assertNotEqual(verifyPairs([moved], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
 
@@ -320,7 +326,8 @@ class GeometryTest(unittest.TestCase):
             self.check(scene, verified(scene, method=method), Configuration.CALIBRATED, 2.)
 
     def test_samples_that_keep_a_pair(self):
-        """Counted: all samples of few matches, of which the first are right."""
+        """The number of samples must agree with an enumeration of all samples of few matches, the
+        first of which are right."""
         for sample, matches, ratio, right in ((4, 12, 0.5, 6), (5, 14, 0.36, 6), (7, 16, 0.5, 8), (5, 15, 0.01, 5), (5, 10, 0.1, 5)):
             settings = Settings(inlierRatio=ratio, minInliers=1, confidence=0.99999, maxIterations=10**9)
             samples = list(itertools.combinations(range(matches), sample))
@@ -328,22 +335,25 @@ class GeometryTest(unittest.TestCase):
             needed = next(n for n in itertools.count(500) if 1 - (1 - part)**n >= settings.confidence)
             self.assertEqual(settings.iterations(sample, matches), needed)
             self.assertAlmostEqual(settings.reached(sample, matches), 1 - (1 - part)**needed, places=12)
-        # 19 of 75 are the least of which a quarter is right; 7070 samples, as many as with replacement, keep 0.9915.
+        # For 75 matches and a ratio of 0.25, at least 19 matches are right. The number of samples
+        # for drawing with replacement, 7070, reaches only a confidence of 0.9915.
         part = math.factorial(19) * math.factorial(70) / (math.factorial(14) * math.factorial(75))
-        wide = Settings(maxIterations=20000, method="USACV20_FAST")  # nothing is known of its local optimization
+        wide = Settings(maxIterations=20000, method="USACV20_FAST")  # USACV20_FAST: without the correction for the local optimization
         self.assertEqual(wide.iterations(5, 75), math.ceil(math.log(0.001) / math.log(1 - part)))
         self.assertEqual(wide.iterations(5, 75), 10250)
         self.assertAlmostEqual(Settings(maxIterations=7070, method="USACV20_FAST").reached(5, 75), 0.9915, places=4)
-        # What has to be an integer is one: 0.07 * 100 is more than 7.
+        # The number of right matches must be rounded correctly: in floating point 0.07 * 100
+        # exceeds 7.
         self.assertEqual(Settings(inlierRatio=0.07, minInliers=1).needed(4, 100),
                          Settings(inlierRatio=0, minInliers=7).needed(4, 100))
-        # The least number of inliers where that is more; nothing but right matches; the limit.
+        # minInliers if it is larger than ratio * matches; only right matches; the limit
+        # maxIterations.
         self.assertEqual(wide.needed(5, 24), Settings(inlierRatio=15 / 24, method="USACV20_FAST").needed(5, 24))
         self.assertEqual((wide.needed(7, 15), wide.reached(7, 15)), (500, 1))
         self.assertEqual(Settings(maxIterations=20).iterations(5, 300), 20)
 
     def test_where_the_limit_of_the_samples_cuts(self):
-        """The figures that stand at Settings.maxIterations."""
+        """The figures in the comment of Settings.maxIterations must be right."""
         default = Settings()
         cut = [[matches for matches in range(15, 500) if default.needed(sample, matches) > default.maxIterations]
                for sample in (5, 7, 4)]

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs of the command `pairs` from .corr, NPZ and HDF5 files: what is read, and what is a fault or a mistake."""
+"""Tests of pairs from .corr, NPZ and HDF5 files: what is read, and which contents are faults or
+errors."""
 
 import multiprocessing
 import os
@@ -20,7 +21,7 @@ from usac_common import once, package
 try:
     from usacv20.collection import _lists
     from usacv20.collection._lists import inOrder
-except ImportError:  # in-tree
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 
 
@@ -57,7 +58,7 @@ class CorrTest(Files):
         self.fault(three, "No such file")
         self.write("x.P.list", "pairs/x/two\n")
         self.mistake("no pairs of images", self.path("x.P.list"))
-        self.write("pairs/x/here.list", "one\n")  # relative to its folder
+        self.write("pairs/x/here.list", "one\n")  # paths are relative to the list's folder
         self.check(self.only(self.path("pairs/x/here.list")), 0)
 
     def test_without_scores(self):
@@ -138,7 +139,7 @@ class NpzTest(Files):
         a, b, s = matchesOf(1)
         order = np.random.RandomState(0).permutation(12)
         forward = np.full(14, -1)
-        forward[2:] = np.argsort(order)  # keypoint 2 + i of image 1 is match i
+        forward[2:] = np.argsort(order)  # keypoint 2 + i of image 1 belongs to match i
         forward[5] = -1
         rows = np.array([0, 1, 2] + list(range(4, 12)))
         first = np.vstack(([[1, 1], [2, 2]], a))
@@ -176,7 +177,7 @@ class NpzTest(Files):
                 ({"points1": np.array([[object()]], object), "points2": b}, ["damaged"])):
             with self.subTest(parts=parts):
                 path = self.npz("f/pair 1.npz", **arrays)
-                for where in (os.path.dirname(path), path):  # as one of a folder, and alone
+                for where in (os.path.dirname(path), path):  # read from the folder, and as a single file
                     self.fault(self.only(where), *parts)
 
     def test_damaged(self):

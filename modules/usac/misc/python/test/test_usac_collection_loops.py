@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs that are refused as pairs with more matches contradict them."""
+"""Tests of refusing pairs that contradict pairs with more matches."""
 
 import os
 import shutil
@@ -29,7 +29,7 @@ RESULTS = ("two_view_geometries", "usacv20_pairs")
 
 
 class Ring(object):
-    """Images whose true rotations are known."""
+    """Images with known true rotations."""
 
     def __init__(self, count, seed=0):
         rng = np.random.RandomState(seed)
@@ -37,7 +37,7 @@ class Ring(object):
         self.rotations = [rotationOf([0, 2 * np.pi * i / count, 0]).dot(rotationOf(rng.normal(0, 0.1, 3))) for i in range(count)]
 
     def edge(self, first, second, inliers, degrees=0.0, link=True, noise=0.5):
-        """A pair whose rotation is wrong by so many degrees, and by some noise."""
+        """A pair whose rotation is wrong by `degrees`, plus random noise."""
         wrong = rotationOf(np.radians(degrees) * np.array([0, 0.6, 0.8])).dot(rotationOf(np.radians(self.rng.normal(0, noise, 3))))
         R = wrong.dot(self.rotations[second]).dot(self.rotations[first].T)
         return Edge((first, second), first, second, inliers, quaternion(R)[None], link)
@@ -63,7 +63,8 @@ class LoopsTest(unittest.TestCase):
         self.assertEqual(contradicted([]), {})
 
     def test_what_is_asked_of_links(self):
-        """Twice the inliers, one rotation of calibrated cameras, and not many of them."""
+        """A link must have twice the inliers and a single rotation of a calibrated pair, and a path
+        must not be too long."""
         ring = Ring(12)
         wrong = ring.edge(0, 4, 51, 90)
         self.assertEqual(contradicted(chain(ring) + [wrong]), {})
@@ -77,19 +78,19 @@ class LoopsTest(unittest.TestCase):
             self.assertEqual(len(contradicted(chain(ring) + [ring.edge(3, 3 + distance, 20, 90)])), count)
 
     def test_wrong_links_are_none(self):
-        """A pair that was found wrong does not speak against others."""
+        """A pair that was found to be wrong must not be used as a link."""
         ring = Ring(8)
         links = [ring.edge(0, 1, 1000), ring.edge(1, 2, 1000), ring.edge(4, 3, 1000)]
         wrong = ring.edge(0, 2, 400, 90)
         right = ring.edge(0, 3, 300), ring.edge(2, 4, 90)
         self.assertEqual(list(contradicted(links + [wrong, *right])), [(0, 2)])
-        self.assertEqual(list(contradicted(links[1:] + [wrong, right[0], ring.edge(1, 4, 90)])), [(1, 4)])  # nobody knows
+        self.assertEqual(list(contradicted(links[1:] + [wrong, right[0], ring.edge(1, 4, 90)])), [(1, 4)])  # nothing contradicts (0, 2)
 
     def test_one_of_two_rotations(self):
         ring = Ring(8)
         plane = ring.edge(0, 4, 30, 90)
         self.assertEqual(list(contradicted(chain(ring) + [plane])), [(0, 4)])
-        both = np.concatenate([plane.rotations, -ring.edge(0, 4, 30).rotations])  # q and -q are one rotation
+        both = np.concatenate([plane.rotations, -ring.edge(0, 4, 30).rotations])  # q and -q are the same rotation
         self.assertEqual(contradicted(chain(ring) + [plane._replace(rotations=both)]), {})
 
 
@@ -144,7 +145,7 @@ class LoopsOfDatabaseTest(DatabaseCase):
 @package
 @unittest.skipUnless(os.path.exists(PROGRAMS), "the programs of the benchmark are not here")
 class CourtTest(unittest.TestCase):
-    """A court whose opposite sides have the same windows."""
+    """A synthetic courtyard whose opposite sides have the same windows."""
 
     @classmethod
     def setUpClass(cls):
@@ -156,7 +157,7 @@ class CourtTest(unittest.TestCase):
         cls.street = Street(Options("court", 16, seed=1))
 
     def verified(self, name, **options):
-        """Pairs that are kept, with and without overlap."""
+        """Returns the numbers of accepted pairs with and without overlap."""
         path = os.path.join(self.folder, name)
         if not os.path.exists(path):
             self.street.write(path)
@@ -175,7 +176,8 @@ class CourtTest(unittest.TestCase):
         self.assertIn("{} pairs are refused as others".format(wrong), self.summary.line())
 
     def test_some_pairs_first(self):
-        """What is added later has a say in what was done before: the table is that of one run."""
+        """Pairs that are added later must be compared with earlier results: the table must equal
+        that of a single run."""
         self.verified("one.db")
         names = os.path.join(self.folder, "pairs.txt")
         with open(names, "w") as file:

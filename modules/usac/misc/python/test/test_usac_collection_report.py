@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The command `report`: its figures against those counted here, its pictures, and what is no file of results."""
+"""Tests of the command `report`: its figures must equal those counted here. Tests of its pictures
+and of invalid files."""
 
 import collections
 import csv
@@ -31,7 +32,7 @@ try:
     from usacv20.collection._report import report, summarize
     from usacv20.collection._report_graph import graphOf, indexed, matrixOf
     from usacv20.collection._report_table import COLMAP, OURS, PAIRS, VERIFIED, Results, withoutNumbers
-except ImportError:  # in-tree
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 try:
     from matplotlib.image import imread
@@ -44,7 +45,8 @@ KINDS = ("CALIBRATED", "UNCALIBRATED", "PLANAR", "PANORAMIC", "WATERMARK")
 
 
 def results(links, seed=1, name=pairId):
-    """{images: TwoView}; of the pairs of images without overlap none is verified, one in ten is a fault."""
+    """Returns {images: TwoView}. Pairs without overlap are not verified, and about one in ten of
+    them is a fault."""
     rng = np.random.RandomState(seed)
     found = {}
     for first in range(1, IMAGES + 1):
@@ -101,7 +103,7 @@ class Reports(Files):
 class FiguresTest(Reports):
 
     def counted(self, text, title):
-        """{label: number} of the lines below a title."""
+        """Returns {label: number} of the lines below a title."""
         block = text.split("\n" + title, 1)[1].split("\n\n")[0].splitlines()[1:]
         return {m.group(1): int(m.group(2)) for m in (re.match(r"  (\S.*?) +(\d+)  +[\d.]+ %", line) for line in block) if m}
 
@@ -167,7 +169,7 @@ class FiguresTest(Reports):
                              [r.matches, len(r.inliers), r.iterations, r.chance, r.milliseconds])
 
     def test_pairs(self):
-        """A database of the command `pairs`, with and without names of images."""
+        """A database of the command `pairs`, with and without image names."""
         found = results(neighbors, name=lambda a, b: "{:02d}.jpg - {:02d}.jpg".format(a, b))
         np.savez(self.path("l/a.npz"), points1=np.zeros((3, 2)), points2=np.zeros((3, 2)))
         source = self.source(os.path.dirname(self.path("l/")))
@@ -216,7 +218,7 @@ class FiguresTest(Reports):
         self.assertIn("1 more pairs were not looked at yet", self.text(path))
         good = [r for r in found.values() if not r.reason]
         change(path, "UPDATE two_view_geometries SET rows = rows + 1 WHERE pair_id = ?", good[0].key)
-        # One is the row that has no pair any more.
+        # The second row belongs to the pair that was deleted above.
         self.assertIn("2 rows of two_view_geometries are not of this run", self.text(path))
 
     def test_reasons(self):
@@ -259,7 +261,8 @@ class LookTest(Reports):
             os.remove(self.path("a.db"))
 
     def test_only_link(self):
-        """Images 1 to 8 and 9 to 17 are connected by one pair; 18 and 19 by one with each other, 20 has none, 17 hangs on one."""
+        """Images 1 to 8 and 9 to 17 are connected by a single pair, which must be listed. Bridges
+        to a single image are not listed: 16 - 17 and 18 - 19. Image 20 has no pair."""
         def links(a, b):
             return b <= 8 or (9 <= a and b <= 16) or (a, b) in ((3, 12), (16, 17), (18, 19))
         summary, kinds = self.kinds(results(links))
@@ -270,7 +273,7 @@ class LookTest(Reports):
         self.assertIn("smaller part: 8 images", self.text(self.path("a.db")))
 
     def test_bridges(self):
-        """Against taking away each link."""
+        """The bridges must equal those found by removing each link in turn."""
         for seed in range(40):
             rng = np.random.RandomState(seed)
             count = rng.randint(1, 15)
@@ -303,16 +306,16 @@ class PicturesTest(Reports):
             pixels = imread(self.path("p/q/" + name))
             self.assertGreater(min(pixels.shape[:2]), 400)
             self.assertGreater(pixels[..., :3].std(), 0.05)
-        self.assertTrue(self.has(self.path("p/q/pairs.png"), (211, 211, 211)))  # refused ones
+        self.assertTrue(self.has(self.path("p/q/pairs.png"), (211, 211, 211)))  # the color of refused pairs
 
     @staticmethod
     def has(path, color):
-        """True if a thousandth of the picture has the color."""
+        """True if at least a thousandth of the picture has the color."""
         pixels = np.round(255 * imread(path)[..., :3]).astype(int)
         return bool((np.abs(pixels - color).max(axis=2) == 0).mean() > 0.001)
 
     def test_order_of_the_names(self):
-        """Whatever the numbers of the images, and both pictures have the bins and cells of the same pairs."""
+        """The matrix must be sorted by image names, independent of the numbers of the images."""
         found = results(neighbors)
         path = self.verified(found)
         change(path, "UPDATE images SET name = 'x' || (100 - image_id)")
@@ -393,9 +396,9 @@ class MistakesTest(Reports):
         self.assertMistake("damaged", self.path("b.db"))
 
     def test_memory(self):
-        """Of the figures: it does not grow with the pairs."""
+        """The memory for the figures must not grow with the number of pairs."""
         peaks = []
-        self.text(self.verified(results(neighbors)))  # what is loaded once
+        self.text(self.verified(results(neighbors)))  # first call: loads modules
         for repeats in (10, 60):
             change(self.path("a.db"), "DELETE FROM usacv20_pairs")
             change(self.path("a.db"), """WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < ?)

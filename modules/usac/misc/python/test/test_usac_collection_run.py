@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A collection that grows, some of its pairs, and the verification of a database by another program."""
+"""Tests of growing collections, of selected pairs, and of verifying a database from another
+program."""
 
 from __future__ import annotations
 
@@ -30,9 +31,9 @@ if not IN_TREE:
     from usacv20.collection import CollectionError, verify
     from usacv20.collection._command import main
 
-PAIRS, LATER = 234, 66  # of 25 images
+PAIRS, LATER = 234, 66  # numbers of pairs among 25 images
 TABLE = "two_view_geometries"
-FEW = 100  # samples: these matches are easy
+FEW = 100  # samples; the matches are easy, so few samples suffice
 
 
 class RunCase(unittest.TestCase):
@@ -52,7 +53,7 @@ class RunCase(unittest.TestCase):
         shutil.copy(self.whole, self.path)
 
     def verify(self, path: str = "", **options: Any) -> List[str]:
-        """What it says."""
+        """Runs the verification; returns the printed lines."""
         said: List[str] = []
         options.setdefault("maxIterations", FEW)
         self.summary = verify(path or self.path, threads=1, say=said.append, **options)
@@ -190,7 +191,8 @@ class OutputTest(RunCase):
                                 **options)
 
     def test_nobody_reads(self) -> None:
-        """`| head -1`: the work is done, and nothing is said about the pipe."""
+        """If nobody reads the output (`| head -1`), the work must be done without an error message
+        about the pipe."""
         for arguments in (("verify", self.path, "--threshold", "4", "--max-iterations", str(FEW)), ("report", self.path)):
             reader, writer = os.pipe()
             os.close(reader)
@@ -202,7 +204,7 @@ class OutputTest(RunCase):
         self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("finished",)])
 
     def test_full_disk(self) -> None:
-        """Of a copy that does not fit nothing is left."""
+        """A copy that does not fit on the disk must be removed."""
         import resource
         target = os.path.join(self.folder, "copies", "copy.db")
         os.mkdir(os.path.dirname(target))
@@ -219,18 +221,19 @@ class OutputTest(RunCase):
         self.assertEqual(os.listdir(os.path.dirname(target)), [])
 
     def test_interrupted_early(self) -> None:
-        """Ctrl-C before the run begins. A fast machine may be ready before the last of these times."""
+        """Ctrl-C before the run begins must stop the program without damage. On a fast machine, the
+        run may have ended at the last of these times."""
         codes = []
         for seconds in (0.15, 0.3, 0.45):
-            # a background job of a shell ignores it, and so would what it starts
+            # resets the handler, since background jobs of a shell and their children ignore SIGINT
             with self.process("verify", self.path, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as run:
                 time.sleep(seconds)
                 run.send_signal(signal.SIGINT)
                 error = run.communicate()[1].decode()
             codes.append(run.returncode)
-            if not error:  # else Python was about to start
+            if not error:  # otherwise Python itself was still starting
                 self.assertIn(run.returncode, (0, 130, -signal.SIGINT))
-            self.assertNotIn("_command.py", error)  # before it Python itself may say where it was, as of any program
+            self.assertNotIn("_command.py", error)  # a traceback may only come from Python's start, as in any program
             with contextlib.closing(sqlite3.connect(self.path)) as connection:
                 self.assertEqual(connection.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
         self.assertNotEqual(codes[0], 0)

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What the collection tool writes into a database of COLMAP."""
+"""Tests of what the collection tool writes to a COLMAP database."""
 
 import contextlib
 import os
@@ -25,7 +25,7 @@ TABLE = "two_view_geometries"
 
 
 def found(first, second, inliers=30, **keywords):
-    """A result with matrices of distinct numbers."""
+    """A result whose matrices have different numbers."""
     key = pairId(first, second)
     count = np.arange(first * 100 + second, dtype=float)
     values = dict(key=key, configuration=Configuration.CALIBRATED, inliers=np.arange(2 * inliers, dtype=np.uint32).reshape(-1, 2),
@@ -57,11 +57,11 @@ class SinkCase(DatabaseCase):
         return sink
 
     def closed(self, sink):
-        with contextlib.suppress(CollectionError):  # another sink of the test has overtaken it
+        with contextlib.suppress(CollectionError):  # another sink of the test has taken over
             sink.close()
 
     def row(self, first, second):
-        """The columns of the pair by their names."""
+        """Returns the columns of a pair by name."""
         with contextlib.closing(connect(self.path)) as connection:
             cursor = connection.execute("SELECT * FROM {} WHERE pair_id = ?".format(TABLE), (pairId(first, second),))
             names = [column[0] for column in cursor.description]
@@ -88,7 +88,7 @@ class RowTest(SinkCase):
             self.assertEqual(dump(path, *INPUT), before)
 
     def test_unknown_matrices(self):
-        """NULL, as COLMAP 4 has it, which takes zeros for a pose."""
+        """Unknown matrices must be NULL, as in COLMAP 4, which reads zeros as a pose."""
         for schema in SCHEMAS:
             self.path = os.path.join(self.folder, schema)
             smallDatabase(self.path, schema=schema)
@@ -100,14 +100,15 @@ class RowTest(SinkCase):
             self.assertEqual([row[name] for name in row if name.startswith("camera")], [None, None] if schema == "4.2" else [])
 
     def test_motion_of_a_plane(self):
-        """It is one of two, and not written."""
+        """The motion of a plane, one of two possible motions, must not be written."""
         smallDatabase(self.path)
         self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC)])
         self.assertEqual([self.row(1, 2)[name] for name in ("qvec", "tvec")], [None, None])
         self.assertEqual([len(self.row(1, 3)[name]) for name in ("qvec", "tvec")], [32, 24])
 
     def test_refused(self):
-        """COLMAP 3.8 writes the same row for a pair without a geometry."""
+        """A refused pair must have the same row that COLMAP 3.8 writes for a pair without a
+        geometry."""
         smallDatabase(self.path)
         self.sink().commit([refused(1, 2)])
         self.assertEqual(rows(self.path, "SELECT * FROM " + TABLE), [(pairId(1, 2), 0, 2, None, 1) + (None,) * 5])
@@ -141,7 +142,8 @@ class RowTest(SinkCase):
         self.assertEqual(rows(self.path, "SELECT chance FROM usacv20_pairs"), [(None,)])
 
     def test_tables_that_differ(self):
-        """It is made as COLMAP does if it is missing; columns of other versions are missing or added."""
+        """A missing table must be created as COLMAP does it. Missing and additional columns of
+        other versions must be accepted."""
         smallDatabase(self.path)
         made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
         change(self.path, "DROP TABLE " + TABLE)
@@ -177,7 +179,7 @@ class RunTest(SinkCase):
         return [row[0] for row in rows(self.path, "SELECT pair_id FROM {} ORDER BY 1".format(TABLE))]
 
     def test_rows_of_others(self):
-        """They stay until the first results are there."""
+        """Rows of other programs must stay until the first results are written."""
         other = [pairId(1, 2), pairId(3, 4), pairId(5, 6)]
         for key in other:
             change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (?, 0, 2, 3)".format(TABLE), key)
@@ -205,26 +207,27 @@ class RunTest(SinkCase):
         sink = self.sink(resume=True)
         self.assertTrue(sink.resumed)
         keys = [pairId(1, i) for i in range(2, 6)]
-        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])  # a fault is looked at again
+        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])  # a fault is estimated again
         sink.commit([found(1, 4), found(1, 5)])
         self.assertEqual((self.pairs(), sink.removed), (keys, 0))
         self.assertEqual(rows(self.path, "SELECT run_id, configuration FROM usacv20_pairs ORDER BY pair_id"),
                          [(1, 2), (1, 1), (2, 2), (2, 2)])
         sink.close()
         self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("interrupted",), ("finished",)])
-        self.assertEqual([self.sink(resume=True).done(key) for key in keys], [True] * 4)  # of both runs
+        self.assertEqual([self.sink(resume=True).done(key) for key in keys], [True] * 4)  # pairs of both runs are done
         self.assertFalse(self.sink().resumed)
         self.assertFalse(self.sink().done(keys[0]))
 
     def test_rows_that_were_taken_away(self):
-        """Another program has removed results meanwhile: those pairs are not done."""
+        """If another program has removed rows of results, these pairs must count as not done."""
         self.sink().commit([found(1, 2), found(1, 3)])
         change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), pairId(1, 2))
         sink = self.sink(resume=True)
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
 
     def test_two_at_once(self):
-        """The one that has begun last goes on; what the other one has in hand is not mixed with it."""
+        """If two sinks write, the one that has started last must continue. Results of the other one
+        must not be mixed in."""
         for resume in (False, True):
             with self.subTest(resume=resume):
                 first = self.sink(resume=resume)
@@ -245,7 +248,8 @@ class RunTest(SinkCase):
                 change(self.path, "DROP TABLE usacv20_runs")
 
     def test_some_pairs(self):
-        """Rows of others stay, whoever has written them; what is done with other settings is not done."""
+        """Rows of other pairs must stay, no matter who has written them. Results with other
+        settings must count as not done."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink(keep=True)
         sink.commit([found(1, 2)])
@@ -277,7 +281,8 @@ class RunTest(SinkCase):
         self.refused(["another version"], self.sink, resume=True)
 
     def test_all_or_nothing(self):
-        """A commit that fails in the middle leaves no trace, also the first one, which removes rows."""
+        """A commit that fails must change nothing. This includes the first commit, which removes
+        old rows."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink()
         wrong = found(1, 3)._replace(F=np.eye(2))
@@ -309,7 +314,7 @@ class CopyTest(DatabaseCase):
             smallDatabase(self.path, wal=wal)
             with contextlib.closing(sqlite3.connect(self.path)) as other:
                 other.execute("UPDATE images SET name = 'new.jpg' WHERE image_id = 1")
-                other.commit()  # of a database in WAL mode this is in the file beside it
+                other.commit()  # in WAL mode, this change is only in the additional file
                 _sqlite.copyDatabase(self.path, target)
                 self.assertEqual(dump(target, *INPUT), dump(self.path, *INPUT))
                 self.assertIn("new.jpg", [row[1] for row in dump(target, "images")["images"]])

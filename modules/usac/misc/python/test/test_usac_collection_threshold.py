@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The threshold of a collection from the noise of its matches."""
+"""Tests of the estimation of a collection's threshold from the noise of its matches."""
 
 import math
 import unittest
@@ -71,7 +71,8 @@ class NoiseTest(unittest.TestCase):
         self.assertGreaterEqual(found.used, right - 1)
 
     def test_no_pair_tells(self):
-        """Then the threshold is COLMAP's, and the line says so."""
+        """If no pair gives an estimate, the threshold must be COLMAP's, and the text must say so.
+        """
         scenes = noisyPairs(6, 40, none=1.0)
         few = [NoisyPair(i, matches=12, wrong=0) for i in range(5)]
         for given in ([], few, scenes):
@@ -100,10 +101,11 @@ class NoiseTest(unittest.TestCase):
         self.assertNoise(estimate(scenes), 1, 0.1)
 
     def test_heavy_tails_count(self):
-        """The threshold is a quantile of the errors, not a multiple of the standard deviation of a core."""
+        """If the noise has a heavy tail, the threshold must be a quantile of the errors, not a
+        multiple of the standard deviation of accurate matches."""
         scenes = noisyPairs(8, 40, none=0, heavy=0.8, matches=600, size=(6000, 4000))
         rng = np.random.RandomState(1)
-        factors = np.exp(rng.normal(0, 0.8, (10**6, 2)))  # of both keypoints
+        factors = np.exp(rng.normal(0, 0.8, (10**6, 2)))  # random noise levels of both keypoints
         true = np.quantile(np.abs(rng.normal(0, 1, 10**6)) * np.sqrt((factors**2).mean(axis=1)), QUANTILE)
         found = estimate(scenes)
         self.assertLess(abs(found.threshold / true - 1), 0.25)
@@ -130,7 +132,7 @@ class NoiseTest(unittest.TestCase):
 
 
 class Store(object):
-    """A source of pairs without content, that tells how it is read."""
+    """A source of empty pairs that records how it is read."""
 
     def __init__(self, keys, matches=lambda key: 60, faults=()):
         self.order, self.matches, self.faults = list(keys), matches, faults
@@ -171,7 +173,7 @@ class SampleTest(unittest.TestCase):
 
     def test_they_come_from_everywhere(self):
         places = np.sort(self.chosen(range(10000), 100)) / 10000
-        self.assertLess(np.abs(places - (np.arange(100) + 0.5) / 100).max(), 0.136)  # Kolmogorov and Smirnov: 5 %
+        self.assertLess(np.abs(places - (np.arange(100) + 0.5) / 100).max(), 0.136)  # 5 % limit of the Kolmogorov-Smirnov test
 
     def test_numbers_of_a_process_do_not_matter(self):
         self.assertEqual(self.chosen(range(10), 3), self.chosen([np.int64(i) for i in range(10)], 3))

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Components written in Python: usacv20.Usac with a Sampler and a Score of one's own."""
+"""Tests of components written in Python: usacv20.Usac with a user-defined Sampler and Score."""
 
 import doctest
 import gc
@@ -20,7 +20,7 @@ Sampler, Score = (object, object) if IN_TREE else (usac.Sampler, usac.Score)
 
 
 class Uniform(Sampler):
-    """Uniform samples; counts what it is asked for."""
+    """A uniform sampler that counts its calls."""
 
     def __init__(self):
         self.calls, self.starts = 0, 0
@@ -35,7 +35,7 @@ class Uniform(Sampler):
 
 
 class Msac(Score):
-    """What QUALITY_MSAC is."""
+    """Computes the same score as QUALITY_MSAC."""
 
     def __init__(self):
         self.threads = set()
@@ -109,10 +109,10 @@ class SamplerTest(unittest.TestCase):
         self.assertIs(usac_.components.sampler, sampler)
         model, mask, report = usac_.run()
         self.assertLess(PLANE.error("Homography", model), 1.0)
-        self.assertGreaterEqual(sampler.calls, report.iterations)  # they are drawn in batches
+        self.assertGreaterEqual(sampler.calls, report.iterations)  # samples are drawn in batches
         self.assertEqual((sampler.starts, sampler.points.sampleSize), (1, 4))
         again = usac_.run()
-        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers are those of the seed
+        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers depend only on the seed
         usac_.components.sampler = None
         self.assertEqual(bits(usac_.run()[:2]), bits(create(usac.HOMOGRAPHY, PLANE).run()[:2]))
 
@@ -133,9 +133,9 @@ class SamplerTest(unittest.TestCase):
         counted = usac_.run()[2]
         usac_.components.sampler = Good()
         inliers = PLANE.inliers.mean()
-        self.assertGreater(inliers, 0.5)  # so that all samples count nevertheless
+        self.assertGreater(inliers, 0.5)  # if more than half are inliers, all samples count anyway
         self.assertEqual(usac_.run()[2].stop, counted.stop)
-        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])  # few are right now: nothing ends the search
+        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])  # few matches are right now, and no sample counts, so no criterion may end the search
         self.assertEqual(usac_.run()[2].stop if usac_.run()[0] is not None else usac.STOP_MAX_ITERATIONS, usac.STOP_MAX_ITERATIONS)
 
     def test_wrong_samples(self):
@@ -193,7 +193,7 @@ class SamplerTest(unittest.TestCase):
         usac_.run()
         del sampler
         gc.collect()
-        self.assertIsNotNone(reference())  # the estimator keeps it
+        self.assertIsNotNone(reference())  # the estimator holds a reference
         del usac_
         gc.collect()
         self.assertIsNone(reference())
@@ -232,7 +232,7 @@ class ScoreTest(unittest.TestCase):
             wholeModel = True
 
             def accumulate(self, squaredErrors, squaredThreshold):
-                test.assertIn(len(squaredErrors), (16, 300))  # 16: the check of a score
+                test.assertIn(len(squaredErrors), (16, 300))  # all points, or the 16 points of the check of scores
                 return super().accumulate(squaredErrors, squaredThreshold)
 
         usac_ = create(usac.HOMOGRAPHY, PLANE)

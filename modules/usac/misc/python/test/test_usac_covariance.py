@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Report.covariance, and what the functions of covariances make of it."""
+"""Tests of Report.covariance and of the functions that convert covariances."""
 
 import unittest
 
@@ -38,7 +38,7 @@ class CovarianceTest(unittest.TestCase):
         report = self.estimate(covariance=1)[2]
         self.assertEqual(report.covariance.shape, (8, 8))
         self.assertTrue(np.allclose(report.covariance, report.covariance.T))
-        self.assertAlmostEqual(report.sigma, 0.5, delta=0.06)  # 400 errors: 4 % of 0.5 are one deviation
+        self.assertAlmostEqual(report.sigma, 0.5, delta=0.06)  # about 400 errors: the standard deviation of sigma is about 4 % of 0.5
 
     def test_corners_are_where_they_are_said_to_be(self):
         squares = []
@@ -47,7 +47,8 @@ class CovarianceTest(unittest.TestCase):
             errors = mapped(H, self.corners) - mapped(self.H, self.corners)
             for error, C in zip(errors, usac.pointCovariance(usac.HOMOGRAPHY, H, report.covariance, self.corners)):
                 squares.append(error.dot(np.linalg.solve(C, error)))
-        # chi-square with two degrees of freedom: 240 values, in fours that depend on each other
+        # chi-square with two degrees of freedom has mean 2; the 240 values are dependent in groups
+        # of four
         self.assertAlmostEqual(np.mean(squares), 2, delta=0.5)
 
     def test_entries_and_tangent(self):
@@ -76,7 +77,7 @@ class CovarianceTest(unittest.TestCase):
         points = self.rng.uniform(0, 100, (50, 2))
         _, _, report = usac.estimateTranslation2D(points, points + [3, 4] + self.rng.normal(0, 0.1, points.shape),
                                                   usac.Params(covariance=1, threshold=1))
-        # the mean of 50 displacements
+        # variance of the mean of 50 displacements
         self.assertTrue(np.allclose(report.covariance, np.eye(2) * report.sigma**2 / 50, rtol=0.3, atol=0.2 * report.sigma**2 / 50))
 
     def test_mistakes(self):

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The functions of cv2 with the flags of the module: of a cv2 built with it, and of any other after patch_cv2()."""
+"""Tests of the functions of cv2 with the flags of the module: in a cv2 built with the module, and
+in any other after patch_cv2()."""
 
 import importlib
 import os
@@ -24,7 +25,7 @@ opencv = importlib.import_module(usac.__name__ + "._opencv")
 
 @needsCv2
 class Cv2Test(unittest.TestCase):
-    """cv2 with the functions of the module in it, as long as a test runs."""
+    """Base of tests with a cv2 that has the module's functions during each test."""
 
     def setUp(self):
         if not IN_TREE:
@@ -34,7 +35,7 @@ class Cv2Test(unittest.TestCase):
 class WrapperTest(Cv2Test):
 
     def test_is_in_place(self):
-        for name in FUNCTIONS:  # fails also if the loader has swallowed an ImportError of the package
+        for name in FUNCTIONS:  # fails also if cv2's loader has ignored an ImportError of the package
             self.assertIsNot(getattr(cv, name), getattr(NATIVE, name), name)
             self.assertIs(getattr(cv, name).__wrapped__, getattr(NATIVE, name))
         self.assertTrue(os.path.isfile(usac.__file__))
@@ -80,7 +81,7 @@ class LoaderTest(unittest.TestCase):
 
     def test_constants_of_cv2(self):
         names = [name for name in dir(cv._native) if "USACV20" in name]
-        self.assertEqual(names, sorted(FLAGS))  # none as of an enum class
+        self.assertEqual(names, sorted(FLAGS))  # no names as of an enum class
         for name, value in FLAGS.items():
             self.assertIs(type(getattr(cv, name)), int)
             self.assertEqual(getattr(cv, name), value)
@@ -104,7 +105,7 @@ class PatchTest(unittest.TestCase):
 
     def test_is_undone_exactly(self):
         before = dict(vars(cv))
-        self.assertEqual(self.functions(), self.original())  # the import of the package has changed nothing
+        self.assertEqual(self.functions(), self.original())  # importing the package must not change cv2
         for undo in (lambda patch: patch.undo(), lambda patch: usac.unpatch_cv2(), lambda patch: usac.unpatch_cv2(cv),
                      lambda patch: patch.__exit__(None, None, None)):
             patch = usac.patch_cv2(cv)
@@ -140,7 +141,7 @@ class PatchTest(unittest.TestCase):
             self.assertEqual(cv.findFundamentalMat, NATIVE.findFundamentalMat)
             a, b = PLANE.points1, PLANE.points2
             self.assertEqual(bits(cv.findHomography(a, b, RANSAC)), bits(NATIVE.findHomography(a, b, RANSAC)))
-            self.assertRaises(cv.error, cv.findHomography, a, b, usac.USACV20)  # as OpenCV's
+            self.assertRaises(cv.error, cv.findHomography, a, b, usac.USACV20)  # OpenCV's function is called, which does not know the flag
         finally:
             cv.findHomography = NATIVE.findHomography
 
@@ -154,7 +155,7 @@ class PatchTest(unittest.TestCase):
 
 
 class RouteTest(unittest.TestCase):
-    """Which of the two functions a call reaches, whatever they return."""
+    """Tests which of the two functions a call reaches, without running them."""
 
     def setUp(self):
         self.cv, ours = types.ModuleType("cv2"), types.ModuleType("ours")
@@ -229,7 +230,8 @@ class RouteTest(unittest.TestCase):
 
 
 class UnchangedTest(Cv2Test):
-    """What carries none of our flags gives what OpenCV's own function gives, byte for byte."""
+    """Calls without a flag or Params of this module must give identical results to OpenCV's
+    function."""
 
     def compare(self, function, args, kwargs):
         expected = outcome(getattr(NATIVE, function), args, kwargs)
@@ -239,10 +241,10 @@ class UnchangedTest(Cv2Test):
 
     def test_flags_of_opencv(self):
         found = 0
-        for _, function, _, args, kwargs in formsOfOpencv():  # for USAC and E see RouteTest
+        for _, function, _, args, kwargs in formsOfOpencv():  # for USAC flags with E see RouteTest
             expected = self.compare(function, args, kwargs)
             found += isinstance(expected[0], tuple)
-        self.assertGreater(found, 100)  # models, not only equal exceptions
+        self.assertGreater(found, 100)  # makes sure that models are compared, not only exceptions
 
     def test_flags_of_opencv_are_handed_on(self):
         found = 0
@@ -251,7 +253,7 @@ class UnchangedTest(Cv2Test):
             self.assertEqual(outcome(getattr(usac, function), args, kwargs), expected,
                              "{} {} {}".format(function, len(args), sorted(kwargs)))
             found += isinstance(expected[0], tuple)
-        self.assertGreater(found, 100)  # models, not only equal exceptions
+        self.assertGreater(found, 100)  # makes sure that models are compared, not only exceptions
 
     def test_params_of_opencv(self):
         for _, function, _, args, kwargs in paramsForms(cv.UsacParams()):

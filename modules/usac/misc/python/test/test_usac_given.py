@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What needs no search, and the motion of two views."""
+"""Tests of functions without a search, and of the motion between two views."""
 
 import pickle
 import unittest
@@ -82,7 +82,7 @@ class GivenTest(unittest.TestCase):
 
 
 class RelativePoseTest(unittest.TestCase):
-    r, t = np.array([0.03, -0.1, 0.05]), np.array([-0.8, 0.1, 0.1])  # of Scene
+    r, t = np.array([0.03, -0.1, 0.05]), np.array([-0.8, 0.1, 0.1])  # the motion in Scene
 
     def rotation(self):
         angle = np.linalg.norm(self.r)

@@ -3,9 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The same bits from cv2.usacv20 and from the package: both are compared with hashes.json.
+"""Tests that cv2.usacv20 and the package give identical results, which must equal those in
+hashes.json.
 
-`python3 test_usac_hashes.py --write` stores those of the module under test, after a change of the algorithms."""
+After a change of the algorithms, `python3 test_usac_hashes.py --write` stores the results of the
+tested module."""
 
 import hashlib
 import json
@@ -26,7 +28,8 @@ PRESETS = ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac"
 
 
 def scene(seed, count):
-    """Points of space and of two images, on a grid of 1/64 so that the last bits of the functions of NumPy do not matter."""
+    """Points of space and of two images, rounded to multiples of 1/64, so that rounding errors of
+    NumPy's functions do not matter."""
     rng = np.random.RandomState(seed)
     X = np.rint(rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (count, 3)) * 64) / 64
     r, t = [0.03, -0.1, 0.05], [-0.8, 0.1, 0.1]
@@ -39,13 +42,13 @@ def scene(seed, count):
     moved[bad] = rng.uniform(-5, 5, (len(bad), 3))
     plane = views[0].dot([[0.9, -0.2], [0.2, 0.9]]) + [40, -25] + rng.normal(0, 0.4, views[0].shape)
     plane[bad] = views[1][bad]
-    shifted = views[0] + [37.25, -12.5] + rng.normal(0, 0.4, views[0].shape)  # drawn last: those before stay as they were
+    shifted = views[0] + [37.25, -12.5] + rng.normal(0, 0.4, views[0].shape)  # drawn last, so that the random numbers of the others do not change
     shifted[bad] = views[1][bad]
     return [np.rint(points * 64) / 64 for points in (X, *views, moved, plane, shifted)]
 
 
 def calls(seed, count):
-    """(name, function of params)"""
+    """Returns [(name, function of params)]."""
     X, a, b, distorted, moved, plane, shifted = scene(seed, count)
     none = (None, None, None)
     return [("Homography", lambda p: usac.estimateHomography(a, plane, p)),
@@ -76,7 +79,7 @@ def results():
                 params.threshold, params.maxIterations = (0.04 if name.endswith("3D") else 2.0), 500
                 if params.degeneracy == usac.DEGENERACY_ORIENTATION | usac.DEGENERACY_DEGENSAC and name in (
                         "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D", "Translation2D"):
-                    continue  # refused, see DegeneracyFlags
+                    continue  # refused combination, see DegeneracyFlags
                 found["{} {} {}".format(name, preset, count)] = digest(function(params))
     return found
 
@@ -89,7 +92,7 @@ class HashTest(unittest.TestCase):
         found = results()
         self.assertEqual(sorted(found), sorted(expected))
         self.assertEqual([name for name in found if found[name] != expected[name]], [])
-        self.assertGreater(len(set(found.values())), 200)  # not all the same failure
+        self.assertGreater(len(set(found.values())), 200)  # makes sure that not all results are failures
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Arrays of every kind that Python callers have: points, cameras, distortion, masks."""
+"""Tests of all kinds of arrays as arguments: points, cameras, distortion, masks."""
 
 import unittest
 

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What the installation of the package says where something is missing: one line."""
+"""Tests of the error messages of the package's installation if something is missing: they must be
+one line."""
 
 import os
 import subprocess
@@ -83,7 +84,8 @@ class MissingTest(unittest.TestCase):
 class NumPyTest(unittest.TestCase):
 
     def test_array_types_of_numpy_2(self):
-        """pybind11 before 2.12 reads the types of NumPy 1: said at import, not by wrong results."""
+        """With NumPy 2, a package built with pybind11 before 2.12 must raise an ImportError instead
+        of giving wrong results."""
         code = "import numpy; numpy.__version__ = '{}.0.0'; import usacv20; print(usacv20.findHomography(*2 * [numpy.eye(4, 2)])[0])"
         one, two = (subprocess.run([sys.executable, "-c", code.format(major)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    universal_newlines=True) for major in (1, 2))

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The removal of a lens's distortion from points of an image."""
+"""Tests of removing the lens distortion from image points."""
 
 import unittest
 
@@ -20,7 +20,7 @@ def corners():
 
 
 def radial(points, k1):
-    """The points as a lens with k1 alone takes them, written out."""
+    """Distorts points by the coefficient k1 alone, computed from the definition."""
     rays = (points - K[:2, 2]) / K[[0, 1], [0, 1]]
     return rays * (1 + k1 * (rays**2).sum(axis=1))[:, None] * K[[0, 1], [0, 1]] + K[:2, 2]
 
@@ -49,7 +49,8 @@ class LensTest(unittest.TestCase):
         self.assertEqual(usac.removeDistortion(np.empty((0, 2)), K).shape, (0, 2))
 
     def test_what_is_not_seen_is_not_a_number(self):
-        # r (1 - 0.25 r^2) is 0.77 at most
+        # r (1 - 0.25 r^2) has the maximum 0.77, so points beyond 616 pixels from the center have no
+        # ray
         found = usac.removeDistortion([[410 + 610, 305], [410 + 620, 305], [np.nan, 3], [3, np.inf]], K, (-.25, 0, 0, 0))
         self.assertTrue(np.isfinite(found[0]).all())
         self.assertTrue(np.isnan(found[1:]).all())
@@ -64,7 +65,8 @@ class LensTest(unittest.TestCase):
 class ReportTest(unittest.TestCase):
 
     def test_threshold_in_another_unit(self):
-        """Points of the normalized image plane and a threshold in pixels: the report says that the result means nothing."""
+        """Points of the normalized image plane with a threshold in pixels: the report must say that
+        the result is meaningless."""
         rng = np.random.RandomState(2)
         X = rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (300, 3))
         points1, moved = X[:, :2] / X[:, 2:], X + [.5, .1, 0]

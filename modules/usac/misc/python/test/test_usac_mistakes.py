@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What callers get wrong: each mistake raises usacv20.error that names the argument, or is no mistake and works."""
+"""Tests of common mistakes of callers: each must raise usacv20.error that names the argument, or be
+accepted."""
 
 import unittest
 
@@ -24,7 +25,7 @@ class MistakeCase(unittest.TestCase):
 
 
 class CallTest(MistakeCase):
-    """Arguments in a wrong place."""
+    """Arguments at a wrong position."""
 
     def test_number_behind_params(self):
         a, b, p = GENERAL.points1, GENERAL.points2, usac.Params()
@@ -73,7 +74,7 @@ class CallTest(MistakeCase):
         self.refused("Params", usac.findHomography, a, b, usac.USACV20, p)
         self.refused("srcPoints", usac.findHomography, p, a)
         self.refused("cameraMatrix", usac.findEssentialMat, a, b, p)
-        self.refused("cameraMatrix", usac.findEssentialMat, a, b, usac.USACV20)  # which is a focal length of 16384 as an integer
+        self.refused("cameraMatrix", usac.findEssentialMat, a, b, usac.USACV20)  # the integer value of the flag would be a focal length of 16384
         self.refused("Params", usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, p)
         self.refused("params", usac.estimateHomography, a, b, usac.USACV20)
         self.refused("cameraMatrix2", usac.estimateEssential, a, b, GENERAL.K1, p, None, None, p)
@@ -131,7 +132,7 @@ class ArrayTest(MistakeCase):
         self.assertEqual(bits(usac.findHomography(*half)), bits(usac.findHomography(np.float32(half[0]), np.float32(half[1]))))
         truth = a > 300, b > 300
         self.assertEqual(bits(usac.findHomography(*truth)), bits(usac.findHomography(np.uint8(truth[0]), np.uint8(truth[1]))))
-        large = a + 2.0**40  # which no integer of 32 bits holds
+        large = a + 2.0**40  # does not fit into an integer of 32 bits
         self.assertEqual(bits(usac.findHomography(large.astype(np.int64), b)), bits(usac.findHomography(large, b)))
 
     def test_what_is_no_array_of_numbers(self):
@@ -148,7 +149,7 @@ class ArrayTest(MistakeCase):
                 self.refused("distCoeffs", usac.estimateAbsolutePose, POSE.X, POSE.x, K, wrong)
 
     def test_huge(self):
-        wide = np.broadcast_to(np.array([[1.0, 2.0]]), (2**31 + 5, 2))  # 16 bytes
+        wide = np.broadcast_to(np.array([[1.0, 2.0]]), (2**31 + 5, 2))  # an array view with 16 bytes of memory
         self.refused("points1", usac.estimateHomography, wide, wide)
         self.refused("srcPoints", usac.findHomography, wide, wide, RANSAC)
         self.refused("points2", usac.estimateHomography, PLANE.points1, wide.T)
@@ -186,7 +187,7 @@ class ArrayTest(MistakeCase):
         usac.findHomography(a, b, mask=apart[:, 1:2])
         np.testing.assert_array_equal(apart[:, 1:2], mask)
         self.assertEqual(set(apart[:, ::2].ravel()), {7})
-        other = np.full((count, 2), 7, np.uint8)  # another one is returned, as in cv2
+        other = np.full((count, 2), 7, np.uint8)  # does not fit, so a new mask is returned, as in cv2
         self.assertEqual(bits(usac.findHomography(a, b, mask=other)[1]), bits(mask))
         self.assertEqual(set(other.ravel()), {7})
 

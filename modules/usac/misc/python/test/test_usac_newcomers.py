@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Lines that people wrote who met the package for the first time: each does what it says, or says why not."""
+"""Tests of code that first-time users wrote: it must work as intended, or raise an error that
+explains why not."""
 
 import copy
 import inspect
@@ -165,7 +166,7 @@ class PointsTest(NewcomerCase):
         self.refused(ERRORS, ("dstPoints",), usac.findHomography, a, np.ma.masked_array(b, mask=b > 300))
         self.refused(ERRORS, ("points1[0]",), usac.estimateHomographies, [masked], [b])
         self.assertEqual(bits(usac.findHomography(np.ma.masked_array(a), b)), bits(usac.findHomography(a, b)))
-        filled = usac.estimateHomography(masked.filled(np.nan), b)[1]  # as the message says
+        filled = usac.estimateHomography(masked.filled(np.nan), b)[1]  # the solution that the error message suggests
         self.assertFalse(filled[(a > 300).any(axis=1)].any())
 
     def test_confidences(self):
@@ -177,13 +178,14 @@ class PointsTest(NewcomerCase):
             self.refused(ERRORS, ("dstPoints", "confidence"), usac.findHomography, a, wrong, RANSAC)
         self.refused(ERRORS, ("imagePoints",), usac.solvePnPRansac, POSE.X, np.hstack([POSE.x, 0 * POSE.x[:, :1] + 0.5]), POSE.K, None)
         expected = bits(usac.estimateHomography(a, b)[:2])
-        for scale in (1, 2, 4):  # what is homogeneous stays so
+        for scale in (1, 2, 4):  # homogeneous coordinates must be accepted
             self.assertEqual(bits(usac.estimateHomography(scale * np.hstack([a, np.ones((len(a), 1))]), b)[:2]), expected)
-        space = np.hstack([a / 640, confidences])  # a third coordinate is right there
+        space = np.hstack([a / 640, confidences])  # points of space have a third coordinate
         self.assertIsNotNone(usac.estimateRigid3D(space, space, usac.Params(threshold=0.01))[0])
 
     def test_sizes_of_features(self):
-        """A third column above 1 may be homogeneous, so it is taken, with a warning if it looks like something else."""
+        """A third column above 1 may be homogeneous. It must be accepted, with a warning if it
+        looks like something else."""
         rng = np.random.RandomState(2)
         n = 500
         a = rng.uniform(0, 640, (n, 2))
@@ -227,7 +229,7 @@ class PointsTest(NewcomerCase):
 
 
 class WordTest(NewcomerCase):
-    """Messages are in the words of the function that was called."""
+    """Error messages must use the argument names of the called function."""
 
     def test_names_of_arguments(self):
         a, b, K = GENERAL.points1, GENERAL.points2, GENERAL.K1
@@ -283,7 +285,7 @@ class WordTest(NewcomerCase):
             bound = inspect.signature(getattr(usac, name)).bind(*args)
             bound.apply_defaults()
             del bound.arguments["params"]
-            function = getattr(usac, name)  # the defaults are those that it has
+            function = getattr(usac, name)  # the signature must have the actual default values
             self.assertEqual(bits(function(**bound.arguments)), bits(function(*args)), name)
 
     def test_all(self):
@@ -293,7 +295,7 @@ class WordTest(NewcomerCase):
 
     def test_help(self):
         text = pydoc.plain(pydoc.render_doc(usac))
-        self.assertLess(len(text.splitlines()), 2500)  # 742 of Python 3.11, 1817 of 3.14; 5976 with all enumerations
+        self.assertLess(len(text.splitlines()), 2500)  # 742 lines with Python 3.11, 1817 with 3.14; 5976 if all enumerations were included
         for name in FUNCTIONS + ("estimateHomography", "estimateHomographies", "Params", "Report", "draw_matches", "USACV20_FAST"):
             self.assertIn(name, text)
         self.assertIn("QUALITY_MAGSAC", pydoc.render_doc(usac.QualityType))
@@ -319,7 +321,8 @@ class PictureTest(NewcomerCase):
         return image1, image2, a, b, np.array([[1], [0], [1]], np.uint8)
 
     def check(self, picture, a, b, good):
-        """Dots are green or magenta, and the lines of inliers are green halfway."""
+        """Dots must be green for inliers and magenta for outliers; a point on the line of each
+        inlier must be green."""
         self.assertEqual((picture.shape, picture.dtype), ((500, 1240, 3), np.uint8))
         for p, q, inlier in zip(a, b + [640, 0], good):
             places = [p, q] + ([0.3 * p + 0.7 * q] if inlier else [])
@@ -328,14 +331,14 @@ class PictureTest(NewcomerCase):
                 green = near[:, 1] - near[:, [0, 2]].max(axis=1)
                 self.assertGreater((green if inlier else -green).max(), 40, (x, y, near))
         between = picture[int(0.3 * a[1, 1] + 0.7 * b[1, 1]), int(0.3 * a[1, 0] + 0.7 * (b[1, 0] + 640))]
-        self.assertEqual(len(set(between.tolist())), 1)  # gray: an outlier has no line
+        self.assertEqual(len(set(between.tolist())), 1)  # gray: no line for an outlier
 
     def test_matches(self):
         image1, image2, a, b, mask = self.scene()
         draw = usac.draw_matches
         picture = draw(image1, image2, a, b, mask)
         self.check(picture, a, b, mask.ravel())
-        self.assertEqual(picture[450, 320, 0], 76 + 70)  # of image 1, pale
+        self.assertEqual(picture[450, 320, 0], 76 + 70)  # pale gray of image 1
         for args in ((image1, image2, a[:, None], b.T, mask.ravel() != 0), (image1 / 255.0, image2, a.tolist(), np.float32(b), mask)):
             np.testing.assert_allclose(draw(*args).astype(int), picture, atol=1)
         everything = draw(image1, image2, a, b)
@@ -353,7 +356,8 @@ class PictureTest(NewcomerCase):
 
     @once
     def test_without_cv2_and_without_both(self):
-        """In another process, where imports of them fail; cv2.usacv20 is never without cv2."""
+        """Runs in another process where cv2, or both cv2 and matplotlib, cannot be imported.
+        Skipped for cv2.usacv20, which always has cv2."""
         code = "import sys; sys.modules.update({}); import numpy as np, usacv20; print(usacv20.draw_matches({}).shape)"
         image = "np.zeros((20, 30)), np.zeros((20, 30)), [[1, 2]], [[3, 4]]"
         if IN_TREE:
@@ -428,7 +432,7 @@ class UsacTest(NewcomerCase):
             usac_.run()
             for points in (sampler.points, usac_.points):
                 np.testing.assert_array_equal(points.scores, scores[points.inputIndex])
-            usac_.setScores(scores + 1)  # the sampler stays
+            usac_.setScores(scores + 1)  # the sampler must be kept
             self.assertIs(usac_.components.sampler, sampler)
             usac_.run()
             np.testing.assert_array_equal(sampler.points.scores, (scores + 1)[sampler.points.inputIndex])

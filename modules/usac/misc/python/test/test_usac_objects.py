@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Params, Report and the enumerations as objects of Python: construction, comparison, copies, texts."""
+"""Tests of Params, Report and the enumerations as Python objects: construction, comparison, copies,
+texts."""
 
 import copy
 import enum
@@ -257,7 +258,7 @@ class InTreeTest(unittest.TestCase):
 
 
 class AnyProblemTest(unittest.TestCase):
-    """estimateModel returns what the function of the problem returns."""
+    """estimateModel must return the result of the problem's function."""
 
     def test_same_as_the_function(self):
         s = PLANE

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""UsacParams, Report and the estimate functions in Python."""
+"""Tests of Params, Report and the estimate functions in Python."""
 
 import threading
 import unittest
@@ -68,7 +68,7 @@ class ParamsTest(unittest.TestCase):
             self.assertEqual(values(getattr(usac.Params(), name)()), values(params))
         trusted = usac.Params.trustedScores()
         with self.assertRaises(usac.error):
-            trusted.check()  # there is nothing to trust
+            trusted.check()  # there are no scores
         trusted.scores = [0.5, 0.25]
         trusted.check(2)
         presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "sorted",

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""cv2.solvePnPRansac with the flags of the module, estimateAbsolutePose, and a model to begin with."""
+"""Tests of cv2.solvePnPRansac with the flags of the module, of estimateAbsolutePose, and of initial
+models."""
 
 import sys
 import types
@@ -20,7 +21,7 @@ from usac_pose import FEW, POSE, formsOfPose, paramsFormsOfPose
 
 
 def pose(scene, params, *args):
-    """(model, mask, report)"""
+    """Returns (model, mask, report)."""
     return usac.estimateAbsolutePose(scene.X, scene.x, scene.K, scene.d, params, *args)
 
 
@@ -29,7 +30,7 @@ def solve(scene, **kwargs):
 
 
 def indices(mask):
-    """What the inliers of solvePnPRansac are for this mask."""
+    """The array `inliers` of solvePnPRansac for this mask."""
     return np.flatnonzero(mask).astype(np.int32).reshape(-1, 1)
 
 
@@ -103,7 +104,8 @@ class PoseFlagTest(unittest.TestCase):
 
 @needsCv2
 class OpencvFlagTest(unittest.TestCase):
-    """What carries none of our flags gives what OpenCV's own function gives, byte for byte."""
+    """Calls without a flag or Params of this module must give identical results to OpenCV's
+    function."""
 
     def setUp(self):
         if not IN_TREE:
@@ -120,7 +122,7 @@ class OpencvFlagTest(unittest.TestCase):
                 self.assertEqual(outcome(usac.solvePnPRansac, args, kwargs), expected, flag)
                 self.assertEqual(outcome(cv.solvePnPRansac, args, kwargs), expected, flag)
                 found += expected[0] is True
-        self.assertGreater(found, len(self.FLAGS))  # poses, not only equal exceptions
+        self.assertGreater(found, len(self.FLAGS))  # makes sure that poses are compared, not only exceptions
 
     def test_other_calls(self):
         s, X, x = POSE, POSE.X, POSE.x
@@ -141,7 +143,8 @@ class OpencvFlagTest(unittest.TestCase):
 
 @package
 class FlagsOfAnotherOpencvTest(unittest.TestCase):
-    """SOLVEPNP_* have other numbers in OpenCV 5: those of the cv2 that has been imported are handed on by their names."""
+    """The values of SOLVEPNP_* differ between OpenCV 4 and 5. Values of the imported cv2 must be
+    converted by name."""
 
     V4 = dict(ITERATIVE=0, EPNP=1, P3P=2, DLS=3, UPNP=4, AP3P=5, IPPE=6, IPPE_SQUARE=7, SQPNP=8, MAX_COUNT=9)
     V5 = dict(ITERATIVE=0, EPNP=1, P3P=2, AP3P=3, IPPE=4, IPPE_SQUARE=5, SQPNP=6, MAX_COUNT=7)
@@ -154,7 +157,7 @@ class FlagsOfAnotherOpencvTest(unittest.TestCase):
         native = sys.modules[usac.__name__ + "._native"].solvePnPFlags
         names = sorted(native)
         expected = self.outcomes(None, [native[name] for name in names])
-        byName = dict(zip(names, expected))  # a flag that is mistaken for another is seen
+        byName = dict(zip(names, expected))  # flags that could be confused must give different results
         self.assertNotEqual(byName["SOLVEPNP_SQPNP"], byName["SOLVEPNP_IPPE"])
         self.assertNotEqual(byName["SOLVEPNP_AP3P"], byName["SOLVEPNP_IPPE_SQUARE"])
         for version, theirs in (("4.10.0", self.V4), ("5.0.0", self.V5)):
@@ -173,7 +176,7 @@ class FlagsOfAnotherOpencvTest(unittest.TestCase):
 
 
 class BeginTest(unittest.TestCase):
-    """A pose, or another model, that is tried before the first sample."""
+    """Tests of a guessed pose or another initial model, which is tested before the first sample."""
 
     def guess(self, rvec, tvec, **kwargs):
         return FINDER.solvePnPRansac(FEW.X, FEW.x, FEW.K, FEW.d, rvec, tvec, True, 10, THRESHOLD, flags=usac.USACV20, **kwargs)
@@ -204,7 +207,7 @@ class BeginTest(unittest.TestCase):
         params = usac.Params()
         params.threshold, params.maxIterations = THRESHOLD, 5
         model = pose(FEW, params)[0]
-        self.assertFalse(model is not None and FEW.errorOf(model) < 5)  # five samples do not find it
+        self.assertFalse(model is not None and FEW.errorOf(model) < 5)  # five samples alone do not find the pose
         for begin in (FEW.pose, np.float32(FEW.pose), np.asfortranarray(FEW.pose)):
             params.setInitialModel(begin)
             np.testing.assert_allclose(params.initialModel, FEW.pose.ravel(), rtol=1e-6)

@@ -3,9 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The samples in Python as they stand, with the package beside any cv2 or with cv2.usacv20, on OpenCV's sample images.
+"""Tests of the unchanged Python samples on OpenCV's sample images, with the package and any cv2, or
+with cv2.usacv20.
 
-OPENCV_SAMPLES_DATA_PATH  folder of these images (samples/data of OpenCV's source); without them the tests are skipped
+OPENCV_SAMPLES_DATA_PATH  folder of these images (samples/data of OpenCV's source); without them the
+tests are skipped
 """
 
 import os
@@ -24,7 +26,7 @@ IMAGES = os.environ.get("OPENCV_SAMPLES_DATA_PATH", "")
 @once
 @needsCv2
 class SampleTest(unittest.TestCase):
-    """The exit code of a sample tells whether its error is below its own limit."""
+    """The exit code of a sample shows whether its error is below the sample's limit."""
 
     def setUp(self):
         if not os.path.isdir(SAMPLES):

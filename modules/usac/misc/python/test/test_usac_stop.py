@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A run that is stopped: Params.maxTime, usacv20.progress, Ctrl-C."""
+"""Tests of stopping a run: Params.maxTime, usacv20.progress, Ctrl-C."""
 
 import os
 import re
@@ -18,12 +18,12 @@ import numpy as np
 
 from usac_common import ERRORS, IN_TREE, package, usac
 
-SLACK = 0.5  # seconds that a machine with other work may take the processor away for
+SLACK = 0.5  # seconds that other processes on the machine may delay a run
 ENDLESS = dict(maxIterations=2**31 - 1, termination=0)
 
 
 def hard(count=2000):
-    """Matches of which 5 % are right."""
+    """Matches with an inlier ratio of 5 %."""
     rng = np.random.RandomState(3)
     points1, points2 = rng.uniform(0, 640, (count, 2)), rng.uniform(0, 640, (count, 2))
     points2[:count // 20] = points1[:count // 20] * [0.9, 1.1] + [20, -10]
@@ -65,7 +65,7 @@ class StopTest(unittest.TestCase):
         self.assertEqual(iterations, sorted(iterations))
         self.assertGreater(iterations[-1], iterations[0])
         _, _, report = usac.estimateHomography(*hard(), usac.Params(maxIterations=100))
-        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the block it is asked no more
+        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the block the function must not be called
         self.assertEqual(len(seen), 5)
 
     def test_flags_batches_and_objects(self):
@@ -128,7 +128,7 @@ class StopTest(unittest.TestCase):
         scope = usac.progress(lambda report: True)
         with scope, self.assertRaisesRegex(ERRORS, "progress"), scope:
             pass
-        with scope:  # it can be used again
+        with scope:  # it must be reusable
             pass
 
     def test_same_bits(self):
@@ -188,7 +188,7 @@ except KeyboardInterrupt:
 
 class InterruptTest(unittest.TestCase):
     def check(self, call):
-        if IN_TREE:  # there it comes within usacv20.progress
+        if IN_TREE:  # cv2.usacv20 can be interrupted only within usacv20.progress
             call = "with usacv20.progress(lambda report: True): " + call
         child = subprocess.Popen([sys.executable, "-c", CHILD.format(call=call, module=MODULE)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                  universal_newlines=True, env=dict(os.environ))
@@ -199,7 +199,7 @@ class InterruptTest(unittest.TestCase):
             child.send_signal(signal.SIGINT)
             self.assertEqual(child.stdout.readline(), "interrupted\n")
             self.assertLess(time.monotonic() - start, 1)
-            # the class of the package's errors, which needs cv2, is not asked for
+            # the error class, which imports cv2, must not have been needed
             self.assertEqual(child.stdout.readline(), "usable 2000 {}\n".format(IN_TREE))
             self.assertEqual(child.wait(), 0)
         finally:

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What type checkers see of cv2.usacv20, where OpenCV has written stubs: 4.9 and later do, if all that they name is built."""
+"""Tests of the stubs of cv2.usacv20 for type checkers. OpenCV 4.9 and later write stubs if all
+modules that the stubs name are built."""
 
 import os
 import re
@@ -63,7 +64,7 @@ class StubTest(unittest.TestCase):
         program = os.path.join(folder, "program.py")
         with open(program, "w") as file:
             file.write(PROGRAM)
-        # In the folder of cv2, whose own stubs have mistakes of types that are not ours.
+        # Run in the folder of cv2, so that errors in cv2's own stubs are not reported.
         run = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", "--cache-dir", folder, program],
                              cwd=self.loader, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
         found = [int(line) for line in re.findall(r"program\.py:(\d+): error", run.stdout)]

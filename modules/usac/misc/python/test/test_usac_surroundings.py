@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What happens around a call: other threads, other processes, memory."""
+"""Tests of effects of the surroundings: other threads, other processes, memory."""
 
 import concurrent.futures
 import gc
@@ -18,12 +18,12 @@ import numpy as np
 from usac_common import DISTORTED, GENERAL, IN_TREE, MOVED, PLANE, SANITIZED, THRESHOLD, bits, estimate, usac
 from usac_pose import POSE
 
-# Of each call; 100000 for the long version.
+# Number of calls of each function; 100000 for a long test.
 CALLS = int(os.environ.get("USAC_TEST_CALLS", "2000"))
 
 
 def slow(seconds=0.4):
-    """A function that takes about so long, nearly all of it in the search."""
+    """Returns a function that takes about this time, nearly all of it in the search."""
     params = usac.Params(termination=0, maxIterations=1000, threads=1, threshold=THRESHOLD)
     start = time.perf_counter()
     estimate("Essential", GENERAL, params)
@@ -41,7 +41,7 @@ class ThreadTest(unittest.TestCase):
         while thread.is_alive():
             time.sleep(0.001)
             steps += 1
-        self.assertGreater(steps, 20)  # with the lock held it is one or two
+        self.assertGreater(steps, 20)  # if the lock were held, one or two
 
     def test_many_at_once(self):
         params = usac.Params(threshold=THRESHOLD)
@@ -56,7 +56,8 @@ class ThreadTest(unittest.TestCase):
         self.assertEqual(len(set(results)), 4)
 
     def test_params_that_others_change(self):
-        """The numbers are those of some time; nothing breaks."""
+        """If another thread changes Params, each run must use the old or the new values, and
+        nothing may crash."""
         params, done = usac.Params(threshold=THRESHOLD), threading.Event()
 
         def change():
@@ -86,7 +87,7 @@ class ThreadTest(unittest.TestCase):
             k = 0
             while not done.is_set():
                 k += 1
-                written[:] = texts[k % 2]  # with the lock held, unlike an assignment of NumPy's
+                written[:] = texts[k % 2]  # this assignment holds the lock, unlike an assignment to a NumPy array
 
         thread = threading.Thread(target=change)
         thread.start()
@@ -95,11 +96,11 @@ class ThreadTest(unittest.TestCase):
         finally:
             done.set()
             thread.join()
-        if not IN_TREE:  # there OpenCV reads the points without the lock
+        if not IN_TREE:  # in cv2.usacv20, OpenCV reads the points without the lock
             self.assertLessEqual(found, expected)
 
     def test_interrupt(self):
-        """A signal is dealt with after the run."""
+        """A signal must be handled at the latest after the run."""
         run = slow()
         handler = signal.signal(signal.SIGALRM, lambda *args: (_ for _ in ()).throw(KeyboardInterrupt))
         try:
@@ -141,7 +142,7 @@ class MemoryTest(unittest.TestCase):
         for _ in range(calls):
             function()
         gc.collect()
-        self.assertLess(residentBytes() - before, 2**19 + 100 * calls)  # a mask has 300 bytes
+        self.assertLess(residentBytes() - before, 2**19 + 100 * calls)  # less than one mask (300 bytes) per call
 
     def test_estimations(self):
         params = usac.Params(threshold=THRESHOLD, scores=np.arange(len(PLANE.points1)), maxIterations=20)

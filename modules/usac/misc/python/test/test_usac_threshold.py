@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""USACV20_AUTO: the threshold that is estimated from the data."""
+"""Tests of USACV20_AUTO, which estimates the threshold from the data."""
 
 import unittest
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from usac_common import FINDER, GENERAL, PLANE, bits, usac
 
-LARGEST = 10.0  # pixels
+LARGEST = 10.0  # pixels, upper limit of the threshold
 
 
 class EstimatedThresholdTest(unittest.TestCase):

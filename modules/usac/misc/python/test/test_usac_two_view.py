@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What two images are to each other: configurations, many pairs, mistakes, rules."""
+"""Tests of the two-view geometry: configurations, many pairs, errors, rules."""
 
 import pickle
 import unittest
@@ -18,7 +18,8 @@ SIZE = (1280, 960)
 
 
 def scene(seed, kind="general", right=150, wrong=60):
-    """(points1, points2, R, t) of two cameras with K; the right matches come first."""
+    """Returns (points1, points2, R, t) of two cameras with the matrix K; the right matches come
+    first."""
     rng = np.random.RandomState(seed)
     R, t = rotation(rng.normal(0, 0.1, 3)), np.array([1, 0.2, 0.1]) * (kind != "rotation")
     X = rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (right, 3))
@@ -33,7 +34,7 @@ def scene(seed, kind="general", right=150, wrong=60):
 
 
 def values(geometry):
-    """In a form that compares byte for byte, without times."""
+    """A result without times, for an exact comparison."""
     return (geometry.configuration, geometry.inliers, geometry.iterations, geometry.reason, geometry.report.chance,
             bits(tuple(getattr(geometry, name) for name in ("mask", "F", "E", "H", "R", "t", "rotations"))))
 

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Types: this file, the package and the samples pass mypy --strict, the package also stubtest."""
+"""Tests of types: this file, the package and the samples must pass mypy --strict, the package also
+stubtest."""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ import numpy.typing as npt
 
 from usac_common import FUNCTIONS, once, package, usac as module
 
-if not module.__name__.startswith("cv2."):  # the types are those of the package
+if not module.__name__.startswith("cv2."):  # type annotations below refer to the package
     import usacv20
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
@@ -47,7 +48,7 @@ class Uniform(usacv20.Sampler if not module.__name__.startswith("cv2.") else obj
 
 @package
 class TypedTest(unittest.TestCase):
-    """Calls as a typed program makes them: mypy looks at the types, the test at the values."""
+    """Calls as in a typed program: mypy checks the types, the test checks the values."""
 
     def test_flags(self) -> None:
         a, b = points()
@@ -126,15 +127,17 @@ class ToolTest(unittest.TestCase):
         except ImportError:
             self.skipTest("mypy was not found")
         path = os.path.dirname(os.path.dirname(str(usacv20.__file__)))
-        self.path = "" if path.endswith("-packages") else path  # mypy looks there by itself
+        self.path = "" if path.endswith("-packages") else path  # mypy searches the site-packages folder itself
 
     def test_package(self) -> None:
-        # What one version of NumPy's stubs needs to be ignored or cast another does not.
+        # Versions of NumPy's stubs differ in what must be ignored or cast, so these warnings are
+        # off.
         self.run_tool("mypy", "--strict", "--no-warn-unused-ignores", "--no-warn-redundant-casts", "-p", "usacv20",
                       MYPYPATH=self.path)
 
     def test_stubs(self) -> None:
-        # One signature for inspect cannot be that of several overloads; test_usac_newcomers.py calls with what it says.
+        # A function with overloads has only one signature for inspect, so stubtest must skip it.
+        # test_usac_newcomers.py tests these signatures.
         with open(os.path.join(self.cache, "allowed.txt"), "w") as file:
             file.write(r"usacv20(\._\w+)?\.({})".format("|".join(FUNCTIONS)))
         self.run_tool("mypy.stubtest", "usacv20", "--allowlist", "allowed.txt", MYPYPATH=self.path)

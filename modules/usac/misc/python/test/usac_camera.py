@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A camera in NumPy, for tests that need no cv2: rotation vectors, projection, distortion with up to five coefficients."""
+"""A camera in NumPy for tests without cv2: rotation vectors, projection, distortion with up to five
+coefficients."""
 
 import numpy as np
 
@@ -20,7 +21,8 @@ def rotation(vector):
 
 
 def distort(points, coefficients):
-    """Points of the normalized image plane as a lens with k1, k2, p1, p2, k3 shows them."""
+    """Applies a lens distortion with the coefficients k1, k2, p1, p2, k3 to points of the
+    normalized image plane."""
     if coefficients is None:
         return points
     k1, k2, p1, p2, k3 = np.ravel(coefficients)[:5]
@@ -32,15 +34,15 @@ def distort(points, coefficients):
 
 
 def project(X, rvec, tvec, K, coefficients=None):
-    """Pixels of N points of space."""
+    """Projects N points of space; returns pixels."""
     seen = X.dot(rotation(rvec).T) + np.ravel(tvec)
     return distort(seen[:, :2] / seen[:, 2:], coefficients).dot(K[:2, :2].T) + K[:2, 2]
 
 
 def normalize(pixels, K, coefficients=None):
-    """Points of the normalized image plane without distortion."""
+    """Returns undistorted points of the normalized image plane."""
     seen = (pixels - K[:2, 2]).dot(np.linalg.inv(K[:2, :2]).T)
     points = seen
-    for _ in range(100):  # of a weak distortion the remaining error shrinks by a factor in each step
+    for _ in range(100):  # fixed-point iteration, which converges linearly for a weak distortion
         points = points + seen - distort(points, coefficients)
     return points

@@ -3,11 +3,13 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A synthetic collection with known cameras, and the database of matches that COLMAP 3.8 would have of it.
+"""A synthetic collection with known cameras, and its database of matches in the form of COLMAP 3.8.
 
-A square building: one side is a flat mural, three sides are grids of equal windows with balconies (repeated structure),
-and statues stand before all four. Cameras on a ring look at it, some stand close to the mural (all that they share lies in
-a plane), some turn on one spot. Opposite cameras have nothing in common; two of them carry the same logo in a corner.
+The scene is a square building. One side is a flat mural, three sides are grids of equal windows
+with balconies (repeated structure), and statues stand in front of all four sides. Most cameras are
+on a ring around the building. Some stand close to the mural, so that all their common points lie in
+a plane; some rotate at one position. Opposite cameras have no common points; two of them have the
+same logo in a corner of the image.
 """
 
 from __future__ import annotations
@@ -26,7 +28,8 @@ Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 
 MAX_IMAGES = 2147483647  # pair_id = MAX_IMAGES * smaller image_id + larger image_id
-# COLMAP's number of a camera model; the parameters of the lens: radial ones, then tangential ones.
+# For each camera model: COLMAP's number, and the parameters of the lens, radial ones before
+# tangential ones.
 MODELS: Dict[str, Tuple[int, Tuple[float, ...]]] = {
     "SIMPLE_PINHOLE": (0, ()),
     "PINHOLE": (1, ()),
@@ -55,55 +58,55 @@ PRAGMA user_version = 3800;
 
 
 class Kind(enum.Enum):
-    """What a pair of images is in truth."""
+    """The true relation of a pair of images."""
 
     GENERAL = "general"
-    PLANAR = "planar"  # all that both see lies in one plane
-    ROTATION = "rotation"  # from one spot
-    NONE = "none"  # nothing in common
-    WATERMARK = "watermark"  # nothing in common but a logo
+    PLANAR = "planar"  # all common points lie in one plane
+    ROTATION = "rotation"  # taken from the same position
+    NONE = "none"  # no common points
+    WATERMARK = "watermark"  # no common points except a logo
 
 
 class Label(enum.IntEnum):
-    """What a match is in truth."""
+    """The true kind of a match."""
 
     RANDOM = 0
     RIGHT = 1
-    COPY = 2  # to the same part of another window, the same way for a whole group
+    COPY = 2  # to the same part of another window, with the same offset for a whole group
     LOGO = 3
 
 
 class Recipe(NamedTuple):
-    """What a collection is made by; the same recipe makes the same bytes."""
+    """The parameters of a collection; equal recipes give identical databases."""
 
     images: int = 23  # at least 12
-    noise: float = 0.5  # pixels, standard deviation of a coordinate
-    density: float = 1.0  # 1: some 250 keypoints an image
-    wrong: Tuple[float, float] = (0.3, 0.7)  # the share of wrong matches in pairs that overlap: from, to
-    lone: Tuple[float, float] = (0.1, 0.3)  # wrong matches of pairs without overlap, in terms of the keypoints of an image
-    lonePairs: float = 1.0  # the share of the pairs without overlap that have matches at all
-    copies: float = 0.3  # the share of the wrong matches that go to another window, where the pair shows enough of them
-    cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)  # model, focal length known; images take turns
-    columns: int = 6  # of a keypoint in the database: 2, 4 or 6
+    noise: float = 0.5  # standard deviation of each coordinate, pixels
+    density: float = 1.0  # 1: about 250 keypoints in an image
+    wrong: Tuple[float, float] = (0.3, 0.7)  # range of the fraction of wrong matches in pairs with overlap
+    lone: Tuple[float, float] = (0.1, 0.3)  # range of the number of matches in pairs without overlap, relative to the number of keypoints in an image
+    lonePairs: float = 1.0  # fraction of the pairs without overlap that have matches at all
+    copies: float = 0.3  # fraction of the wrong matches that go to another window, if the pair shows enough windows
+    cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)  # model, focal length known; images use them in turn
+    columns: int = 6  # number of columns of the table of keypoints: 2, 4 or 6
     size: Tuple[int, int] = (1600, 1200)
     seed: int = 0
 
 
 class Lens(NamedTuple):
-    """A camera as it is and as the database has it."""
+    """A camera with its true parameters, and those stored in the database."""
 
     model: str
     params: Floats
     focalKnown: bool
 
     def split(self) -> Tuple[Floats, Floats]:
-        """(K, parameters of the lens)."""
-        own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1  # numbers of focal lengths: one or two
+        """Returns (K, parameters of the lens)."""
+        own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1  # 2: the model has one focal length; 1: it has two
         fx, fy, cx, cy = self.params[[0, 0, 1, 2]] if own == 2 else self.params[:4]
         return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), self.params[3 if own == 2 else 4:]
 
     def project(self, seen: Floats) -> Floats:
-        """Pixels of points in the camera's frame."""
+        """Projects points in camera coordinates to pixels."""
         K, lens = self.split()
         plane = seen[:, :2] / seen[:, 2:]
         if self.model == "OPENCV_FISHEYE":
@@ -115,7 +118,8 @@ class Lens(NamedTuple):
         return np.asarray(plane @ K[:2, :2].T + K[:2, 2], float)
 
     def stored(self, size: Tuple[int, int]) -> Floats:
-        """The parameters for the database: where the focal length is unknown, COLMAP's guess of it and no distortion."""
+        """Returns the parameters for the database. If the focal length is unknown, they are
+        COLMAP's guess without distortion."""
         if self.focalKnown:
             return self.params
         params = self.params.copy()
@@ -129,21 +133,21 @@ class Space(NamedTuple):
     """The points of the scene."""
 
     points: Floats  # P x 3
-    normals: Floats  # P x 3, of the surface: seen from the front only
-    sides: Integers  # P: the side of the building, 0: that with the mural
-    flat: npt.NDArray[np.bool_]  # P: lies in the plane of its side
-    windows: Integers  # 3 x columns x rows x parts: numbers of points
+    normals: Floats  # P x 3, surface normals; points are visible only from the front
+    sides: Integers  # P: side of the building; 0 is the side with the mural
+    flat: npt.NDArray[np.bool_]  # P: true if the point lies in the plane of its side
+    windows: Integers  # 3 x columns x rows x parts: indices of points
 
 
 class PairTruth(NamedTuple):
-    """A pair of images, numbers from 0, and its matches."""
+    """A pair of images, numbered from 0, and its matches."""
 
     first: int
     second: int
     kind: Kind
-    matches: npt.NDArray[np.uint32]  # M x 2: numbers of keypoints
-    labels: Integers  # M, of Label
-    flatShare: float  # of the right matches in the plane that has most of them
+    matches: npt.NDArray[np.uint32]  # M x 2: indices of keypoints
+    labels: Integers  # M, values of Label
+    flatShare: float  # fraction of the right matches in the plane with the most right matches
 
     @property
     def pairId(self) -> int:
@@ -155,13 +159,13 @@ class PairTruth(NamedTuple):
 
 
 def frame(side: int) -> Tuple[Floats, Floats]:
-    """(outward normal, direction to the right) of a side of the building."""
+    """Returns (outward normal, direction to the right) of a side of the building."""
     angle = side * np.pi / 2
     return np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
 
 
-HALF_WIDTH, HEIGHT = 2.5, 4.0  # of the building, whose axis is the third axis of space
-COLUMNS, ROWS = 5, 3  # of windows
+HALF_WIDTH, HEIGHT = 2.5, 4.0  # of the building; its axis is the z axis
+COLUMNS, ROWS = 5, 3  # numbers of windows on a side
 
 
 def buildSpace(rng: np.random.RandomState, density: float) -> Space:
@@ -180,7 +184,7 @@ def buildSpace(rng: np.random.RandomState, density: float) -> Space:
 
     for across, up in rng.uniform([-2.4, 0.2], [2.4, 3.8], (int(170 * density), 2)):
         add(0, across, up, 0)
-    parts = rng.uniform([0.05, 0.05, 0.1], [0.85, 1.15, 0.9], (int(12 * density), 3))  # of a window, and of its balcony
+    parts = rng.uniform([0.05, 0.05, 0.1], [0.85, 1.15, 0.9], (int(12 * density), 3))  # points of a window and of its balcony
     parts[::2, 2] = 0
     windows = np.zeros((3, COLUMNS, ROWS, len(parts)), int)
     for side, column, row, part in itertools.product(range(3), range(COLUMNS), range(ROWS), range(len(parts))):
@@ -200,7 +204,7 @@ def buildSpace(rng: np.random.RandomState, density: float) -> Space:
 
 
 def lookAt(center: Floats, target: Floats, roll: float) -> Tuple[Floats, Floats]:
-    """R, t of a camera (x right, y down, z ahead)."""
+    """Returns R, t of a camera (x right, y down, z forward)."""
     ahead = (target - center) / np.linalg.norm(target - center)
     right = np.cross(ahead, [0, 0, 1.0])
     right /= np.linalg.norm(right)
@@ -209,7 +213,7 @@ def lookAt(center: Floats, target: Floats, roll: float) -> Tuple[Floats, Floats]
 
 
 class Collection:
-    """Cameras, keypoints and matches, all of it known."""
+    """The true cameras, keypoints and matches of a collection."""
 
     def __init__(self, recipe: Recipe = Recipe()) -> None:
         self.recipe = recipe
@@ -221,7 +225,7 @@ class Collection:
         self.translations: List[Floats] = []
         self._placeCameras()
         self.keypoints: List[Floats] = []
-        self.pointOf: List[Integers] = []  # of each keypoint: the point of the scene, -1: none
+        self.pointOf: List[Integers] = []  # for each keypoint, the index of the scene's point, or -1
         for image in range(recipe.images):
             self._detect(image)
         ring = [i for i, name in enumerate(self.names) if name.startswith("ring")]
@@ -243,7 +247,7 @@ class Collection:
         return np.asarray(-self.rotations[image].T @ self.translations[image])
 
     def relative(self, first: int, second: int) -> Tuple[Floats, Floats]:
-        """R, t of the second camera seen from the first: x2 ~ R x1 + t."""
+        """Returns R, t of the second camera relative to the first: x2 ~ R x1 + t."""
         R = self.rotations[second] @ self.rotations[first].T
         return R, self.translations[second] - R @ self.translations[first]
 
@@ -271,7 +275,7 @@ class Collection:
                         0.15 * i - 0.15)
 
     def _detect(self, image: int) -> None:
-        """Keypoints on what the camera sees, and others on nothing that another camera sees."""
+        """Adds keypoints of visible points, and random keypoints without a point."""
         rng, size, space = self.rng, np.array(self.recipe.size), self.space
         seen = space.points @ self.rotations[image].T + self.translations[image]
         pixels = self.lens(image).project(np.where(seen[:, 2:] > 0.5, seen, 1))
@@ -292,7 +296,8 @@ class Collection:
         self.pointOf.append(points[order])
 
     def _addLogo(self) -> Integers:
-        """Its matches. It is near the border: COLMAP looks for it within a tenth of the diagonal."""
+        """Adds the logo to two images; returns its matches. It is near the border, as COLMAP
+        searches for watermarks within a tenth of the diagonal."""
         size, count = np.array(self.recipe.size), 40
         shape = size - self.rng.uniform([20, 15], [0.3 * size[0], 0.08 * size[1]], (count, 2))
         numbers = []
@@ -304,7 +309,8 @@ class Collection:
         return np.stack(numbers, axis=1)
 
     def _match(self, first: int, second: int) -> PairTruth:
-        """Matches one to one in no order: some of the common points, groups of copies, then any keypoints that are left."""
+        """Makes one-to-one matches in random order: some of the common points, groups of copies,
+        and random pairs of the remaining keypoints."""
         rng, enough = self.rng, 30
         a, b = self.pointOf[first], self.pointOf[second]
         common = np.intersect1d(a[a >= 0], b[b >= 0])
@@ -317,7 +323,8 @@ class Collection:
         else:
             common = rng.permutation(common)[:int((1 - share) * most)]
             wrong = int(len(common) * share / (1 - share))
-            # From one spot copies and right matches obey one epipolar geometry, so they would tell of a motion.
+            # No copies for cameras at the same position: there, copies and right matches agree with
+            # one epipolar geometry and would indicate a translation.
             most = 0 if self.fromOneSpot(first, second) else min(int(self.recipe.copies * wrong), len(common) // 3)
             copies = self._copies(a, b, most)
             common = common[~np.isin(common, np.concatenate([a[copies[:, 0]], b[copies[:, 1]]]))]
@@ -329,12 +336,13 @@ class Collection:
         groups.append((np.stack([left[0][:wrong], left[1][:wrong]], axis=1), Label.RANDOM))
         matches = np.concatenate([group for group, _ in groups]).astype(np.uint32)
         labels = np.concatenate([np.full(len(group), int(label)) for group, label in groups])
-        labels[(a[matches[:, 0]] >= 0) & (a[matches[:, 0]] == b[matches[:, 1]])] = Label.RIGHT  # by chance
+        labels[(a[matches[:, 0]] >= 0) & (a[matches[:, 0]] == b[matches[:, 1]])] = Label.RIGHT  # random matches may be right by chance
         order = rng.permutation(len(matches))
         return self._truth(first, second, matches[order], labels[order])
 
     def _copies(self, a: Integers, b: Integers, most: int) -> Integers:
-        """Matches from the parts of windows to those of the windows at a distance that is the same for all."""
+        """Matches parts of windows with the same parts of windows at a fixed offset; the offset
+        with the most matches is taken."""
         windows = self.space.windows
         best = np.zeros((0, 2), int)
         for across, up in ((1, 0), (-1, 0), (2, 0), (-2, 0), (0, 1), (0, -1)):
@@ -360,7 +368,7 @@ class Collection:
         return PairTruth(first, second, kind, matches, labels, share)
 
     def write(self, path: str) -> None:
-        """A new database without descriptors and without verified pairs."""
+        """Writes a new database without descriptors and verified pairs."""
         with sqlite3.connect(path) as database:
             database.executescript(SCHEMA)
             for number, lens in enumerate(self.lenses, 1):
@@ -372,7 +380,7 @@ class Collection:
                                  (image + 1, name, image % len(self.lenses) + 1))
                 columns = np.zeros((len(pixels), self.recipe.columns), np.float32)
                 columns[:, :2] = pixels
-                columns[:, 2:] = {2: [], 4: [3, 0], 6: [3, 0, 0, 3]}[self.recipe.columns]  # scale, angle or affine shape
+                columns[:, 2:] = {2: [], 4: [3, 0], 6: [3, 0, 0, 3]}[self.recipe.columns]  # scale and angle, or affine shape
                 database.execute("INSERT INTO keypoints VALUES (?, ?, ?, ?)", (image + 1, *columns.shape, columns.tobytes()))
             database.executemany("INSERT INTO matches VALUES (?, ?, ?, ?)", self._rows())
         database.close()
@@ -383,7 +391,7 @@ class Collection:
 
 
 def _whereIn(pointOf: Integers, points: Integers) -> Integers:
-    """The keypoints on points, -1: there is none."""
+    """Returns the index of the keypoint of each point, or -1."""
     number = np.full(max(int(points.max(initial=0)), int(pointOf.max(initial=0))) + 1, -1)
     known = pointOf >= 0
     number[pointOf[known]] = np.flatnonzero(known)

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Databases of COLMAP for the tests, written from arrays, as its versions make them."""
+"""Writes databases for tests from arrays, in the formats of several COLMAP versions."""
 
 import contextlib
 import os
@@ -21,7 +21,8 @@ if not IN_TREE:
 
 IMAGES = 2147483647
 SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV = range(5)
-# The tables that changed: poses of images moved to a table of their own, rigs and frames were added.
+# Tables that differ between versions: poses of images moved to a separate table, and rigs and
+# frames were added.
 _OLD_IMAGES = ", prior_qw REAL, prior_qx REAL, prior_qy REAL, prior_qz REAL, prior_tx REAL, prior_ty REAL, prior_tz REAL"
 _PRIORS = """CREATE TABLE pose_priors (image_id INTEGER PRIMARY KEY NOT NULL, position BLOB, coordinate_system INTEGER NOT NULL,
 position_covariance BLOB, FOREIGN KEY(image_id) REFERENCES images(image_id) ON DELETE CASCADE);"""
@@ -38,7 +39,7 @@ corr_sensor_id INTEGER NOT NULL, corr_sensor_type INTEGER NOT NULL, position BLO
 coordinate_system INTEGER NOT NULL);"""
 _CAMERAS = """ALTER TABLE two_view_geometries ADD COLUMN camera1 BLOB;
 ALTER TABLE two_view_geometries ADD COLUMN camera2 BLOB;"""
-# Version: columns of images, of descriptors, other tables, user_version.
+# For each version: columns of images, columns of descriptors, further tables, user_version.
 SCHEMAS = {"3.8": (_OLD_IMAGES, "", "", 3800), "3.9": (_OLD_IMAGES, "", "", 3900), "3.11": ("", "", _PRIORS, 3900),
            "4.0": ("", "type INTEGER NOT NULL, ", _RIGS, 4000),
            "4.2": ("", "type INTEGER NOT NULL, ", _RIGS + _CAMERAS, 4020100)}
@@ -74,8 +75,9 @@ def writeDatabase(path, cameras, images, keypoints, matches, schema="3.8", wal=T
     cameras -- {camera_id: (model, width, height, parameters, whether the focal length is known)}
     images -- {image_id: (name, camera_id)}
     keypoints -- {image_id: N x 2, 4 or 6}
-    matches -- {(image_id, image_id): M x 2 numbers of keypoints}, or an iterable of such items; of the smaller image_id first
-    wal -- the journal mode that COLMAP sets"""
+    matches -- {(image_id, image_id): M x 2 indices of keypoints}, or an iterable of such items; the
+    smaller image_id is first
+    wal -- True: journal mode WAL, as COLMAP sets it"""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         if wal:
             connection.execute("PRAGMA journal_mode = WAL")
@@ -93,7 +95,7 @@ def writeDatabase(path, cameras, images, keypoints, matches, schema="3.8", wal=T
 
 
 def change(path, statement, *arguments):
-    """Executes a statement, to damage a database, say."""
+    """Executes a statement, for example to damage a database."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         connection.execute(statement, arguments)
 
@@ -104,7 +106,7 @@ def rows(path, statement, *arguments):
 
 
 def dump(path, *tables):
-    """All rows of tables, with the bytes of their blobs."""
+    """Returns all rows of tables."""
     return {table: rows(path, "SELECT * FROM {} ORDER BY 1".format(table)) for table in tables}
 
 
@@ -112,7 +114,8 @@ INPUT = ("cameras", "images", "keypoints", "descriptors", "matches")
 
 
 def smallDatabase(path, images=6, points=60, seed=0, distorted=False, columns=2, **keywords):
-    """All pairs of a few images of random points; match i of a pair is of keypoint i of the first image."""
+    """Writes a database with all pairs of a few images with random points; match i of a pair has
+    keypoint i of the first image."""
     rng = np.random.RandomState(seed)
     camera = (OPENCV, 640, 480, (600, 610, 320, 240, -0.1, 0.02, 0.001, -0.002), True) if distorted else (
         SIMPLE_PINHOLE, 640, 480, (600, 320, 240), False)
@@ -141,7 +144,7 @@ class DatabaseCase(unittest.TestCase):
         return source.load(list(source.keys()))
 
     def refused(self, words, function, *args, **keywords):
-        """A CollectionError of one line with the words."""
+        """The call must raise a CollectionError of one line that contains the words."""
         with self.assertRaises(CollectionError) as context:
             function(*args, **keywords)
         message = str(context.exception)
@@ -151,7 +154,7 @@ class DatabaseCase(unittest.TestCase):
 
 
 def flat(item):
-    """What was loaded, in a form that compares byte for byte."""
+    """Converts loaded data for an exact comparison."""
     if isinstance(item, np.ndarray):
         return item.dtype.str, item.shape, item.tobytes()
     if isinstance(item, (list, tuple)):

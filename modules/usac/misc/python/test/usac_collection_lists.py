@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Files of pairs for the tests of the command `pairs`."""
+"""Files of pairs for tests of the command `pairs`."""
 
 import json
 import os
@@ -16,7 +16,7 @@ import numpy as np
 try:
     from usacv20.collection._lists import ListSource
     from usacv20.collection._pair import CollectionError, Fault
-except ImportError:  # in-tree
+except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
     pass
 try:
     import h5py
@@ -65,14 +65,14 @@ class Files(unittest.TestCase):
         return self.path(name)
 
     def h5(self, name, **arrays):
-        """Arrays by GROUP/NAME."""
+        """Writes arrays given by GROUP/NAME."""
         with h5py.File(self.path(name), "w") as out:
             for key, array in arrays.items():
                 out[key] = array
         return self.path(name)
 
     def only(self, path, *more):
-        """The pair, or the fault, of a source of one."""
+        """Returns the only pair or fault of a source."""
         source = self.source(path, *more)
         self.assertEqual(len(source), 1)
         (loaded,) = source.load(list(source.keys()))
@@ -85,7 +85,7 @@ class Files(unittest.TestCase):
         return source
 
     def check(self, pair, seed, rows=slice(None), known=True, scores=True):
-        """A pair of matchesOf(seed)."""
+        """The pair must have the data of matchesOf(seed)."""
         self.assertNotIsInstance(pair, Fault, pair)
         a, b, s = matchesOf(seed)
         for view, points in ((pair.first, a), (pair.second, b)):

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs of images whose noise is known, for the test and the measurement of --threshold auto."""
+"""Pairs of images with known noise, for the test and the measurement of --threshold auto."""
 
 import numpy as np
 
@@ -15,11 +15,11 @@ KINDS = ("general", "general", "general", "general", "planar", "rotation")
 
 
 class NoisyPair(object):
-    """A pair and what is true of it.
+    """A pair with its ground truth.
 
-    A quarter of the wrong matches go from one square to another, a quarter follow right ones at an offset (repeated
-    structure), the others go anywhere. `heavy`: the noise differs from keypoint to keypoint by a log-normal factor with
-    this standard deviation."""
+    A quarter of the wrong matches go from one square to another, a quarter are right matches with a
+    constant offset (repeated structure), the others are random. `heavy`: standard deviation of the
+    logarithm of a random factor on the noise of each keypoint (log-normal)."""
 
     def __init__(self, seed, kind="general", size=(1600, 1200), sigma=1.0, wrong=0.5, known=True, matches=None,
                  heavy=0.0):
@@ -74,7 +74,8 @@ class NoisyPair(object):
 
 
 def noisyPairs(seed, pairs, none=0.2, **options):
-    """A collection: pairs of all kinds, a part of `none` without overlap, with 30 to 70 % wrong matches."""
+    """Makes a collection: pairs of all kinds, a fraction `none` without overlap, with 30 to 70 %
+    wrong matches."""
     rng = np.random.RandomState(seed)
     result = []
     for i in range(pairs):

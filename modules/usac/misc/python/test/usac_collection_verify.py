@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A stand-in for the verification of pairs, for tests of what is around it: its result depends on all that it is given."""
+"""A replacement of the verification of pairs for tests of other parts. Its result depends on all of
+its input."""
 
 import hashlib
 import os
@@ -18,7 +19,7 @@ from usacv20.collection._pair import CollectionError, Configuration, TwoView
 
 
 def verify(pairs, settings):
-    """settings: {"sleep": seconds for each pair, "seed": number}"""
+    """A deterministic pseudo-result. settings: {"sleep": seconds for each pair, "seed": number}"""
     return [_one(pair, settings) for pair in pairs]
 
 
@@ -36,7 +37,7 @@ def _one(pair, settings):
 
 
 def nothing(pairs, settings):
-    """Takes no time."""
+    """A verification that takes no time."""
     none = np.empty((0, 2), np.uint32)
     return [TwoView(pair.key, Configuration.DEGENERATE, none, None, None, None, None, None, "", len(pair.matches), 0, 1.0, 0.0)
             for pair in pairs]
@@ -61,7 +62,7 @@ def forgets(pairs, settings):
 
 
 class Here(DatabaseSource):
-    """A database that only the process which opened it first has."""
+    """A database that other processes than the first cannot open."""
 
     def __init__(self, *args, **keywords):
         super().__init__(*args, **keywords)
@@ -77,7 +78,7 @@ class Here(DatabaseSource):
 
 
 def main(path, *options):
-    """A run that takes a second and more. options -- "workers": of Dask"""
+    """Makes a run of at least a second. options -- "workers": with Dask"""
     source, sink = DatabaseSource(path), DatabaseSink(path, {})
     summary = run(source, sink, {"sleep": 0.02}, sys.modules["usac_collection_verify"].verify, threads=2, chunk=5,
                   workers=2 * ("workers" in options))

@@ -3,10 +3,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""COLMAP as a program: its verification of given matches, its mappers, what it writes, and how right that is.
+"""Calls the program COLMAP: verification of given matches, mappers, reading of results, and their
+errors.
 
-The program is `colmap` on the PATH (Debian 12 has 3.8); USAC_COLMAP4 names the command of a later version (4.2.1 is Debian
-sid's; a script that enters a chroot will do, if that sees the folder of temporary files under the same path)."""
+The program is `colmap` on the PATH (version 3.8 in Debian 12). USAC_COLMAP4 names the command of a
+later version (4.2.1 in Debian sid). It may be a script that enters a chroot, if the folder of
+temporary files has the same path there."""
 
 from __future__ import annotations
 
@@ -30,29 +32,29 @@ MAX_IMAGES = 2147483647  # pair_id = MAX_IMAGES * smaller image_id + larger imag
 
 
 class ColmapError(Exception):
-    """The program is missing or has failed."""
+    """Raised if the program is missing or has failed."""
 
 
 class Usage(NamedTuple):
-    """What a program has said and what it has cost."""
+    """The output of a program and its CPU time."""
 
     output: str
     cpuSeconds: float  # user and system
 
 
 class Model(NamedTuple):
-    """A reconstruction."""
+    """A reconstruction made by COLMAP."""
 
-    poses: Dict[str, Pose]  # by name of the image: those that are registered
+    poses: Dict[str, Pose]  # poses of the registered images by name
     points: int
-    reprojectionError: float  # pixels, mean over the observations; 0: no points
+    reprojectionError: float  # pixels, mean over the observations; 0: there are no points
 
 
 class Verified(NamedTuple):
     """A row of two_view_geometries."""
 
     configuration: int
-    inliers: npt.NDArray[np.uint32]  # K x 2: numbers of keypoints
+    inliers: npt.NDArray[np.uint32]  # K x 2: indices of keypoints
     hasF: bool
     hasE: bool
     hasH: bool
@@ -63,19 +65,19 @@ def find() -> Optional[str]:
 
 
 def findLater() -> Optional[str]:
-    """Of version 4."""
+    """Returns the path of a COLMAP of version 4, or None."""
     name = os.environ.get("USAC_COLMAP4")
     return shutil.which(name) if name else None
 
 
 @functools.lru_cache(maxsize=None)
 def options(program: str, command: str) -> str:
-    """What a version knows, as names of options changed."""
+    """Returns the help text of a command, as names of options differ between versions."""
     return runProgram([program, command, "--help"]).output
 
 
 def withoutGpu(program: str, command: str) -> Dict[str, object]:
-    """The options of a command that extracts or matches features, on one core."""
+    """Returns the options that run a command for features or matches on one core without GPU."""
     groups = ("FeatureExtraction", "FeatureMatching", "SiftExtraction", "SiftMatching")
     known = options(program, command)
     group = next(name for name in groups if "--{}.use_gpu".format(name) in known)
@@ -83,7 +85,8 @@ def withoutGpu(program: str, command: str) -> Dict[str, object]:
 
 
 def runProgram(command: Sequence[str]) -> Usage:
-    """Only the children of one call may end meanwhile: the CPU time is that of all of them."""
+    """Runs a program. No other child process may end during the call, since the CPU time is that of
+    all children."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
                          env=dict(os.environ, QT_QPA_PLATFORM="offscreen"))
@@ -94,7 +97,8 @@ def runProgram(command: Sequence[str]) -> Usage:
 
 
 def colmap(command: str, program: Optional[str] = None, **options: object) -> Usage:
-    """An option of a group has two underscores where COLMAP has a dot: Mapper__num_threads. program -- None: that on the PATH"""
+    """Runs a COLMAP command. Names of options have two underscores instead of COLMAP's dot:
+    Mapper__num_threads. program -- None: the program on the PATH"""
     program = program or find()
     if program is None:
         raise ColmapError("there is no program colmap (Debian: apt-get install colmap)")
@@ -103,7 +107,7 @@ def colmap(command: str, program: Optional[str] = None, **options: object) -> Us
 
 
 def pairsOf(database: str) -> List[Tuple[str, str]]:
-    """Names of the images of all pairs that have matches."""
+    """Returns the image names of all pairs that have matches."""
     connection = sqlite3.connect(database)
     names = dict(connection.execute("SELECT image_id, name FROM images"))
     pairs = [(names[key // MAX_IMAGES], names[key % MAX_IMAGES])
@@ -113,7 +117,7 @@ def pairsOf(database: str) -> List[Tuple[str, str]]:
 
 
 def clear(database: str) -> None:
-    """Forgets what was verified."""
+    """Removes all verified pairs."""
     connection = sqlite3.connect(database)
     with connection:
         connection.execute("DELETE FROM two_view_geometries")
@@ -121,8 +125,9 @@ def clear(database: str) -> None:
 
 
 def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
-    """COLMAP's own verification, on one core, in the place of what the table has. Version 3 has no command for it alone; where a
-    pair has matches, its importer of a list of pairs does not match again (so it needs no descriptors) and verifies only."""
+    """Runs COLMAP's own verification on one core; it replaces the table of results. Version 3 has
+    no separate command for it. Its importer of a list of pairs is used, which only verifies pairs
+    that have matches and needs no descriptors."""
     clear(database)
     program = program or find() or ""
     if program and "geometric_verifier" in runProgram([program, "help"]).output:
@@ -136,7 +141,7 @@ def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
 
 
 def verified(database: str) -> Dict[int, Verified]:
-    """The table of a database by pair_id."""
+    """Returns the table two_view_geometries by pair_id."""
     connection = sqlite3.connect(database)
     rows = connection.execute("SELECT pair_id, rows, data, config, F, E, H FROM two_view_geometries").fetchall()
     connection.close()
@@ -146,9 +151,10 @@ def verified(database: str) -> Dict[int, Verified]:
 
 def mapper(database: str, images: Optional[str] = None, program: Optional[str] = None, command: str = "mapper", seed: int = 0,
            fixed: bool = False) -> Tuple[Model, Usage]:
-    """The largest model that `mapper` or `global_mapper` makes on one core, an empty one if it makes none.
+    """Returns the largest model that `mapper` or `global_mapper` makes on one core; an empty model
+    if it makes none.
 
-    images -- folder, for colors; None: there are none
+    images -- folder, for colors; None: no colors
     fixed -- True: the cameras are not refined"""
     program = program or find() or ""
     group = "GlobalMapper" if command == "global_mapper" else "Mapper"
@@ -156,7 +162,7 @@ def mapper(database: str, images: Optional[str] = None, program: Optional[str] =
     given: Dict[str, object] = {group + "__num_threads": 1}
     if group + ".extract_colors" in known:
         given[group + "__extract_colors"] = int(images is not None)
-    if group + ".structure_less_registration_fallback" in known:  # 4.2.1 of Debian ends in it by a double free (of PoseLib)
+    if group + ".structure_less_registration_fallback" in known:  # with it, 4.2.1 of Debian crashes by a double free (in PoseLib)
         given[group + "__structure_less_registration_fallback"] = 0
     given[group + "__random_seed" if group + ".random_seed" in known else "random_seed"] = seed
     if fixed:
@@ -174,7 +180,7 @@ def mapper(database: str, images: Optional[str] = None, program: Optional[str] =
 
 
 def readModel(folder: str) -> Model:
-    """images.bin and points3D.bin."""
+    """Reads images.bin and points3D.bin."""
     poses = {}
     with open(os.path.join(folder, "images.bin"), "rb") as file:
         data = file.read()
@@ -210,7 +216,8 @@ def angle(a: Floats, b: Floats) -> float:
 
 
 def poseError(estimate: Pose, truth: Pose) -> float:
-    """Degrees: the larger one of the errors of the rotation and of the direction of the translation, if there is one."""
+    """The larger of the errors of the rotation and of the direction of the translation in degrees;
+    only the former if the true translation is zero."""
     D = estimate[0] @ truth[0].T
     skew = np.array([D[2, 1] - D[1, 2], D[0, 2] - D[2, 0], D[1, 0] - D[0, 1]])
     turned = float(np.degrees(np.arctan2(np.linalg.norm(skew), np.trace(D) - 1)))
@@ -220,13 +227,13 @@ def poseError(estimate: Pose, truth: Pose) -> float:
 
 
 def between(first: Pose, second: Pose) -> Pose:
-    """x2 ~ R x1 + t of two cameras."""
+    """Returns R, t with x2 ~ R x1 + t for two cameras."""
     R = second[0] @ first[0].T
     return R, second[1] - R @ first[1]
 
 
 def relativeErrors(estimate: Dict[str, Pose], truth: Dict[str, Pose]) -> Floats:
-    """Of all pairs of images; infinite where one of them is not registered."""
+    """Returns the pose errors of all pairs of images; infinite if one of them is not registered."""
     names = sorted(truth)
     errors = []
     for i, a in enumerate(names):
@@ -237,7 +244,8 @@ def relativeErrors(estimate: Dict[str, Pose], truth: Dict[str, Pose]) -> Floats:
 
 
 def areaUnderCurve(errors: Floats, limit: float) -> float:
-    """The area below the share of the errors within a limit, from 0 to the limit, in terms of the limit."""
+    """Area under the cumulative distribution of the errors from 0 to the limit, divided by the
+    limit."""
     inside = np.sort(errors[errors <= limit])
     x = np.concatenate([[0], inside, [limit]])
     share = np.append(np.arange(len(inside) + 1), len(inside)) / len(errors)

@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The module under test, and the scenes, call forms and comparisons that its tests share.
+"""The tested module, and scenes, call forms and comparisons that its tests share.
 
-USAC_TEST_MODULE  "cv2" (default): cv2.usacv20, of an OpenCV built with the module; "usacv20": the package
-USAC_TEST_CV2     "none": as if there were no cv2 beside the package; what compares with cv2 is skipped
+USAC_TEST_MODULE  "cv2" (default): cv2.usacv20 of an OpenCV built with the module; "usacv20": the
+package
+USAC_TEST_CV2     "none": the package is tested without cv2; comparisons with cv2 are skipped
 """
 
 import os
@@ -20,7 +21,7 @@ from usac_camera import normalize, project
 
 IN_TREE = os.environ.get("USAC_TEST_MODULE", "cv2") == "cv2"
 if os.environ.get("USAC_TEST_CV2") == "none":
-    sys.modules["cv2"] = None  # `import cv2` raises an ImportError
+    sys.modules["cv2"] = None  # makes `import cv2` raise an ImportError
 try:
     import cv2 as cv
 except ImportError:
@@ -32,9 +33,9 @@ if IN_TREE:
 else:
     import usacv20 as usac
 ERRORS = (usac.error,) if cv is None else (usac.error, cv.error)
-FINDER = cv if IN_TREE else usac  # where find* take our flags
+FINDER = cv if IN_TREE else usac  # the module whose find* functions take flags of this module
 SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")  # see misc/sanitize.sh
-# Of the tools and of the installation, which are the same without a cv2.
+# For tests of tools and of the installation, which do not depend on cv2.
 once = unittest.skipIf(SANITIZED or os.environ.get("USAC_TEST_CV2") == "none", "not of the module")
 needsCv2 = unittest.skipIf(cv is None, "there is no cv2")
 inTree = unittest.skipUnless(IN_TREE, "of cv2.usacv20 only")
@@ -42,20 +43,20 @@ package = unittest.skipIf(IN_TREE, "of the package only")
 
 FUNCTIONS = ("findHomography", "findFundamentalMat", "findEssentialMat", "estimateAffine2D", "estimateAffinePartial2D",
              "solvePnPRansac")
-# OpenCV's own functions, whatever takes their place in cv2.
+# OpenCV's own functions, even if the functions of cv2 are replaced.
 NATIVE = types.SimpleNamespace(**{name: getattr(getattr(cv, "_native", cv), name) for name in FUNCTIONS if cv is not None})
 FLAGS = {flag.name: int(flag) for flag in usac.UsacV20Method}
-# Flags of OpenCV, which the package takes where there is no cv2, too.
+# Flags of OpenCV, defined here because the package also takes them without cv2.
 FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO = 1, 2, 4, 8, 16
 USAC_DEFAULT, USAC_PARALLEL, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
-# OpenCV 5 has other numbers than OpenCV 4.
+# Some values differ between OpenCV 4 and 5.
 SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = (
     0, 1, 2, getattr(cv, "SOLVEPNP_AP3P", 5), getattr(cv, "SOLVEPNP_SQPNP", 8))
 THRESHOLD = 2.0
 
 
 class Scene(object):
-    """Correspondences: 200 inliers with noise and 100 outliers, in no order."""
+    """Correspondences in random order: 200 inliers with noise and 100 outliers."""
 
     def __init__(self, planar, distorted=False):
         rng = np.random.RandomState(5)
@@ -79,14 +80,14 @@ class Scene(object):
         self.focal, self.pp = 800., (320., 240.)
 
     def moveTo(self, similarity):
-        """Image 2 becomes the similarity of image 1."""
+        """Replaces image 2 by a similarity transform of image 1."""
         noise = self.points2 - self.true2
         self.true2 = self.true1.dot(similarity[:, :2].T) + similarity[:, 2]
         self.points2[self.inliers] = (self.true2 + noise)[self.inliers]
         return self
 
     def error(self, problem, model):
-        """Mean error in pixels of the noise-free inliers."""
+        """Mean error of the noise-free inliers in pixels."""
         if model.shape == (2, 3):
             return np.linalg.norm(self.true1.dot(model[:, :2].T) + model[:, 2] - self.true2, axis=1)[self.inliers].mean()
         a, b = self.true1[self.inliers], self.true2[self.inliers]
@@ -110,7 +111,7 @@ MOVED = Scene(planar=True).moveTo(np.array([[0.9, -0.2, 40.], [0.2, 0.9, -25.]])
 
 
 def formsOfMaps(method):
-    """Those of the maps of the plane among forms()."""
+    """The part of forms() for affine maps and similarities."""
     m, T = MOVED, THRESHOLD
     a, b = m.points1, m.points2
     return [(problem, function, m, args, kwargs)
@@ -126,9 +127,10 @@ def formsOfMaps(method):
 
 
 def forms(method):
-    """All signatures of the functions of two images: (problem, function, scene, positional arguments, keyword arguments).
+    """Returns all forms of calls with two images: (problem, function, scene, positional arguments,
+    keyword arguments).
 
-    Calls with the same problem and scene estimate the same thing with the same parameters."""
+    Calls with the same problem and scene estimate the same model with the same parameters."""
     p, g, d = PLANE, GENERAL, DISTORTED
     pa, pb, ga, gb, da, db = p.points1, p.points2, g.points1, g.points2, d.points1, d.points2
     H, F, E = FUNCTIONS[:3]
@@ -168,14 +170,14 @@ def forms(method):
 
 
 def formsOfOpencv():
-    """forms() for each of OpenCV's flags whose result is the same each time."""
+    """Returns forms() for those flags of OpenCV whose results are reproducible."""
     usacs = [USAC_DEFAULT, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC]
     return [form for method in [0, LMEDS, RANSAC, RHO, FM_7POINT, FM_8POINT] + usacs for form in forms(method)
-            if form[1] != "findEssentialMat" or method not in usacs]  # OpenCV 4.6 gives another E each time
+            if form[1] != "findEssentialMat" or method not in usacs]  # with OpenCV 4.6, E differs each time
 
 
 def paramsForms(params):
-    """The same for the signatures with `params`."""
+    """Returns the forms of calls with the argument `params`."""
     p, g, d, m = PLANE, GENERAL, DISTORTED, MOVED
     H, F, E, A, S = FUNCTIONS[:5]
     return [
@@ -200,7 +202,7 @@ def paramsForms(params):
 
 
 def estimate(problem, scene, params, *args):
-    """(model, mask, report) of usacv20.estimate<problem>."""
+    """Calls usacv20.estimate<problem>; returns (model, mask, report)."""
     function = getattr(usac, "estimate" + problem)
     if problem == "Essential":
         return function(scene.points1, scene.points2, scene.K1, scene.K2, scene.d1, scene.d2, params, *args)
@@ -208,7 +210,7 @@ def estimate(problem, scene, params, *args):
 
 
 def bits(result):
-    """A result or an exception in a form that compares byte for byte."""
+    """Converts a result or an exception for an exact comparison."""
     if isinstance(result, (tuple, list)):
         return tuple(bits(item) for item in result)
     if isinstance(result, np.ndarray):

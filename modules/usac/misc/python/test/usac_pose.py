@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Scenes and call forms of cv2.solvePnPRansac that the Python tests of the module usac share."""
+"""Scenes and call forms of cv2.solvePnPRansac for tests of the module usac."""
 
 import numpy as np
 
@@ -13,7 +13,8 @@ THRESHOLD = 2.0  # pixels
 
 
 class PoseScene(object):
-    """Points of space X and their images x by a distorted camera, inliers with noise, in no order."""
+    """Points of space X and their image points x by a camera with distortion, in random order;
+    inliers have noise."""
 
     def __init__(self, count, good):
         rng = np.random.RandomState(5)
@@ -30,24 +31,25 @@ class PoseScene(object):
         self.inliers[bad] = False
 
     def error(self, rvec, tvec):
-        """Mean error in pixels of the noise-free points."""
+        """Mean error of the noise-free points in pixels."""
         return self.errorOf(np.hstack((rotation(rvec), np.reshape(tvec, (3, 1)))))
 
     def errorOf(self, pose):
         return np.linalg.norm(self.seen(pose) - self.true, axis=1).mean()
 
     def seen(self, pose):
-        """Pixels of the points under a pose [R t]."""
+        """Projects the points with a pose [R t]; returns pixels."""
         X = self.X.dot(pose[:, :3].T) + pose[:, 3]
         return project(X, np.zeros(3), np.zeros(3), self.K, self.d)
 
 
 POSE = PoseScene(300, 200)
-FEW = PoseScene(600, 30)  # a sample is right once in 8000
+FEW = PoseScene(600, 30)  # a minimal sample consists of inliers once in 8000 samples
 
 
 def formsOfPose(method):
-    """The signatures of solvePnPRansac with a flag: (positional arguments, keyword arguments), the same call all of them."""
+    """Returns the forms of calls of solvePnPRansac with a flag: (positional arguments, keyword
+    arguments). All are the same call."""
     s, T = POSE, THRESHOLD
     X, x, K, d = s.X, s.x, s.K, s.d
     return [
@@ -62,7 +64,7 @@ def formsOfPose(method):
 
 
 def paramsFormsOfPose(params):
-    """The same for the signatures with `params`."""
+    """Returns the forms of calls with the argument `params`."""
     s = POSE
     return [
         ((s.X, s.x, s.K, s.d, None, None, None, params), {}),

@@ -2,38 +2,46 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""USACv20: robust estimation of homographies, affinities, similarities, fundamental and essential matrices, camera
-poses, motions of space.
+"""USACv20: robust estimation of homographies, affinities, similarities, fundamental and essential
+matrices, camera poses, motions of space.
 
-The same package is cv2.usacv20 of an OpenCV that was built with the module, and usacv20 beside any cv2, or none:
+The package is available as cv2.usacv20 in an OpenCV built with the module, and as usacv20 next to
+any cv2 or without cv2. It offers:
 
-1. A flag: USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_AUTO, USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL, or one of
-   OpenCV's. With USACV20_AUTO, the threshold is only the largest plausible one; that of the data is report.threshold.
+1. Flags: USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_AUTO, USACV20_PROSAC, USACV20_MAGSAC,
+   USACV20_PARALLEL, or one of OpenCV's. With USACV20_AUTO, the threshold is only an upper limit;
+   the estimated threshold is report.threshold.
 
-       H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
+    H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
-   The functions of cv2 take these flags, which are integers, too: those of an OpenCV that was built with the module (cv2.USACV20),
-   those of any other after usacv20.patch_cv2(). Before, cv2.findFundamentalMat and cv2.findEssentialMat run LMEDS without a word.
+The functions of cv2 take these flags, which are integers, too: always in an OpenCV built with the
+module (cv2.USACV20), in any other after usacv20.patch_cv2(). Without patch_cv2(),
+cv2.findFundamentalMat and cv2.findEssentialMat silently run LMEDS.
 
-2. All options in the place of the flag, and 3. with a report of what the estimator learned.
+2. All options in place of the flag, and 3. a report of what the estimator learned.
 
-       params = usacv20.Params(threshold=2.0, scores=[match.distance for match in matches])
-       H, mask = usacv20.findHomography(points1, points2, params)
-       H, mask, report = usacv20.estimateHomography(points1, points2, params)
+    params = usacv20.Params(threshold=2.0, scores=[match.distance for match in matches])
+    H, mask = usacv20.findHomography(points1, points2, params)
+    H, mask, report = usacv20.estimateHomography(points1, points2, params)
 
-Many pairs at once: estimateHomographies and its kin. All pairs of a collection of images: python3 -m usacv20.collection. A picture:
-draw_matches. For research, not in cv2: Usac, of whose components Python can replace the sampler and the score (Sampler, Score), all
-others only C++.
+Many pairs in one call: estimateHomographies and similar functions. All pairs of a collection of
+images: python3 -m usacv20.collection. A picture: draw_matches. For research, not in cv2.usacv20:
+the class Usac, whose sampler and score can be replaced by Python code (Sampler, Score); other
+components can be replaced in C++ only.
 
-What is known already needs no search: fitModel (OpenCV's method 0), refineModel and modelErrors. The motion of a camera between two
-views, points in front, is estimateRelativePose. A run ends after Params.maxTime milliseconds, by the function of usacv20.progress,
-or by Ctrl-C (of cv2.usacv20 within usacv20.progress).
+Functions for known inliers need no search: fitModel (OpenCV's method 0), refineModel and
+modelErrors. estimateRelativePose finds the motion of a camera between two views, with points in
+front of the cameras. A run can be ended after Params.maxTime milliseconds, by the function of
+usacv20.progress, or by Ctrl-C (in cv2.usacv20 only within usacv20.progress).
 
-Where there is no model the model is None, the mask zero, and report.stop says why; report.chance bounds the probability that random
-matches give as good a model. Mistakes raise usacv20.error, a subclass of cv2.error where there is a cv2, which names the argument.
-The interpreter's lock is released while an estimation runs; in cv2 no other thread may change points and Params meanwhile.
+If there is no model, the model is None, the mask is zero, and report.stop gives the reason.
+report.chance bounds the probability that random matches give an equally good model. Wrong arguments
+raise usacv20.error, a subclass of cv2.error if there is a cv2, which names the argument. The
+interpreter's lock is released during an estimation; with cv2.usacv20, no other thread may change
+points and Params during this time.
 
-More: help(usacv20.Params), help(usacv20.Report), and the enumerations by their names, help(usacv20.QualityType).
+More: help(usacv20.Params), help(usacv20.Report), and help on enumerations, such as
+help(usacv20.QualityType).
 """
 
 import importlib as _importlib
@@ -57,7 +65,8 @@ from ._problems import *  # noqa: F403
 from ._relative_pose import RelativePose, estimateRelativePose
 from ._report import Report
 from ._two_view import TwoViewGeometry, TwoViewPair, TwoViewRules, estimateTwoViewGeometries, estimateTwoViewGeometry
-# Not in __all__, whose names help() shows, but exported: under its own name a type checker takes it for that.
+# Exported, but not in __all__, whose names help() shows. Type checkers treat a name as exported if
+# it is imported as itself.
 from ._enumerations import (
     DegeneracyFlags as DegeneracyFlags, LocalOptimizationType as LocalOptimizationType,
     NeighborhoodType as NeighborhoodType, OrderingType as OrderingType, PolishingType as PolishingType,
@@ -102,7 +111,8 @@ __all__ += [
 
 if TYPE_CHECKING:
     class error(Exception):
-        """Raised for a mistake in the arguments, which the message names; a subclass of cv2.error where cv2 can be imported."""
+        """Raised for a wrong argument, which the message names; a subclass of cv2.error where cv2
+        can be imported."""
 
         code: int
         err: str
@@ -118,9 +128,9 @@ def isUsacV20Method(method: int) -> bool:
 
 
 def __getattr__(name: str) -> Any:
-    if name == "error":  # made when it is needed first, as this may import cv2
+    if name == "error":  # made at its first use, as this may import cv2
         return _errorClass()
-    if name == "collection":  # usacv20.collection.verify(path) without an import of its own
+    if name == "collection":  # allows usacv20.collection.verify(path) without importing usacv20.collection
         return _importlib.import_module(__name__ + ".collection")
     raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
 

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Checks arguments and converts them to what the functions of C++ take; a mistake raises an error that names the argument."""
+"""Checks arguments and converts them to the types that the C++ functions take. A wrong argument
+raises an error that names it."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 Function = typing.TypeVar("Function", bound=typing.Callable[..., Any])
 INT_MIN, INT_MAX = -2**31, 2**31 - 1
-# What cv::Mat can hold, in the order of bytes of this machine.
+# Types of numbers that cv::Mat has, in native byte order.
 _TAKEN = frozenset(np.dtype(kind) for kind in ("u1", "i1", "u2", "i2", "i4", "f4", "f8"))
 
 
@@ -46,7 +47,8 @@ def bind(function: str, names: typing.Sequence[str], required: int, defaults: ty
 
 
 def signed(names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any]) -> typing.Callable[[Function], Function]:
-    """Gives a function of (*args, **kwargs) the signature that help(), completion and notebooks show, with `params` by its name."""
+    """Decorator: gives a function of (*args, **kwargs) the signature that help(), completion and
+    notebooks show, with `params` as a keyword argument."""
     kinds = inspect.Parameter
     parameters = [kinds(name, kinds.POSITIONAL_OR_KEYWORD, default=kinds.empty if i < required else defaults.get(name))
                   for i, name in enumerate(names)]
@@ -60,7 +62,7 @@ def signed(names: typing.Sequence[str], required: int, defaults: typing.Mapping[
 
 
 def shown(value: Any) -> str:
-    """Returns a value as text for a message, not too long."""
+    """Returns a value as text for a message, shortened to 60 characters."""
     if isinstance(value, np.ndarray):
         return "an array of {} with shape {}".format(value.dtype, value.shape)
     text = repr(value)
@@ -108,7 +110,8 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
 
 
 def refuseMasked(value: Any, name: str) -> None:
-    """Raises usacv20.error for an array of numpy.ma with masked elements, whose mask would be lost."""
+    """Raises usacv20.error for a numpy.ma array with masked elements, since the conversion would
+    lose its mask."""
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise fail("{}: a masked array is not taken, as its mask would be lost: give the rows that it leaves, of all arrays the "
                    "same, or filled(numpy.nan), whose rows are never inliers".format(name))
@@ -120,7 +123,7 @@ def _converted(value: Any, name: str) -> npt.NDArray[Any]:
     refuseMasked(value, name)
     try:
         given = np.asarray(value)
-    except Exception as failure:  # rows of different lengths, or what __array__ raises
+    except Exception as failure:  # rows of different lengths, or an exception of __array__
         raise fail("{}: an array of numbers is expected ({})".format(name, failure)) from failure
     kind = given.dtype.kind
     if value is None or kind not in "biuf":
@@ -130,13 +133,14 @@ def _converted(value: Any, name: str) -> npt.NDArray[Any]:
     if kind == "b":
         return given.astype(np.uint8)
     native = given.dtype.newbyteorder("=")
-    if native not in _TAKEN:  # float16; integers that float64 holds up to 2**53; long double
+    if native not in _TAKEN:  # float16; integers, which float64 represents up to 2**53; long double
         native = np.dtype(np.float32 if native == np.float16 else np.float64)
     return np.require(given, native, "A")
 
 
 def array(value: Any, name: str) -> npt.NDArray[Any]:
-    """Returns an array that C++ can read: `value` itself where it is one, whatever its layout, else a copy."""
+    """Returns an array that C++ can read: `value` itself if it is such an array with any layout,
+    otherwise a converted copy."""
     if type(value) is np.ndarray and value.dtype in _TAKEN and value.ndim > 0 and value.flags.aligned:
         given = value
     else:
@@ -152,7 +156,8 @@ def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
 
 
 def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
-    """2-D points as rows of three homogeneous coordinates, as C++ reads the array; None if they do not have three."""
+    """2-D points as rows of three homogeneous coordinates, as C++ reads the array; None if the
+    points have two coordinates."""
     if given.ndim == 3:
         return given.reshape(-1, 3) if given.shape[2] == 3 else None
     if given.ndim == 1:
@@ -165,19 +170,24 @@ def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
     return given if cols == 3 else None
 
 
-# Rows that are looked at, at least and at most; standard errors, slope and part of the variance below. Columns of sizes (1.6 times
-# powers of 2) are seen in 1, 60 and 100 of 100 lists of 60, 200 and 1000 rows, no homogeneous points but those in a corner (5 %).
-# Half, double: _ROWS, _MOST_ROWS the same; _SURE in 50 and 0 of 100 lists of 60, corner 67 and 0 %; _INDEPENDENT 0.25 and 0.75:
-# 80 and 100 of 100 lists of 1000, corner 0 and 55 %; _EXPLAINED 0.8, 0.95: the same.
+# Constants of _looksLikeColumn: rows needed; rows examined at most; standard errors; limit of the
+# slope; limit of the explained part of the variance. Columns of feature sizes (1.6 times powers of
+# 2) are recognized in 1, 60 and 100 of 100 lists of 60, 200 and 1000 rows. Homogeneous points are
+# not taken for such columns, except 5 % of lists with the principal point in an image corner. With
+# half and double values: _ROWS and _MOST_ROWS: no change; _SURE: recognized in 50 and 0 of 100
+# lists of 60 rows, corner 67 and 0 %; _INDEPENDENT 0.25 and 0.75: 80 and 100 of 100 lists of 1000
+# rows, corner 0 and 55 %; _EXPLAINED 0.8 and 0.95: no change.
 _ROWS, _MOST_ROWS, _SURE, _INDEPENDENT, _EXPLAINED = 50, 1000, 4.0, 0.5, 0.9
 
 
 def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
-    """Returns whether the third coordinate is independent of the first two, as the size of a feature is.
+    """Returns whether the third coordinate w is independent of the first two, as the size of a
+    feature is.
 
-    Homogeneous coordinates (w x, w y, w) grow with w: log(w x) has the slope 1 over log(w), whatever w is, a depth, say. By a
-    projective map w is linear in the other two. No criterion is certain: points of a box seen by a camera whose principal point
-    is in the corner of the image look like that, too."""
+    Homogeneous coordinates (w x, w y, w) grow with w: the regression of log(w x) on log(w) has
+    slope 1 if w is independent of x, for example a depth. For points under a projective map, w is a
+    linear function of the other two. No criterion is certain: points of a box seen by a camera
+    whose principal point is in a corner of the image also look independent."""
     some = np.asarray(rows[::max(len(rows) // _MOST_ROWS, 1)], np.float64)
     some = some[np.isfinite(some).all(1)]
     if len(some) < _ROWS or some.min() < 0 or some[:, 2].min() <= 0:
@@ -185,12 +195,12 @@ def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
     some = some[(some > 0).all(1)]
     if len(some) < _ROWS:
         return False
-    some /= some.max(0)  # no square is infinite
+    some /= some.max(0)  # prevents overflow of squares
     centered = some - some.mean(0)
     w = centered[:, 2]
     solution = np.linalg.lstsq(centered[:, :2], w, rcond=None)[0]
     if np.square(w - centered[:, :2] @ solution).sum() <= (1 - _EXPLAINED) * np.square(w).sum():
-        return False  # also one w for all
+        return False  # w is linear in the other two, or constant
     logs = np.log(some)
     logs -= logs.mean(0)
     spread = np.square(logs[:, 2]).sum()
@@ -203,9 +213,10 @@ def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
 
 
 def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
-    """Converts one list of points of a plane or of space, as array() does. It refuses what looks like something else: several lists, and
-    a third column that is a confidence (0..1, not all 1) where C++ would divide by it, as by a homogeneous coordinate. If the
-    column looks like sizes of features, but may be homogeneous, a warning is issued."""
+    """Converts a list of points of a plane or of space like array(). Raises usacv20.error for
+    several lists, and for a third column that looks like a confidence (0..1, not all 1), since C++
+    would divide by it as a homogeneous coordinate. A third column that looks like sizes of
+    features, but may be homogeneous, gives a warning."""
     given = array(value, name)
     if given.ndim == 3 and min(given.shape[0], given.shape[1]) > 1 and given.shape[2] > 1:
         raise fail("{}: one list of points is expected, Nx{k} or Nx1x{k}, not the shape {}; many lists are for the functions of many "
@@ -242,8 +253,8 @@ def checkMask(given: Any, name: str) -> None:
 
 
 def output(given: Any, result: Any) -> Any:
-    """Writes the result to the caller's array and returns that if type and size fit, as in cv2; else returns the result. A mask may
-    be of bool."""
+    """Writes the result to the caller's array and returns this array if type and size fit, as in
+    cv2; otherwise returns the result. A mask may have the type bool."""
     if result is None or not isinstance(given, np.ndarray) or given.dtype not in (result.dtype, np.bool_):
         return result
     if given.shape != result.shape and given.shape != result.shape[:1]:

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Chooses `native`, the compiled part: cv2._native.usacv20 inside OpenCV, else the extension module `_native`, with equal functions."""
+"""Chooses `native`, the compiled part: cv2._native.usacv20 inside OpenCV, otherwise the extension
+module `_native`. Both have equal functions."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ elif IN_TREE:
 
     from ._intree import Native
 
-    native = Native(cv2)  # raises ImportError if this file is from another build; cv2 is then imported without it
+    native = Native(cv2)  # raises ImportError if this file is from another build; cv2 then works without the module
 else:
     try:
         from . import _native as native

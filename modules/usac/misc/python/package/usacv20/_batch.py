@@ -29,11 +29,12 @@ if TYPE_CHECKING:
     _Arrays = Union[npt.ArrayLike, typing.Sequence[Optional[npt.ArrayLike]], None]
 
 _ARRAYS = ("points1", "points2", "cameraMatrices1", "cameraMatrices2", "distCoeffs1", "distCoeffs2")
-POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "")  # in the place of these
+POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "")  # used instead of _ARRAYS for poses
 
 
 class _Mistakes:
-    """Collects the exceptions of tasks by their numbers; unless they are to be kept, the first one is raised at once."""
+    """Collects exceptions by the index of their task. Unless `kept` is set, the first exception is
+    raised at once."""
 
     def __init__(self, kept: bool) -> None:
         self.kept = kept
@@ -51,13 +52,14 @@ class _Mistakes:
 
 
 def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
-    """Returns an array for each task, from a list of arrays, from one array for all tasks, or None. One array is an array, or a list of
-    numbers or of rows of numbers."""
+    """Returns a list of arrays with an entry for each task or one entry for all tasks; empty for
+    None. `given` is a list of arrays or one array. One array may also be given as a list of numbers
+    or of rows of numbers."""
     if given is None:
         return []
     isList = isinstance(given, (list, tuple)) and any(item is None or np.ndim(item) >= 1 for item in given)
     if isList and all(isinstance(item, (list, tuple)) and all(np.ndim(number) == 0 for number in item) for item in given):
-        isList = name.startswith("dist")  # rows of a camera matrix, but lists of coefficients
+        isList = name.startswith("dist")  # a list of lists is one camera matrix, but several lists of distortion coefficients
     if isinstance(given, np.ndarray):
         isList = given.ndim == 3
     entries = list(given) if isList else [given]
@@ -68,14 +70,15 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
 
 def _arrays(given: List[Any], name: str, mistakes: _Mistakes) -> List[Any]:
     take = _arguments.optionalArray
-    if len(given) == 1:  # of all tasks: a mistake in it is none of a single one
+    if len(given) == 1:  # one array for all tasks: an error in it is not the error of a single task
         return [take(given[0], name)]
     return [mistakes.guard(i, lambda: take(entry, "{}[{}]".format(name, i)), NO_POINTS)  # noqa: B023, called at once
             for i, entry in enumerate(given)]
 
 
 def _lists(given: Any, name: str) -> List[Any]:
-    """The entries, each one list of points; the points of one pair have other dimensions than those of many."""
+    """Returns the list of points for each task. Raises usacv20.error if `given` has the dimensions
+    of the points of one pair."""
     if isinstance(given, np.ndarray) and given.dtype != object:
         _arguments.refuseMasked(given, name)
         onePair = given.ndim != 3 or (given.shape[1] == 1 and given.shape[0] > 1)
@@ -101,7 +104,8 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
 def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
                  cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
                  distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
-    """Estimates models of one problem for all entries of the lists; `names` are the caller's names of these arguments."""
+    """Estimates models of one problem for all entries of the lists. `names` are the names of these
+    arguments in messages."""
     first, second = _lists(points1, names[0]), _lists(points2, names[1])
     count = len(first)
     if len(second) != count:

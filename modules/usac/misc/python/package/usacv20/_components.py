@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Components written in Python: the search of the package with a sampler or a score of your own."""
+"""Components written in Python: a search with a user-defined sampler or score."""
 
 from __future__ import annotations
 
@@ -30,19 +30,21 @@ Rng = native.Rng
 
 
 class Correspondences(typing.NamedTuple):
-    """The points as components see them: only those with finite coordinates, in a fixed pseudo-random order, in the coordinates that the
-    search uses (scaled to about unit size; for E those of the normalized image plane)."""
+    """The points as components see them: only points with finite coordinates, in a fixed
+    pseudo-random order, in the coordinates of the search (scaled to about unit size; for E in the
+    normalized image plane)."""
 
     data: npt.NDArray[np.float64]  #: N x columns; of two views x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, index of each point in the caller's arrays
-    scores: Optional[npt.NDArray[np.float32]]  #: N, of Params.scores, as they are there; None if there are none
+    scores: Optional[npt.NDArray[np.float32]]  #: N, as in Params.scores; None if there are none
     threshold: float  #: Params.threshold times Params.reach in these coordinates, not squared
-    sampleSize: int  #: points of a minimal sample
+    sampleSize: int  #: number of points in a minimal sample
 
 
 class _Component(abc.ABC):
     def start(self, points: Correspondences) -> None:
-        """Is called once at the beginning of each run; the arrays are copies and may be kept. By default it does nothing."""
+        """Called once at the beginning of each run. The arrays are copies and may be kept. The
+        default does nothing."""
 
     def _begin(self, *points: Any) -> None:
         self.start(Correspondences(*points))
@@ -51,8 +53,9 @@ class _Component(abc.ABC):
 class Sampler(_Component):
     """Base class of samplers, which draw the minimal samples.
 
-    sample() is called once a sample, by one thread. A call costs about a microsecond beside what it does itself: 5000 samples
-    of fundamental matrices of 1000 matches take 10 milliseconds with the one below, 5 with that of C++.
+    One thread calls sample() once for each sample. A call has an overhead of about a microsecond:
+    5000 samples of fundamental matrices of 1000 matches take 10 milliseconds with the sampler
+    below, 5 with that of C++.
 
     >>> import numpy as np, usacv20
     >>> class Uniform(usacv20.Sampler):
@@ -70,8 +73,9 @@ class Sampler(_Component):
     ([[0.9, 0.1, 5.0], [-0.1, 0.9, 8.0]], 50)
     """
 
-    #: Whether the last sample counts for the criteria of termination as one that is uniform among all points. False for one from a
-    #: part of the points, which may never meet the best model; sample() may set it.
+    #: Whether the last sample counts for the termination criteria as a uniform sample of all
+    #: points. Set it to False (sample() may do so) for a sample from a part of the points, which
+    #: may never find the best model.
     counts: bool = True
 
     @abc.abstractmethod
@@ -87,9 +91,11 @@ class Sampler(_Component):
 class Score(_Component):
     """Base class of scores, which convert the errors of points to costs.
 
-    accumulate() is called for each block of points of each model, by Params.threads threads at once, which wait for the
-    interpreter's lock. A call takes about 10 microseconds with NumPy, as below: the homography of 1000 matches takes 14 times
-    as long as with the score of C++, a fundamental matrix 12 times; with `wholeModel`, one call a model, 3 to 4 times.
+    accumulate() is called for each block of points of each model, by Params.threads threads at
+    once, which wait for the interpreter's lock. A call takes about 10 microseconds with NumPy, as
+    below: estimating a homography of 1000 matches takes 14 times as long as with the score of C++,
+    a fundamental matrix 12 times. With `wholeModel`, which makes one call for each model, it takes
+    3 to 4 times as long.
 
     >>> import numpy as np, usacv20
     >>> class Truncated(usacv20.Score):  # the cost of MSAC
@@ -107,11 +113,12 @@ class Score(_Component):
     (50, True)
     """
 
-    #: True: the cost is no sum over the points; accumulate() is called once for a model, with all of them.
+    #: True: the cost is not a sum over points; accumulate() is called once for each model with all
+    #: points.
     wholeModel: bool = False
 
-    #: The part of the threshold, above 0 and at most 1, within which accumulate() counts inliers; points beyond it add to the cost
-    #: alone.
+    #: The fraction of the threshold, above 0 and at most 1, up to which accumulate() counts
+    #: inliers. Points with larger errors only add to the cost.
     inlierPart: float = 1.0
 
     @abc.abstractmethod
@@ -137,7 +144,7 @@ class Components:
 
     __slots__ = ("_usac", "_sampler", "_score", "__weakref__")
 
-    if not TYPE_CHECKING:  # else type checkers would accept any attribute
+    if not TYPE_CHECKING:  # without this test, type checkers would accept any attribute
 
         def __setattr__(self, name: str, value: Any) -> None:
             if not hasattr(type(self), name):
@@ -166,7 +173,7 @@ class Components:
 
     @property
     def score(self) -> Optional[Score]:
-        """Converts errors to costs."""
+        """The Score that converts errors to costs; None stands for the one that Params chose."""
         return self._score
 
     @score.setter
@@ -183,11 +190,11 @@ def _points(problem: int, points1: Any, points2: Any) -> Tuple[npt.NDArray[Any],
 
 
 class Usac:
-    """One estimation: points, parameters and the components that do the work; made by Usac.create()."""
+    """One estimation with its points, parameters and components; made by Usac.create()."""
 
     __slots__ = ("_usac", "_problem", "_components", "_params", "__weakref__")
 
-    if not TYPE_CHECKING:  # else type checkers would accept any attribute
+    if not TYPE_CHECKING:  # without this test, type checkers would accept any attribute
 
         def __setattr__(self, name: str, value: Any) -> None:
             if not hasattr(type(self), name):
@@ -222,13 +229,15 @@ class Usac:
 
     @property
     def components(self) -> Components:
-        """What can be replaced before run(): components.sampler, components.score."""
+        """The components that can be replaced before run(): components.sampler, components.score.
+        """
         return self._components
 
     @property
     def params(self) -> Params:
-        """What is used: a copy, whose fields cannot be written. Others are for the next run: usac.params =
-        usac.params.replace(threshold=2). Components that have been replaced stay; if something is wrong, nothing changes."""
+        """A read-only copy of the options. Assign other options for the next run: usac.params =
+        usac.params.replace(threshold=2). Replaced components are kept. If a value is wrong, nothing
+        changes."""
         return self._params
 
     @params.setter
@@ -247,14 +256,15 @@ class Usac:
 
     @property
     def points(self) -> Correspondences:
-        """Copies of the points as the components see them."""
+        """Copies of the points in the form that components see."""
         return Correspondences(*self._usac.points())
 
     def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike, scores: Optional[npt.ArrayLike] = None) -> None:
-        """Other points for the next run, of any number. The object keeps its memory, unless it gets other scores, too.
+        """Sets other points for the next run; their number may differ. Allocated memory is reused
+        unless scores are given, too.
 
         points1, points2 -- as for create()
-        scores -- their Params.scores, None: as they were, of the same number"""
+        scores -- new Params.scores; None: the previous scores, whose number must still fit"""
         given = _points(self._problem, points1, points2)
         if scores is None:
             self._usac.setPoints(*given)
@@ -262,7 +272,8 @@ class Usac:
             self._renew(*given, params=self._params.replace(scores=scores))
 
     def run(self, mask: _Mask = None) -> _Estimate:
-        """Runs the estimation; may be called again, with the same result. An exception in a component ends the run with it.
+        """Runs the estimation. Further calls give the same result. An exception in a component ends
+        the run and is raised here.
 
         mask -- Nx1 array of uint8 or bool that receives the mask, or None
 

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""How sure a model is: these functions convert Report.covariance to that of the entries, of the motion of a camera, and of points."""
+"""Uncertainty of a model: converts Report.covariance to the covariance of the model's entries, of a
+camera's motion, and of points."""
 
 from __future__ import annotations
 
@@ -22,20 +23,23 @@ if TYPE_CHECKING:
 
 
 def tangentOfModel(problem: Union[int, str], model: npt.ArrayLike) -> _Numbers:
-    """Returns the derivatives of the n entries of a model, row by row, by its d parameters, whose covariance is Report.covariance.
+    """Returns the derivatives of the n entries of a model, row by row, with respect to its d
+    parameters, whose covariance is Report.covariance.
 
-    The parameters of H, F and E are directions in which a matrix of unit norm can vary and remain valid; those of other models are
-    listed in help(usacv20.Report).
+    The parameters of H, F and E are directions in which a matrix of unit norm can vary and remain
+    valid; those of other models are listed in help(usacv20.Report).
 
     problem -- ProblemType, or its name, see fitModel
-    model -- as the function estimate* of the problem returns it; another scale of H, F and E is changed to that first"""
+    model -- as the function estimate* of the problem returns it; H, F and E of another scale are
+    first scaled accordingly"""
     found: Any = native.tangentOfModel(problemOf(problem), array(model, "model"))
     result: _Numbers = found
     return result
 
 
 def covarianceOfModel(problem: Union[int, str], model: npt.ArrayLike, covariance: npt.ArrayLike) -> _Numbers:
-    """Returns the covariance of the entries of a model, an n x n array of rank d at most: T C T^T, where T is tangentOfModel's result.
+    """Returns the covariance of the entries of a model, an n x n array of rank at most d: T C T^T,
+    where T is the result of tangentOfModel.
 
     covariance -- Report.covariance
 
@@ -61,17 +65,19 @@ def covarianceOfPose(essential: npt.ArrayLike, covariance: npt.ArrayLike, R: npt
 
 def pointCovariance(problem: Union[int, str], model: npt.ArrayLike, covariance: npt.ArrayLike, points1: npt.ArrayLike,
                     points2: _Optional = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None) -> _Numbers:
-    """Returns how sure a model is at given points: the covariance of the error that the model alone causes there, in squared units of
-    points2 (pixels).
+    """Returns the uncertainty of a model at given points: the covariance of the error that the
+    uncertainty of the model alone causes there, in squared units of points2 (pixels).
 
     problem, model, covariance -- as for covarianceOfModel
     points1 -- N points of image 1, or of space
-    points2 -- F, E: their N counterparts
-    cameraMatrix1, cameraMatrix2 -- 3x3, for ESSENTIAL and, the first, ABSOLUTE_POSE; points of E are in pixels without distortion
+    points2 -- F, E: the N corresponding points of image 2
+    cameraMatrix1, cameraMatrix2 -- 3x3, for ESSENTIAL; the first also for ABSOLUTE_POSE. Points of
+    E are in pixels without distortion
 
-    Returns an N x k x k array, the covariance of the place to which each point is mapped, projected (without distortion) or moved:
-    k = 2, motions of space 3; F and E: N x 1 x 1, the variance of the signed distance from the epipolar line in image 2. NaN where
-    that is not finite."""
+    Returns an N x k x k array: the covariance of the point to which each point is mapped, projected
+    (without distortion) or moved, with k = 2 in images and 3 in space. F and E: N x 1 x 1, the
+    variance of the signed distance from the epipolar line in image 2. NaN where it is not finite.
+    """
     found: Any = native.pointCovariance(problemOf(problem), array(model, "model"), array(covariance, "covariance"),
                                         array(points1, "points1"), optionalArray(points2, "points2"),
                                         optionalArray(cameraMatrix1, "cameraMatrix1"),

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pictures of matches, drawn by cv2 or, if that cannot be imported, by matplotlib."""
+"""Draws pictures of matches with cv2 or, if cv2 cannot be imported, with matplotlib."""
 
 from __future__ import annotations
 
@@ -32,7 +32,8 @@ def _imported(name: str) -> Any:
 
 
 def _image(value: Any, name: str) -> _Image:
-    """Returns an image as height x width x 3 bytes, in pale gray, so that lines can be seen on it."""
+    """Returns an image as height x width x 3 bytes in pale gray, so that colored lines are visible
+    on it."""
     given = np.asarray(value)
     channels = given.shape[2] if given.ndim == 3 else 1
     if given.ndim not in (2, 3) or channels not in (1, 3, 4) or given.size == 0 or given.dtype.kind not in "buif":
@@ -97,16 +98,18 @@ def _drawnByMatplotlib(figures: Any, canvas: _Image, ends: npt.NDArray[np.float6
 
 def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
                  mask: Optional[npt.ArrayLike] = None, lines: int = 60) -> _Image:
-    """Draws both images side by side, in gray, with dots at the matches, green for inliers and magenta for the others, and lines between
-    the two ends of some inliers. cv2 draws it, or matplotlib; if there is neither, ImportError is raised.
+    """Draws both images side by side in gray, with dots at the matches, green for inliers and
+    magenta for outliers, and lines that join the two points of some inliers. It uses cv2 or
+    matplotlib and raises ImportError if there is neither.
 
         picture = usacv20.draw_matches(image1, image2, points1, points2, mask)
         cv2.imwrite("matches.png", picture)  # or matplotlib.pyplot.imshow(picture)
 
-    image1, image2 -- gray or colors, of bytes or of floats from 0 to 1
-    points1, points2 -- N points of each in pixels: Nx2, 2xN, Nx1x2 or 1xNx2; what is not finite is not drawn
-    mask -- N numbers, as they are found; None: all are inliers
-    lines -- number of inliers that are joined by lines, spread over all of them; 0: none
+    image1, image2 -- gray or color images, of bytes or of floats from 0 to 1
+    points1, points2 -- N points of each image in pixels: Nx2, 2xN, Nx1x2 or 1xNx2; points that are
+    not finite are not drawn
+    mask -- N numbers, nonzero for inliers; None: all are inliers
+    lines -- number of inliers that are joined by lines, spread evenly over the list; 0: none
 
     Returns an array of uint8, height x width x 3."""
     first, second = _image(image1, "image1"), _image(image2, "image2")

@@ -42,7 +42,7 @@ def errorClass() -> Type[Exception]:
         else:
             names = {"__module__": _PACKAGE, "__doc__": _ABOUT, "code": 0, "err": "", "file": "", "func": "", "line": 0, "msg": ""}
             _made.append(type("error", (base,), names))
-    return _made[0]  # if two threads append one at the same time, both return the first
+    return _made[0]  # if two threads append a class at the same time, both return the first
 
 
 def fail(message: str) -> Exception:
@@ -54,10 +54,11 @@ _ATTRIBUTES = ("code", "err", "file", "func", "line", "msg")
 
 
 def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args: Any) -> Any:
-    """Calls a function of the compiled part. In its errors, argument names of C++ are replaced by the caller's, see `names`."""
+    """Calls a function of the compiled part. In the messages of its errors, names of C++ arguments
+    are replaced by the caller's names; `names` maps the former to the latter."""
     try:
         return function(*args)
-    except Exception as mistake:  # not BaseException: KeyboardInterrupt passes
+    except Exception as mistake:  # not BaseException, so that KeyboardInterrupt is not caught
         if not isinstance(mistake, errorClass()):
             raise
         old = str(getattr(mistake, "err", ""))
@@ -71,13 +72,14 @@ def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args
 
 
 def inWordsOf(names: typing.Mapping[str, str], message: str) -> str:
-    """Returns a message "argument: what is wrong with it" with the caller's names of arguments."""
+    """Returns a message "argument: what is wrong with it" with the caller's name of the argument.
+    """
     head, colon, rest = message.partition(":")
     return re.sub(r"\w+", lambda word: names.get(word.group()) or word.group(), head) + colon + rest if colon else message
 
 
 def fromNative(message: str, **attributes: Any) -> Exception:
-    """Returns the exception of this package for one of C++."""
+    """Returns the exception of this package for an exception of C++."""
     result = fail(message)
     for name, value in attributes.items():
         setattr(result, name, value)

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""findEssentialMat: OpenCV's arguments in their four forms, a flag or a Params."""
+"""findEssentialMat with OpenCV's arguments in their four forms, and with a flag or a Params."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def _placeOfParams(args: Tuple[Any, ...]) -> int:
 
 
 def _form(args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Tuple[str, ...]:
-    """Returns the names of the arguments of the form that is called, which the types of the arguments tell. In each form a Params may
-    stand in place of the flag."""
+    """Returns the argument names of the form of the call, which is determined by the types of the
+    arguments. In each form a Params may replace the flag."""
     place = _placeOfParams(args)
     if "params" in kwargs or "dist_coeff1" in kwargs or "dist_coeff2" in kwargs or (place == 6):
         return _PARAMS
@@ -101,11 +101,11 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
     cameraMatrix -- 3x3 camera matrix of both images; cameraMatrix1, cameraMatrix2: of each
     focal, pp -- focal length and principal point (x, y) of both images in pixels; default 1 and (0, 0)
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 numbers, the distortion as in cv2.undistortPoints; None: none
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is; in its place a
-        Params can be, in all forms
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; in all
+        forms a Params can replace the flag
     prob -- probability that the result is the best model; default 0.999
     threshold -- inlier threshold, Sampson distance in pixels; default 1
-    maxIters -- upper bound of the number of samples; default, and None, 1000
+    maxIters -- upper bound of the number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params
     retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and five points: up to ten of them in 30x3)
@@ -126,7 +126,7 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
                         v["cameraMatrix2"], v["dist_coeff1"], v["dist_coeff2"],
                         ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "dist_coeff1", "dist_coeff2"))[:2]
     place = _placeOfParams(args)
-    if place >= 0 and len(args) == place + 2:  # (..., params, mask)
+    if place >= 0 and len(args) == place + 2:  # the form (..., params, mask)
         args, kwargs = args[:place + 1], dict(kwargs, mask=args[place + 1])
     defaults = dict(_DEFAULTS, focal=1.0, pp=(0.0, 0.0)) if form is _FOCAL else _DEFAULTS
     v = bind(_NAME, form, 2 if form is _FOCAL else form.index("method"), defaults, args, kwargs)

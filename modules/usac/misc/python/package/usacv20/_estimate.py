@@ -24,16 +24,17 @@ if TYPE_CHECKING:
     _Mask = Optional[npt.NDArray[np.uint8]]
 
 NO_POINTS = np.empty((0, 1), np.uint8)
-NAMES = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2")  # in C++
+NAMES = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2")  # the names of the C++ arguments
 
 
-#: By the value of ARGUMENTS: whether the points of both arrays are those of a plane.
+#: For each value of ARGUMENTS, whether the points of the first and of the second array are 2-D
+#: points.
 _IN_PLANE = {"IMAGES": (True, True), "CAMERAS": (True, True), "POSE": (False, True), "SPACES": (False, False)}
-POSE = ("objectPoints", "imagePoints", "cameraMatrix", "", "distCoeffs", "")  # names in the place of NAMES
+POSE = ("objectPoints", "imagePoints", "cameraMatrix", "", "distCoeffs", "")  # used instead of NAMES
 
 
 def inPlane(problem: int) -> Tuple[bool, bool]:
-    """Returns whether the points of both arrays are points of a plane."""
+    """Returns whether the points of the first and of the second array are 2-D points."""
     return _IN_PLANE[ARGUMENTS[problem]]
 
 
@@ -51,7 +52,8 @@ def problemOf(problem: Union[int, str]) -> int:
 def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, cameraMatrix1: Any = None,
              cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None,
              names: Tuple[str, ...] = NAMES, maskName: str = "mask") -> _Estimate:
-    """Estimates a model of any problem; `names` are the caller's names of the arguments that are arrays."""
+    """Estimates a model of any problem. `names` are the caller's names of the array arguments, for
+    messages."""
     options = optionsOf(params)
     _arguments.checkMask(mask, maskName)
     plane1, plane2 = inPlane(problem)
@@ -64,8 +66,9 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
 
 
 def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, params: Any, mask: Any) -> Tuple[Any, Any, Any, Any]:
-    """Moves the arguments of the form (..., cameraMatrix, params, mask), where one camera took both images, to the places that they have
-    in the form with two cameras: cameraMatrix2, distCoeffs1, params, mask."""
+    """Converts the arguments of the form (..., cameraMatrix, params, mask), where one camera took
+    both images, to those of the form with two cameras. Returns cameraMatrix2, distCoeffs1, params,
+    mask."""
     if not isinstance(cameraMatrix2, Params):
         return cameraMatrix2, distCoeffs1, params, mask
     if params is not None or distCoeffs2 is not None:
@@ -76,13 +79,15 @@ def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, para
 def estimateModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
                   mask: _Mask = None, cameraMatrix1: Optional[npt.ArrayLike] = None, cameraMatrix2: Optional[npt.ArrayLike] = None,
                   distCoeffs1: Optional[npt.ArrayLike] = None, distCoeffs2: Optional[npt.ArrayLike] = None) -> _Estimate:
-    """Estimates a model of any kind, as estimateHomography and the like do, for a program that knows the problem at run time only.
+    """Estimates a model of any kind, as estimateHomography and similar functions do, for a program
+    that knows the problem only at run time.
 
     problem -- ProblemType, or its name, see fitModel
-    points1, points2 -- as the function of the problem takes them; ABSOLUTE_POSE: objectPoints and imagePoints
+    points1, points2 -- as the function of the problem takes them; ABSOLUTE_POSE: objectPoints and
+    imagePoints
     params, mask -- as for that function
     cameraMatrix1, distCoeffs1 -- for ESSENTIAL and ABSOLUTE_POSE
     cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: as cameraMatrix1, no distortion
 
-    Returns (model, mask, report), with the same bits as that function."""
+    Returns (model, mask, report), identical to the results of that function."""
     return estimate(problemOf(problem), points1, points2, params, mask, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)

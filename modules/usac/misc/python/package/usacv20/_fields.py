@@ -2,10 +2,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Fields of Params and Report: descriptors that say what a field is, check the type of what is written, and have its help text.
+"""Fields of Params and Report: descriptors with a help text that check the type of assigned values.
 
-The objects keep their numbers in an object of the compiled part, `_native`. Whether a number is right is known there: an error
-is raised when the estimator is created, or by Params.check()."""
+The objects keep their numbers in an object of the compiled part, `_native`. The range of a number
+is checked there: an error is raised when the estimator is created, or by Params.check()."""
 
 from __future__ import annotations
 
@@ -85,13 +85,14 @@ class Integer(Field[int]):
 
 
 def _short(name: str) -> str:
-    """Returns a name in the form in which names are compared: "p-napsac" is P_NAPSAC, "magsac++" MAGSAC_PLUS_PLUS."""
+    """Returns a name in the form in which names are compared: "p-napsac" becomes P_NAPSAC,
+    "magsac++" becomes MAGSAC_PLUS_PLUS."""
     return name.strip().upper().replace("-", "_").replace(" ", "_").replace("+", "_PLUS")
 
 
 class Named(Integer):
-    """A descriptor of a field with enumerators, which can also be written by their names, with or without the prefix that all names of
-    the enumeration have."""
+    """A descriptor of a field with enumerators. They can also be assigned by name, with or without
+    the prefix that all names of the enumeration share."""
 
     def __init__(self, type_: Union[Type[enum.IntEnum], Type[enum.IntFlag]], about: str) -> None:
         super().__init__(about)
@@ -143,8 +144,8 @@ class Option(Named, typing.Generic[Enumeration]):
 
 
 class Set(Named, typing.Generic[Flags]):
-    """A descriptor of a field with a set of flags, also by names, "a|b". An integer with other bits is stored as it is and raises
-    usacv20.error in Params.check()."""
+    """A descriptor of a field with a set of flags, which can also be assigned by names, "a|b". An
+    integer with other bits is stored as it is and raises usacv20.error in Params.check()."""
 
     def __init__(self, type_: Type[Flags], about: str) -> None:
         super().__init__(type_, about)
@@ -169,8 +170,8 @@ class Set(Named, typing.Generic[Flags]):
 
 
 class Numbers(Field["npt.NDArray[Any]"]):
-    """A descriptor of a field with a list of numbers: an array of one dimension that belongs to the object, so that its elements can be
-    written."""
+    """A descriptor of a field with a list of numbers. Its value is a one-dimensional array that
+    belongs to the object, so that elements can be assigned."""
 
     def __init__(self, kind: Any, about: str) -> None:
         super().__init__(about)
@@ -203,7 +204,8 @@ class Numbers(Field["npt.NDArray[Any]"]):
 
 
 class Scores(Numbers):
-    """A descriptor of a field with numbers that are given as a row, a column or a one-dimensional array."""
+    """A descriptor of a field with numbers. A row, a column or a one-dimensional array can be
+    assigned."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
         if sum(side != 1 for side in given.shape) > 1:

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""findHomography, findFundamentalMat, estimateAffine2D, estimateAffinePartial2D: OpenCV's arguments, a flag or a Params."""
+"""findHomography, findFundamentalMat, estimateAffine2D and estimateAffinePartial2D with OpenCV's
+arguments, and with a flag or a Params."""
 
 from __future__ import annotations
 
@@ -31,7 +32,8 @@ SIZE_MAX = 2**64 - 1
 
 def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
               kwargs: Dict[str, Any]) -> bool:
-    """Returns whether a call has OpenCV's form with `params`. A Params in place of the flag is not this form."""
+    """Returns whether a call has OpenCV's form with the argument `params`. A Params in place of the
+    flag is a call of the other form."""
     if "params" in kwargs:
         if method in kwargs:
             raise fail("{}: params and {} are given, both say what to use".format(function, method))
@@ -47,7 +49,8 @@ def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace
 
 
 def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str, Any], others: typing.Sequence[str]) -> None:
-    """Raises an exception for numbers that belong to a flag but come with a Params, which has them as fields."""
+    """Raises an exception if one of the numbers `others`, which belong to a flag, is given in
+    addition to a Params, which has its own fields for them."""
     for name in others:
         if values[name] is not defaults[name] and values[name] is not None:
             raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))
@@ -62,7 +65,8 @@ def flag(value: Any, name: str = "method") -> int:
 
 
 def found(result: Any, given: Any) -> Any:
-    """Returns the compiled part's result of a call with a flag, the mask in the caller's array."""
+    """Returns (model, mask) of a call with a flag. `result` comes from the compiled part; its mask
+    is written to the caller's array `given` if possible."""
     model, mask = result
     return model, output(given, NO_POINTS.copy() if mask is None else mask)
 
@@ -88,13 +92,13 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
 
     cv2.findHomography with a flag of this module or of OpenCV, or with all options.
 
-    srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type; with 3 in the place of 2, homogeneous
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type; with 3 instead of 2, homogeneous
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     maxIters -- upper bound of the number of samples; default 2000
     confidence -- probability that the result is the best model; default 0.995
-    params -- Params in the place of the flag; also method=params
+    params -- Params in place of the flag; also method=params
     retval -- 3x3 array of float64, or None if there is none
     mask -- Nx1 array of uint8, 1 for inliers"""
     if isOptions("findHomography", _HOMOGRAPHY, "method", 2, 2, args, kwargs):
@@ -140,19 +144,19 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     cv2.findFundamentalMat with a flag of this module or of OpenCV, or with all options.
 
     points1, points2 -- N points of each image in pixels, as for findHomography
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, Sampson distance in pixels; default 3
     confidence -- probability that the result is the best model; default 0.99
-    maxIters -- upper bound of the number of samples; default, and None, 1000
+    maxIters -- upper bound of the number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
-    params -- Params in the place of the flag; also method=params
+    params -- Params in place of the flag; also method=params
     retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and seven points: up to three in 9x3)
     mask -- Nx1 array of uint8, 1 for inliers"""
     if isOptions("findFundamentalMat", _FUNDAMENTAL, "method", 2, 2, args, kwargs):
         v = bind("findFundamentalMat", _FUNDAMENTAL_OF_PARAMS, 3, dict(mask=None), args, kwargs)
     else:
         last = args[5] if len(args) == 6 else None
-        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV has this form, too
+        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV also has this form, where the sixth argument is the mask
             args, kwargs = args[:5], dict(kwargs, mask=last)
         v = bind("findFundamentalMat", _FUNDAMENTAL, 2, _FUNDAMENTAL_DEFAULTS, args, kwargs)
         if isinstance(v["method"], Params):
@@ -169,7 +173,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
 _MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
-_MAP_NAMES = {"from": "from_"}  # C++ name and Python name: `from` is a keyword of Python
+_MAP_NAMES = {"from": "from_"}  # C++ name: Python name, since `from` is a keyword
 _MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
                                      refineIters=10)
 
@@ -213,12 +217,12 @@ def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
 
     from_, to -- N points of each image in pixels, as for findHomography
     inliers -- Nx1 array of uint8 or bool that receives the mask, or None
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV as it is
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
     maxIters -- upper bound of the number of samples; default 2000
     confidence -- probability that the result is the best model; default 0.99
     refineIters -- upper bound of the steps of the last polish, 0: none; default 10
-    params -- Params in the place of the flag; also method=params
+    params -- Params in place of the flag; also method=params
     retval -- 2x3 array of float64, [A t], or None if there is none
     inliers -- Nx1 array of uint8, 1 for inliers"""
     return _findMap("estimateAffine2D", ProblemType.AFFINITY, args, kwargs)

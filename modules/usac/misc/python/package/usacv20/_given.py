@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Functions without a search: least squares over given points, errors under a given model."""
+"""Functions without a search: least-squares fit to given points, and errors of a given model."""
 
 from __future__ import annotations
 
@@ -37,17 +37,22 @@ def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
 def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
              params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
              distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
-    """Fits a model to all points, or to some, by least squares without a search, as OpenCV's method 0 does.
+    """Fits a model to all points or to chosen points by least squares without a search, as OpenCV's
+    method 0 does.
 
     problem -- ProblemType, or its name
-    points1, points2 -- N points each, as the function estimate* of the problem has them: its first two arguments
-    weights -- N numbers of at least 0, of the squared errors; None: all 1
-    chosen -- N numbers or truth values, which points take part (the mask of an estimation, say); None: all
-    params -- Params; threshold is that of the mask, residual the error that is minimized
-    cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- where that function has them; of one camera the first of each
+    points1, points2 -- N points each, as the first two arguments of the function estimate* of the
+    problem
+    weights -- N weights of the squared errors, at least 0; None: all 1
+    chosen -- N numbers or truth values, nonzero for points to use, for example the mask of an
+    estimation; None: all points
+    params -- Params; `threshold` determines the mask, `residual` the error that is minimized
+    cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- if that function has them; for a
+    single camera, the first of each
 
-    Returns (model, mask, report) as the function estimate* of the problem; report.stop is STOP_NO_SEARCH, or says why there is no
-    model. Wrong matches are not left out, and distort the model."""
+    Returns (model, mask, report) as the function estimate* of the problem. report.stop is
+    STOP_NO_SEARCH, or the reason why there is no model. Wrong matches are not excluded and distort
+    the model."""
     return _result(native.fitModel(problemOf(problem), array(points1, "points1"), array(points2, "points2"), optionsOf(params),
                                    optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
@@ -59,8 +64,9 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     """Refines a known model.
 
     model -- as the function estimate* of the problem returns it
-    chosen -- the inliers, N numbers or truth values: least squares over these, from the model; None: the last step of an
-        estimation, params.polishing, from the model, with the inliers that it finds
+    chosen -- N numbers or truth values, nonzero for inliers: least squares over these, starting
+    from the model. None: the final polishing of an estimation (params.polishing), starting from the
+    model, with the inliers that it finds
 
     The other arguments and the results are those of fitModel."""
     return _result(native.refineModel(problemOf(problem), array(model, "model"), array(points1, "points1"),
@@ -71,15 +77,16 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
 def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
                 params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
                 distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> npt.NDArray[np.float64]:
-    """Returns the error of each point under a model, on which the mask of an estimation is based: it is 1 exactly where this error is at
-    most report.threshold.
+    """Returns the error of each point under a model. The mask of an estimation is 1 exactly where
+    this error is at most report.threshold.
 
     model -- as the function estimate* of the problem returns it
     params -- Params, of which only the field residual is used
 
-    The other arguments are those of fitModel. Returns an Nx1 array of float64, not squared, in the unit of params.threshold
-    (pixels; motions of space: the unit of points2); not finite where there is no error: points that are not finite, behind a camera,
-    or where its lens shows nothing."""
+    The other arguments are those of fitModel. Returns an Nx1 array of float64, not squared, in the
+    unit of params.threshold (pixels; motions of space: the unit of points2). The error is not
+    finite for points that are not finite, that are behind a camera, or that its lens cannot image.
+    """
     found = native.modelErrors(problemOf(problem), array(model, "model"), array(points1, "points1"), array(points2, "points2"),
                                optionsOf(params), *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
     return np.empty((0, 1)) if found is None else found

@@ -56,7 +56,7 @@ class Runs:
 
     @staticmethod
     def entered(control: Any, call: Callable[[], Any]) -> Any:
-        """Calls a function that `control` can stop; None: nothing can stop it."""
+        """Calls a function that `control` can stop; None: it cannot be stopped."""
         if control is None:
             return call()
         control.enter()
@@ -72,7 +72,7 @@ class Runs:
             return call(None)
         control = self._functions.RunControl()
         outcome: Dict[str, Any] = {}
-        done = threading.Event()  # join() interrupted by Ctrl-C marks the thread as ended (CPython 3.11)
+        done = threading.Event()  # used instead of join(), which marks the thread as ended if Ctrl-C interrupts it (CPython 3.11)
 
         def work() -> None:
             try:
@@ -88,7 +88,7 @@ class Runs:
             while not done.wait(_PERIOD):
                 if not control.cancelled() and not all(scope.function(control.report()) for scope in scopes):
                     control.cancel()
-        finally:  # an exception of the function, or KeyboardInterrupt
+        finally:  # after an exception of the progress function or KeyboardInterrupt, too
             control.cancel()
             done.wait()
             thread.join()
@@ -97,7 +97,7 @@ class Runs:
         return outcome["result"]
 
     def notBegun(self) -> Tuple[Optional[Any], Optional[Any], Any, str]:
-        """Returns the result of one of many estimations that was stopped before it began."""
+        """Returns the result of an estimation that was cancelled before it started."""
         report = self._functions.Report()
         report.stop = _STOP_CANCELLED
         return None, None, report, ""

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Makes the functions of a cv2 take the flags and the Params of this module."""
+"""Lets the functions of a cv2 accept the flags and the Params of this module."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _MARK = "_usacv20Patch"
 
 
 def _essentialPlace(args: Tuple[Any, ...]) -> int:
-    """Returns the place of `method` among the positional arguments of findEssentialMat."""
+    """Returns the position of `method` among the positional arguments of findEssentialMat."""
     if len(args) > 2 and isinstance(args[2], numbers.Real):
         return 4  # (points1, points2, focal, pp, method, ...)
     if len(args) > 4 and args[4] is not None and not isinstance(args[4], numbers.Real):
@@ -41,7 +41,8 @@ _PLACES: typing.Mapping[str, Callable[[Tuple[Any, ...]], int]] = {
 
 
 def _isOurs(name: str, args: Tuple[Any, ...], kwargs: typing.Mapping[str, Any]) -> bool:
-    """Returns whether the arguments hold a flag of this module in its place, or a Params anywhere."""
+    """Returns whether the argument for the flag is a flag of this module, or any argument is a
+    Params."""
     key = "flags" if name == "solvePnPRansac" else "method"
     place = _PLACES[name](args)
     value = kwargs.get(key, args[place] if place < len(args) else None)
@@ -51,11 +52,12 @@ def _isOurs(name: str, args: Tuple[Any, ...], kwargs: typing.Mapping[str, Any]) 
 
 
 class Patch:
-    """Functions of a cv2 that have been replaced; undo(), or the end of a with-statement, puts the original ones back."""
+    """Replaces functions of a cv2; undo(), or the end of a with-statement, restores the originals.
+    """
 
     def __init__(self, cv2: Any, ours: typing.Mapping[str, Callable[..., Any]] = OURS, permanent: bool = False) -> None:
         self._cv2 = cv2
-        self.permanent = permanent  # as in an OpenCV that was built with the module
+        self.permanent = permanent  # cannot be undone, as in an OpenCV that was built with the module
         self._active = True
         self._functions: Dict[str, Tuple[Any, Any]] = {}
         for name, function in ours.items():
@@ -77,7 +79,8 @@ class Patch:
         return function
 
     def undo(self) -> None:
-        """Puts the original functions back. A function that somebody else has replaced since stays, and calls the original one."""
+        """Restores the original functions. If other code has wrapped a function since, its wrapper
+        stays, and the function that it calls passes all calls to the original."""
         self._active = False
         for name, (original, wrapper) in self._functions.items():
             if getattr(self._cv2, name, None) is wrapper:
@@ -97,20 +100,22 @@ def _present(cv2: Any) -> Optional[Patch]:
 
 
 def patch_cv2(cv2: Any = None) -> Patch:
-    """Makes findHomography, findFundamentalMat, findEssentialMat, estimateAffine2D, estimateAffinePartial2D and solvePnPRansac of
-    a cv2 take the flags of this module, cv2.findHomography(a, b, usacv20.USACV20, 3.0), and its Params. All other calls reach
-    the functions of cv2 as they are.
+    """Lets findHomography, findFundamentalMat, findEssentialMat, estimateAffine2D,
+    estimateAffinePartial2D and solvePnPRansac of a cv2 accept the flags of this module, as in
+    cv2.findHomography(a, b, usacv20.USACV20, 3.0), and its Params. All other calls reach the
+    functions of cv2 unchanged.
 
     cv2 -- the module; default: the one that `import cv2` gives
 
-    Returns an object that undoes it, by undo() or at the end of a with-statement. One for a cv2 that has been patched before
-    does nothing more and undoes nothing. Modules that have imported a function by its name before keep the original one."""
+    Returns an object that undoes the change by undo() or at the end of a with-statement. If the cv2
+    is patched already, the call and this object have no effect. Modules that have imported a
+    function by name before keep the original function."""
     cv2 = importlib.import_module("cv2") if cv2 is None else cv2
     return Patch(cv2, {} if _present(cv2) else OURS)
 
 
 def unpatch_cv2(cv2: Any = None) -> None:
-    """Undoes patch_cv2(), whoever has called it. Nothing happens where there is nothing to undo."""
+    """Undoes patch_cv2(), no matter who has called it. Does nothing if the cv2 is not patched."""
     patch = _present(importlib.import_module("cv2") if cv2 is None else cv2)
     if patch and not patch.permanent:
         patch.undo()

@@ -43,14 +43,16 @@ def _restored(type_: Type[P], values: Dict[str, Any]) -> P:
 
 
 class Params:
-    """All options of the estimator; each has an effect.
+    """All options of the estimator.
 
-    Fields can be given by their names, Params(threshold=2, scores=distances), also to the presets, Params.fast(threshold=2), and
-    written later; None is the default. Params() is Params.usacV20(). Enumerators can be written by their names, too:
-    Params(sampler="prosac", termination="sprt|standard"). A value of a wrong type, and an enumerator of another enumeration, raise a
-    TypeError when it is written; a wrong value raises usacv20.error, which names the field, when the estimator is created, or in
-    check(). Objects can be compared, copied and pickled; repr() shows what differs from the default. Pixels are those
-    of image 2; for motions of space read: the unit of the points of space 2."""
+    Fields can be given by name, Params(threshold=2, scores=distances), also to the presets,
+    Params.fast(threshold=2), and assigned later; None stands for the default. Params() is
+    Params.usacV20(). Enumerators can also be given by name: Params(sampler="prosac",
+    termination="sprt|standard"). A value of a wrong type or an enumerator of another enumeration
+    raises TypeError at once. Another wrong value raises usacv20.error, which names the field, when
+    the estimator is created or in check(). Objects can be compared, copied and pickled; repr()
+    shows the fields that differ from the default. Pixels are those of image 2; for motions of space
+    read: the unit of the points of space 2."""
 
     __slots__ = ("_native", "_scores", "_initialModel", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as of all that can change
@@ -165,7 +167,7 @@ class Params:
         return cls._of(getattr(native.Params, name)())._with(name, fields)
 
     def _with(self: P, function: str, fields: Dict[str, Any]) -> P:
-        """Sets other values of these fields; None keeps the preset's."""
+        """Sets the given fields; None keeps the value of the preset."""
         for name, value in fields.items():
             if name not in _FIELDS:
                 raise _unknown("Params." + function, name)
@@ -180,7 +182,7 @@ class Params:
         self._fixed = True
         return self
 
-    if not TYPE_CHECKING:  # else type checkers would accept any attribute
+    if not TYPE_CHECKING:  # without this test, type checkers would accept any attribute
 
         def __setattr__(self, name: str, value: Any) -> None:
             if getattr(self, "_fixed", False) and name in _FIELDS:
@@ -189,14 +191,16 @@ class Params:
             super().__setattr__(name, value)
 
     def replace(self: P, **fields: Any) -> P:
-        """Returns a copy with other values of some fields, params.replace(threshold=3); None is the default, as in Params()."""
+        """Returns a copy with other values of some fields, as in params.replace(threshold=3). None
+        stands for the default, as in Params()."""
         unknown = [name for name in fields if name not in _FIELDS]
         if unknown:
             raise _unknown("Params.replace", unknown[0])
         return type(self)(**dict(self._items(), **fields))
 
     def _prepared(self) -> Any:
-        """Returns the options in the form of the compiled part, with the lists as they are now."""
+        """Returns the options in the form of the compiled part, with the current contents of the
+        lists."""
         options = self._native
         scores, model = self.scores, self.initialModel
         if self._filled or scores.size or model.size:
@@ -224,7 +228,7 @@ class Params:
         return ((name, getattr(self, name)) for name in _FIELDS)
 
     def _differing(self) -> typing.Iterator[Tuple[str, Any]]:
-        """Returns the fields that have another value than the default."""
+        """Yields the fields whose values differ from the default."""
         default = Params()
         return ((name, value) for name, value in self._items() if not _same(value, getattr(default, name)))
 
@@ -269,14 +273,15 @@ class Params:
 
     @classmethod
     def sorted(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_PROSAC: PROSAC sampling of points that the caller has sorted, best first, or in the order
-        of `scores` if these are given."""
+        """Returns the preset of USACV20_PROSAC: PROSAC sampling of points that the caller has
+        sorted, best first; if `scores` are given, they determine the order."""
         return cls._preset("sorted", fields)
 
     @classmethod
     def trustedScores(cls: Type[P], **fields: Any) -> P:
-        """Returns a preset for callers who vouch for the order of the points (scores, or ORDERING_INPUT_ORDER): as usacV20(), but
-        all samples are PROSAC's, and its criterion may end the search. Where the order is wrong, a better model may be missed."""
+        """Returns a preset for a reliable order of the points (from scores, or
+        ORDERING_INPUT_ORDER): as usacV20(), but all samples are PROSAC's, and its criterion may end
+        the search. If the order is wrong, a better model may be missed."""
         return cls._preset("trustedScores", fields)
 
     @classmethod
@@ -311,7 +316,8 @@ class Params:
 
     @classmethod
     def prosac(cls: Type[P], **fields: Any) -> P:
-        """Returns PROSAC: as ransac(), with PROSAC's samples and termination; the points are sorted, best first, or `scores` are given."""
+        """Returns PROSAC: as ransac(), with PROSAC's samples and termination. The points must be
+        sorted, best first, or `scores` be given."""
         return cls._preset("prosac", fields)
 
     @classmethod

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""solvePnPRansac: OpenCV's arguments, a flag or a Params."""
+"""solvePnPRansac with OpenCV's arguments, and with a flag or a Params."""
 
 from __future__ import annotations
 
@@ -33,8 +33,9 @@ _DEFAULTS: Dict[str, Any] = dict(rvec=None, tvec=None, useExtrinsicGuess=False, 
 
 
 def _opencvFlag(value: int) -> int:
-    """Returns a flag by the number that it has in the OpenCV of this package. SOLVEPNP_* have other numbers in OpenCV 5 than in 4: if a
-    cv2 of the other version was imported, the number is taken for that cv2's, and converted by its name."""
+    """Converts a flag to its value in the OpenCV of this package. The values of SOLVEPNP_* differ
+    between OpenCV 4 and 5: if a cv2 of the other version was imported, the flag is taken as a value
+    of that cv2 and converted by name."""
     cv2 = sys.modules.get("cv2")
     own: Dict[str, int] = {} if IN_TREE else native.solvePnPFlags
     theirs: Dict[str, int] = {name: int(getattr(cv2, name)) for name in dir(cv2)
@@ -42,7 +43,7 @@ def _opencvFlag(value: int) -> int:
     if all(theirs.get(name, number) == number for name, number in own.items()):
         return value
     if not 0 <= value <= max(max(own.values()), max(theirs.values())):
-        return value  # of the flags that are the same in all versions, or none at all
+        return value  # a flag with the same value in all versions, or no flag
     names = sorted(name for name, number in theirs.items() if number == value)
     for name in names:
         if name in own:
@@ -86,16 +87,16 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     cv2.solvePnPRansac with a flag of this module or of OpenCV, or with all options: the pose of a camera, x ~ K (R X + t).
 
     objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3, any type
-    imagePoints -- their N images in pixels: Nx2, 2xN, Nx1x2 or 1xNx2
+    imagePoints -- their N image points in pixels: Nx2, 2xN, Nx1x2 or 1xNx2
     cameraMatrix -- 3x3 camera matrix K
     distCoeffs -- 4, 5, 8, 12 or 14 numbers, the distortion; None: none
     rvec, tvec -- arrays of 3 float64 that receive rotation vector and translation, or None; with useExtrinsicGuess they hold a
-        pose that is rated and optimized before the first sample
+        pose that is tested and optimized before the first sample
     iterationsCount -- upper bound of the number of samples; default 100
     reprojectionError -- inlier threshold in pixels of the image as it was taken; default 8
     confidence -- probability that the result is the best model; default 0.99
     inliers -- array of int32 that receives the indices of the inliers if it has their number, or None
-    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is handed on to OpenCV; SOLVEPNP_* are those of the cv2
+    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV; SOLVEPNP_* are those of the cv2
         that has been imported, if there is one, by their names: their numbers differ between OpenCV 4 and 5
     params -- Params; the form has five results, as OpenCV has it; flags=params gives four
     retval -- False if there is no pose; rvec and tvec are then those given
@@ -126,7 +127,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
 
 def _withFlag(v: Dict[str, Any]) -> Any:
     guess = _truth(v["useExtrinsicGuess"], "useExtrinsicGuess")
-    # Copies: what is written to them must not reach the caller's arrays if there is no pose.
+    # Copies, so that the caller's arrays do not change if there is no pose.
     rvec = array(v["rvec"], "rvec").copy() if guess and v["rvec"] is not None else None
     tvec = array(v["tvec"], "tvec").copy() if guess and v["tvec"] is not None else None
     return native.solvePnPRansac(
@@ -137,7 +138,7 @@ def _withFlag(v: Dict[str, Any]) -> Any:
 
 
 def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:
-    """Returns the results as cv2 does, in the caller's arrays where they fit."""
+    """Returns the results as cv2 does, written to the caller's arrays where they fit."""
     retval, rvec, tvec, inliers = result
     if not retval:
         given = [value if value is None or isinstance(value, np.ndarray) else np.asarray(value) for value in (v["rvec"], v["tvec"])]

@@ -18,20 +18,24 @@ from ._report import Report
 
 
 class progress:
-    """Asks a function every 5 milliseconds whether the estimations of this thread shall go on.
+    """Calls a function every 5 milliseconds that decides whether the estimations of this thread go
+    on.
 
         with usacv20.progress(lambda report: report.iterations < 10**6 and not cancelled.is_set()):
             H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
-    function -- takes a Report of what has been found so far (stop is STOP_NOT_RUN; inliers and cost are those of the best model
-        before it is polished, 0 and 1 if there is none; searchMs is the time since the run began) and returns True to go on;
-        False ends the run with what has been found, and report.stop is STOP_CANCELLED
+    function -- takes a Report of the state of the search and returns True to go on. (stop is
+    STOP_NOT_RUN; inliers and cost are those of the best model before polishing, 0 and 1 if there is
+    none; searchMs is the time since the run began.) False ends the run with the best model so far,
+    and report.stop is STOP_CANCELLED
 
-    It holds for all functions of the package that estimate, many at once, too, and for Usac.run, in the thread that enters it.
-    An exception in the function ends the run and is passed on to the caller. A run shorter than 5 milliseconds does not call it. A
-    function that returns True changes no bit of the result. Another thread cancels by what the function reads, a
-    threading.Event, say. Ctrl-C raises a KeyboardInterrupt with or without it; of cv2.usacv20 only with it, where it starts a thread
-    for each call: progress(lambda report: True)."""
+    It applies to all estimating functions of the package, including those for many pairs, and to
+    Usac.run, in the thread that enters it. An exception in the function ends the run and is passed
+    on to the caller. A run shorter than 5 milliseconds does not call the function. A function that
+    returns True does not change the result. Another thread can cancel the run through an object
+    that the function reads, such as a threading.Event. Ctrl-C raises KeyboardInterrupt with or
+    without it; with cv2.usacv20 only inside of it, where it starts a thread for each call:
+    progress(lambda report: True)."""
 
     def __init__(self, function: typing.Callable[[Report], bool]) -> None:
         if not callable(function):

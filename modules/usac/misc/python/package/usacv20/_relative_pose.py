@@ -28,20 +28,21 @@ if TYPE_CHECKING:
 class RelativePose(typing.NamedTuple):
     """The results of estimateRelativePose other than the motion."""
 
-    report: Report  # of the search for the essential matrix; inliers counts those of the mask
+    report: Report  # of the search for the essential matrix; report.inliers counts the mask
     essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None: no model
-    behind: int  # inliers of the essential matrix that are behind a camera, and not in the mask
-    onPlane: int  # inliers on one plane, if these are more than 80 % of them; else 0
-    otherR: _Double  # of a plane: the other motion that has it in front of both cameras; None: there is none
+    behind: int  # number of inliers of the essential matrix that are behind a camera; they are not in the mask
+    onPlane: int  # number of inliers on one plane, if these are more than 80 % of the inliers; otherwise 0
+    otherR: _Double  # if most inliers are on a plane: the second motion with the plane in front of both cameras; None: there is none
     otherT: _Double
-    otherInliers: int  # points in front of both cameras that this other motion has within the threshold
+    otherInliers: int  # number of inliers of the second motion in front of both cameras
 
 
 def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatrix1: npt.ArrayLike,
                          distCoeffs1: _Optional = None, cameraMatrix2: _Optional = None, distCoeffs2: _Optional = None,
                          params: Optional[Params] = None, mask: Optional[npt.NDArray[np.uint8]] = None
                          ) -> Tuple[_Double, _Double, npt.NDArray[np.uint8], RelativePose]:
-    """Estimates the motion of a calibrated camera between two views, X2 = R X1 + t up to the length of t.
+    """Estimates the motion of a calibrated camera between two views, X2 = R X1 + t up to the length
+    of t.
 
     points1, points2 -- N points of each image in pixels, as it was taken; as for estimateHomography
     cameraMatrix1, cameraMatrix2 -- 3x3; without the second the first holds for both images
@@ -50,11 +51,13 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
     mask -- Nx1 array of uint8 that receives the mask, or None
 
     Returns (R, t, mask, pose):
-    R, t -- a rotation, 3x3, and a vector of unit length, 3x1; None if there is no model, and pose.report.stop says why
-    mask -- Nx1 array of uint8, 1 where the distance is at most the threshold and the point is in front of both cameras; one at
-        infinity is
-    pose -- RelativePose: the report, the essential matrix; a plane has two motions, of which the points off it choose one, and the
-        other is in pose.otherR and otherT"""
+    R, t -- a rotation, 3x3, and a vector of unit length, 3x1; None if there is no model, and
+    pose.report.stop gives the reason
+    mask -- Nx1 array of uint8, 1 where the distance is at most the threshold and the point is in
+    front of both cameras or at infinity
+    pose -- RelativePose: the report and the essential matrix. If most inliers are on a plane, two
+    motions are possible; points off the plane select one, and the other is in pose.otherR and
+    pose.otherT"""
     options = optionsOf(params)
     _arguments.checkOutput(mask, "mask")
     R, t, inliers, report, essential, behind, onPlane, otherR, otherT, otherInliers = native.estimateRelativePose(

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Report, which says what one estimation learned."""
+"""Report: statistics and results of one estimation."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _restored(values: Dict[str, Any]) -> Report:
 
 
 class Sample(Field[Tuple[int, ...]]):
-    """A descriptor of the field with rows of the points."""
+    """A descriptor of the field with indices of points."""
 
     def read(self, instance: Any) -> Any:
         return tuple(int(row) for row in getattr(instance._native, self.name))
@@ -41,8 +41,8 @@ class Covariance(Field["Optional[npt.NDArray[np.float64]]"]):
 
 
 class Report:
-    """What one estimation learned on its way. Times are those of a steady clock and do not influence results. Report() is that of
-    no run."""
+    """Statistics and results of one estimation. Times are measured with a steady clock and do not
+    influence results. Report() belongs to no run."""
 
     __slots__ = ("_native",)
     __hash__ = None  # type: ignore[assignment]
@@ -98,12 +98,14 @@ class Report:
         return result
 
     def describe(self) -> str:
-        """Returns one sentence for a log. It ends with "no better than chance" where `chance` is above 0.01 and there is a model
-        nevertheless, because there are few points or Params.significance allows it."""
+        """Returns one sentence for a log. It ends with "no better than chance" if `chance` is above
+        0.01 although there is a model. This happens with few points, or if Params.significance
+        allows it."""
         return str(self._native.describe())
 
     def asDict(self) -> Dict[str, Any]:
-        """Returns the fields by their names, for a table or a file: numbers, truth values, `stop` as text, and `covariance` as lists."""
+        """Returns the fields by name, for a table or a file: numbers, truth values, `stop` as text,
+        and `covariance` as lists."""
         matrix = self.covariance
         return dict(self._values(), stop=self.stop.name, covariance=None if matrix is None else matrix.tolist())
 

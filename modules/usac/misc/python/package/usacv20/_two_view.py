@@ -33,39 +33,43 @@ _ARRAYS = ("cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2")
 
 @dataclasses.dataclass(frozen=True)
 class TwoViewRules:
-    """The rules of estimateTwoViewGeometry beside the options of a search. The defaults are COLMAP's but for inlierRatio."""
+    """The rules of estimateTwoViewGeometry in addition to the options of a search. The defaults are
+    those of COLMAP, except inlierRatio."""
 
-    minInliers: int = 15  # of a model that counts, at least; >= 1
-    # Least part of the matches that is expected to be right, 0..1: no more samples are drawn than find such a pair with
-    # Params.confidence. Pairs with less are found, too, but not all.
+    minInliers: int = 15  # least number of inliers of an accepted model; >= 1
+    # Least expected inlier ratio, 0..1: the limit of samples is chosen so that a pair with this
+    # ratio is found with Params.confidence. Pairs with a lower ratio may be missed.
     inlierRatio: float = 0.25
-    # Parts of the matches that are right in some pairs of the same collection, each above 0 and up to 1: the confidence is then
-    # that of a right pair of this collection, see samples(). None of them: not known.
+    # Inlier ratios of some pairs of the same collection, each above 0 and up to 1. If given, the
+    # confidence refers to a right pair of this collection, see samples(). Empty: unknown.
     ratios: Tuple[float, ...] = ()
-    planarRatio: float = 0.8  # 0..1, of the inliers; a homography with more of them makes the pair planar or panoramic
-    calibrationRatio: float = 0.95  # 0..1; E with less of F's inliers tells that the focal lengths are wrong
+    planarRatio: float = 0.8  # 0..1; if a homography has more than this fraction of the inliers, the pair is planar or panoramic
+    calibrationRatio: float = 0.95  # 0..1; if E has less than this fraction of F's inliers, the focal lengths are taken as wrong
 
     def check(self) -> None:
         """Raises usacv20.error, which names the field, if a value is wrong."""
         self._native.check()
 
     def samples(self, params: Params, sampleSize: int, matches: int) -> int:
-        """Returns the number of samples that find a pair that is to be kept, whatever params.maxIterations says; at least 500.
+        """Returns the number of samples needed to find a pair that must be kept; at least 500.
+        params.maxIterations is ignored.
 
-        params -- its confidence counts, and whether its local optimization is that of USACV20
-        sampleSize -- points of a sample: 5 for E, 7 for F, 4 for H
-        matches -- of the pair
+        params -- its confidence is used, and whether its local optimization is that of USACV20
+        sampleSize -- points of a minimal sample: 5 for E, 7 for F, 4 for H
+        matches -- number of matches of the pair
 
-        Samples are drawn without replacement: of I right ones among N matches the part C(I, m) / C(N, m) is right. I is
-        inlierRatio of N, but minInliers or more. With ratios the mean over those and one pair more has the confidence: that one
-        has any ratio between inlierRatio and the least of them, as a pair is worse than all of k others with a chance of
-        1 / (k + 1). Of E a sample of USACV20 counts as up to four, as its local optimization makes a model of one with a wrong
-        point, too."""
+        Samples are drawn without replacement: with I inliers among N matches, a fraction C(I, m) /
+        C(N, m) of the samples of m matches consists of inliers. I is inlierRatio times N, but at
+        least minInliers. If `ratios` are given, the confidence is the mean over these k ratios and
+        one further pair. That pair stands for pairs with a lower ratio than all others, which have
+        a probability of 1 / (k + 1); its ratio is uniform between inlierRatio and the least of
+        `ratios`. For E a sample of USACV20 counts as up to four samples, as its local optimization
+        can also find a model from a sample with one outlier."""
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
     def reached(self, params: Params, sampleSize: int, matches: int) -> float:
-        """Returns the probability, 0..1, that one of these samples, but not more than params.maxIterations, is right, if a part inlierRatio
-        of the matches is."""
+        """Returns the probability, 0..1, that at least one of these samples, limited by
+        params.maxIterations, consists of inliers, if the inlier ratio is inlierRatio."""
         return float(self._native.reached(optionsOf(params), sampleSize, matches))
 
     @property
@@ -79,39 +83,41 @@ class TwoViewRules:
 
 
 class TwoViewPair(typing.NamedTuple):
-    """The matches of two images, and what is known of their cameras."""
+    """The matches of two images and the known parameters of their cameras."""
 
     points1: npt.ArrayLike  # N points of image 1 in pixels, as for estimateHomography
-    points2: npt.ArrayLike  # their N counterparts in image 2
-    cameraMatrix1: _Optional = None  # 3x3; None: the focal length of image 1 is not known
-    cameraMatrix2: _Optional = None  # the same of image 2, also if it is the same camera
+    points2: npt.ArrayLike  # the N corresponding points of image 2
+    cameraMatrix1: _Optional = None  # 3x3; None: the focal length of image 1 is unknown
+    cameraMatrix2: _Optional = None  # likewise of image 2; needed even if both images have the same camera
     distCoeffs1: _Optional = None  # 4, 5, 8, 12 or 14 coefficients of camera 1, which need cameraMatrix1; None: none
     distCoeffs2: _Optional = None
-    imageSize1: _Size = None  # width and height of image 1 in pixels; None: not known, and no watermark is looked for
+    imageSize1: _Size = None  # width and height of image 1 in pixels; None: unknown, so watermarks are not detected
     imageSize2: _Size = None
-    taken1: _Optional = None  # points of image 1 as taken, if points1 have no distortion any more, for watermarks; None: points1
+    taken1: _Optional = None  # points of image 1 with distortion, for watermarks, if points1 are undistorted; None: points1
     taken2: _Optional = None
-    scores: _Optional = None  # of the matches, instead of Params.scores, so that pairs share Params; None: Params.scores
+    scores: _Optional = None  # of the matches, used instead of Params.scores so that pairs can share Params; None: Params.scores
 
 
 class TwoViewGeometry(typing.NamedTuple):
-    """The result for a pair of images. Arrays are of float64, and None where they are not known; pixels are those without distortion."""
+    """The result for a pair of images. Arrays are of float64, or None if unknown. Pixels are
+    without distortion."""
 
     configuration: TwoViewConfiguration
-    mask: npt.NDArray[np.uint8]  # N x 1; 1: an inlier of E, else of F, else of H
-    inliers: int  # how many these are
+    mask: npt.NDArray[np.uint8]  # N x 1; 1: an inlier of E if there is E, otherwise of F, otherwise of H
+    inliers: int  # number of inliers in the mask
     F: _Double  # 3x3, x2^T F x1 = 0 in pixels, unit norm
-    E: _Double  # 3x3, of image planes, singular values (1, 1, 0)/sqrt(2), where the essential matrix tells the inliers
-    H: _Double  # 3x3, pixels of image 1 to image 2, h33 = 1, of at least minInliers of the inliers
-    # 3x3, X2 = R X1 + t, of CALIBRATED, PLANAR and PANORAMIC pairs (of a plane one of two motions that see it alike, unless matches
-    # off it decide), and of a watermark of calibrated cameras
+    E: _Double  # 3x3, in normalized image planes, singular values (1, 1, 0)/sqrt(2); None if the mask is not that of E
+    H: _Double  # 3x3, maps pixels of image 1 to image 2, h33 = 1; None if less than minInliers of the inliers agree
+    # 3x3, X2 = R X1 + t, for CALIBRATED, PLANAR and PANORAMIC pairs, and for a watermark if the
+    # cameras are calibrated. For a plane it may be one of two equally possible motions, if no
+    # matches off the plane select one.
     R: _Double
-    t: _Double  # 3x1, unit length; 0 where the camera has only turned
-    rotations: _Double  # k x 3 x 3, of cameras whose focal lengths are given: those that the matches allow
-    report: Report  # of the search for the model that tells the inliers, or for the best one that was refused
-    iterations: int  # samples drawn, except for H among the inliers of E or F
-    milliseconds: float  # of the clock
-    reason: str  # why there are no inliers, one line without a period; empty: there are
+    t: _Double  # 3x1, unit length; 0 for a pure rotation
+    rotations: _Double  # k x 3 x 3, the rotations that agree with the matches, if the focal lengths are known
+    report: Report  # of the search for the model of the mask, or for the best refused model
+    iterations: int  # number of samples drawn, without those for H among the inliers of E or F
+    milliseconds: float  # wall time
+    reason: str  # the reason if there are no inliers, one line without a period; empty if there are inliers
 
 
 def _size(size: Any, name: str) -> Any:
@@ -125,7 +131,7 @@ def _size(size: Any, name: str) -> Any:
 
 
 def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
-    """Returns the arguments in the order of the compiled part."""
+    """Returns the arguments of a pair in the order of the compiled part."""
     scores = None if pair.scores is None else np.ravel(_arguments.array(pair.scores, prefix + "scores")).astype(np.float32)
     return (*(_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS),
             *(_arguments.optionalArray(getattr(pair, name), prefix + name) for name in _ARRAYS),
@@ -150,24 +156,31 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
                             cameraMatrix2: _Optional = None, distCoeffs1: _Optional = None, distCoeffs2: _Optional = None,
                             params: Optional[Params] = None, rules: Optional[TwoViewRules] = None, *, imageSize1: _Size = None,
                             imageSize2: _Size = None) -> TwoViewGeometry:
-    """Determines the relation between two images from their matches, as one of COLMAP's configurations.
+    """Determines the relation between two images from their matches, as one of COLMAP's
+    configurations.
 
     points1, points2 -- N points of each image in pixels, as for estimateHomography
-    cameraMatrix1, cameraMatrix2 -- 3x3, of each image by itself; None: its focal length is not known
-    distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints, which need the matrix; None: none
-    params -- Params of each search. threshold is the Sampson distance of E and F in pixels without distortion, from which that of
-        H follows; significance 0: 1e-4; initialModel has to be empty. THRESHOLD_ESTIMATED: the first model that is accepted sets
-        the threshold of the pair, report.threshold
+    cameraMatrix1, cameraMatrix2 -- 3x3, for each image separately; None: its focal length is
+    unknown
+    distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints, which
+    need the matrix; None: none
+    params -- Params of each search. threshold is the Sampson distance of E and F in pixels without
+    distortion; that of H is derived from it. significance 0 means 1e-4; initialModel has to be
+    empty. THRESHOLD_ESTIMATED: the first accepted model sets the threshold of the pair,
+    report.threshold
     rules -- TwoViewRules; None: the defaults
-    imageSize1, imageSize2 -- (width, height) in pixels; None: no watermark is looked for
+    imageSize1, imageSize2 -- (width, height) in pixels; None: watermarks are not detected
 
-    Returns a TwoViewGeometry: configuration, mask, F, E, H, R, t and a report; if a pair is refused, `reason` says why.
+    Returns a TwoViewGeometry: configuration, mask, F, E, H, R, t and a report; if a pair is
+    refused, `reason` says why.
 
-    An essential matrix E is estimated where both focal lengths are known, else a fundamental matrix F; with E, F starts from it.
-    Where E is refused F is searched for in 500 samples, and the square of the significance is asked of it. Where F tells that the
-    focal lengths are wrong E is tried once more, from F. H is estimated of the inliers, else of all matches. CALIBRATED: E has
-    rules.calibrationRatio of F's inliers, but for what F wins by chance, or most are on a plane. usacv20.error names an argument
-    that is wrong."""
+    If both focal lengths are known, an essential matrix E is estimated, and a fundamental matrix F
+    starting from E; otherwise F only. If E is refused, F is searched for with 500 samples and must
+    pass the square of the significance. If F shows that the focal lengths are wrong, E is tried
+    once more, starting from F. H is estimated from the inliers, or from all matches if there are
+    none. A pair is CALIBRATED if E has at least rules.calibrationRatio of F's inliers, not counting
+    those that F gains by chance, or if most inliers are on a plane. usacv20.error names a wrong
+    argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
 
@@ -177,13 +190,14 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
                               returnExceptions: bool = False) -> List[Union[TwoViewGeometry, Exception]]:
     """Calls estimateTwoViewGeometry for many pairs, in parallel in C++.
 
-    pairs -- TwoViewPair(points1, points2, ...), of any sizes, with and without cameras, mixed
-    params, rules -- of all pairs; scores are those of the pairs
-    threads -- how many pairs at once, 0: all cores. The result does not depend on it
-    returnExceptions -- a mistake in a pair: True: its exception stands in the place of the result, the others go on; False: it is
-        raised when all are done, and names the pair
+    pairs -- TwoViewPair(points1, points2, ...), of any sizes, with or without cameras
+    params, rules -- for all pairs; scores are those of the pairs
+    threads -- number of pairs at once, 0: all cores. The result does not depend on it
+    returnExceptions -- what happens if a pair is wrong. True: its exception replaces its result;
+    False: the exception is raised after all pairs are done, and names the pair
 
-    Returns a list with a TwoViewGeometry for each pair, in this order. The interpreter's lock is released meanwhile."""
+    Returns a list with a TwoViewGeometry for each pair, in the same order. The interpreter's lock
+    is released during the call."""
     mistakes = {}
     read = []
     for i, pair in enumerate(pairs):

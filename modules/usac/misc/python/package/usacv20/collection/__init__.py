@@ -2,13 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Estimates the two-view geometry of all pairs of a collection of images: python3 -m usacv20.collection --help
+"""Estimates the two-view geometry of all pairs of a collection of images: python3 -m
+usacv20.collection --help
 
-    verify DATABASE   all pairs of a COLMAP database, in the place of COLMAP's own verification
+    verify DATABASE   all pairs of a COLMAP database, replacing COLMAP's own verification
     pairs LIST        all pairs of a folder or file of matches
-    report DATABASE   what a run has found
+    report DATABASE   the results of a run
 
-doc/collections.md describes the rules, the files and what they cost."""
+doc/collections.md describes the rules, the files and the costs."""
 
 import importlib
 import typing
@@ -26,17 +27,18 @@ _LATER = {"Summary": "_engine", "ColumnScores": "_scores", "HlocScores": "_score
 
 
 def __getattr__(name: str) -> typing.Any:
-    """Imports a name when it is used first, so that the command can soon be interrupted."""
+    """Imports a name at its first use, so that the command starts fast and can be interrupted
+    early."""
     if name not in _LATER:
         raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
     return getattr(importlib.import_module("." + _LATER[name], __name__), name)
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:
-    """Returns the results of the command `pairs` in the order of their names, one after the other.
+    """Yields the results of the command `pairs` in the order of their names.
 
-    path -- its SQLite, NPZ or HDF5 file, or OUTPUT.part of a run that was interrupted
+    path -- its SQLite, NPZ or HDF5 file, or OUTPUT.part of an interrupted run
 
-    Raises CollectionError for a file that is none or that is damaged."""
-    from ._list_results import readResults as read  # what the other commands do not need
+    Raises CollectionError if the file is damaged or has no results."""
+    from ._list_results import readResults as read  # imported here, as the other commands do not need it
     return read(path)

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""python3 -m usacv20.collection"""
+"""Runs the collection tool: python3 -m usacv20.collection"""
 
 import sys
 
@@ -11,7 +11,7 @@ def _run() -> int:
     try:
         from ._command import main
         return main()
-    except KeyboardInterrupt:  # before anything was begun
+    except KeyboardInterrupt:  # interrupted before any work started
         return 130
 
 

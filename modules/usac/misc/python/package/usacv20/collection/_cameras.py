@@ -2,13 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Cameras as a COLMAP database has them, and the removal of their distortion.
+"""Cameras of a COLMAP database, and the removal of their distortion.
 
-The distortions are the two that OpenCV knows. Of a camera with a lens in perspective (u, v) = (x / z, y / z) moves by the
-polynomials in r^2 = u^2 + v^2 of cv2.projectPoints, which usacv20.removeDistortion inverts; of a fisheye (u, v) is scaled so
-that the angle theta = atan(r) to the axis becomes theta (1 + k1 theta^2 + k2 theta^4 + ...), as of cv2.fisheye. COLMAP's models
-with fewer coefficients are these with the others 0, SIMPLE_FISHEYE and FISHEYE with all of them 0; its other models have no
-counterpart and are refused by name."""
+There are the two kinds of distortion that OpenCV has. For a perspective lens, (u, v) = (x / z, y /
+z) is changed by polynomials in r^2 = u^2 + v^2 as in cv2.projectPoints; usacv20.removeDistortion
+inverts them. For a fisheye lens, (u, v) is scaled so that the angle theta = atan(r) to the axis
+becomes theta (1 + k1 theta^2 + k2 theta^4 + ...) as in cv2.fisheye. COLMAP's models with fewer
+coefficients are special cases with zeros; SIMPLE_FISHEYE and FISHEYE have only zeros. Its other
+models have no counterpart and are refused by name."""
 
 from __future__ import annotations
 
@@ -39,13 +40,15 @@ _MODELS: Dict[int, Tuple[str, str]] = {
     14: ("SIMPLE_FISHEYE", "f cx cy"),
     15: ("FISHEYE", "fx fy cx cy"),
 }
-# The last ones are as COLMAP 4.2.1 numbers them.
+# Numbers above 10 are those of COLMAP 4.2.1.
 _REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THIN_PRISM_FISHEYE", 12: "SIMPLE_DIVISION",
                             13: "DIVISION", 16: "EUCM", 17: "EQUIRECTANGULAR"}
 _DISTORTIONS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
-# Newton's method doubles the digits that are right with each step; lenses in use take 3 to 6 steps to the last digit.
+# Limit of the steps of Newton's method, which doubles the number of correct digits in each step.
+# Common lenses need 3 to 6 steps for full precision.
 _STEPS = 30
-# Largest error of a point whose distortion has been removed, in units of the focal length: of 10^4 pixels 10^-6 pixels.
+# Largest error of an undistorted point in units of the focal length; 10^-6 pixels for a focal
+# length of 10^4 pixels.
 _TOLERANCE = 1e-10
 
 
@@ -57,14 +60,14 @@ class Camera(typing.NamedTuple):
     width: int  # pixels
     height: int
     matrix: _Array  # 3 x 3
-    distortion: Tuple[float, ...]  # k1 k2 p1 p2 k3 k4 k5 k6; of a fisheye p1, p2, k5, k6 are 0
+    distortion: Tuple[float, ...]  # k1 k2 p1 p2 k3 k4 k5 k6; for a fisheye lens p1, p2, k5, k6 are 0
     fisheye: bool
-    focalKnown: bool  # prior_focal_length: by EXIF data or the user
+    focalKnown: bool  # prior_focal_length: known from EXIF data or the user
 
     @classmethod
     def fromColmap(cls, id: int, model: int, width: int, height: int, params: bytes, priorFocalLength: int) -> Camera:
-        """Makes a camera from the columns of its row. Raises CollectionError for a model without a counterpart in OpenCV, and for
-        numbers that make no camera."""
+        """Makes a camera from the columns of its row. Raises CollectionError for a model without a
+        counterpart in OpenCV, and for invalid parameters."""
         if model not in _MODELS:
             name = _REFUSED.get(model, "of number {}".format(model))
             raise CollectionError("camera {}: its model {} has a distortion that OpenCV does not know".format(id, name))
@@ -105,7 +108,7 @@ class Camera(typing.NamedTuple):
 
 
 def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
-    """Returns the direction whose image is given, by Newton's method for the angle to the axis."""
+    """Returns the undistorted points, by Newton's method for the angle to the axis."""
     k1, k2, _, _, k3, k4, _, _ = distortion
     target = np.hypot(distorted[:, 0], distorted[:, 1])
     angle = target.copy()
@@ -116,7 +119,8 @@ def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
         angle -= error / slope
         if np.all(np.abs(error) < _TOLERANCE):
             break
-    # Where the polynomial falls with the angle its other branch was found: no lens maps two angles to one point.
+    # If the polynomial decreases at the solution, Newton's method has found a second solution,
+    # which no lens has.
     angle[~((np.abs(error) < _TOLERANCE) & (slope > 0) & (angle >= 0) & (angle < np.pi / 2))] = np.nan
     scale = np.where(target > 0, np.tan(angle) / np.where(target > 0, target, 1), 1)
     result: _Array = distorted * scale[:, None]

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The command line."""
+"""The command line of the collection tool."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _settings(options: argparse.Namespace) -> Dict[str, Any]:
-    """Returns the settings that the arguments tell, without the threshold."""
+    """Returns the settings given by the arguments, without the threshold."""
     return dict(method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
                 inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance,
                 watermarks=not options.no_watermarks, seed=options.seed)

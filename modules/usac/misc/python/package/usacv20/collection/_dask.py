@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Chunks of pairs as tasks of Dask: a cluster on this machine, or one that is there already."""
+"""Processes chunks of pairs as Dask tasks, on a cluster started on this machine or on an existing
+cluster."""
 
 from __future__ import annotations
 
@@ -17,20 +18,21 @@ from ._optional import need
 from ._pair import CollectionError, Key, Source
 from ._work import Future, Verify, fingerprintOf, processRemotely
 
-_PER_THREAD = 2  # chunks: one that is worked on, one that waits
-_RETRIES = 1  # of a chunk whose task raised; Dask itself gives the chunks of a worker that died to others
+_PER_THREAD = 2  # chunks for each thread: one in work, one waiting
+_RETRIES = 1  # for a chunk whose task raised an exception; if a worker dies, Dask itself gives its chunks to others
 _CONNECT = 10.0  # seconds to find a scheduler
-_JOIN = 60.0  # seconds for the first worker
+_JOIN = 60.0  # seconds to wait for the first worker
 _COUNT = 5.0  # seconds between two counts of the workers
 
 
 class Cluster:
-    """Workers that are processes of Dask.
+    """A cluster of Dask worker processes.
 
-    workers -- processes to be started here; 0: scheduler is the address of a running one
-    say -- takes a line for the user
+    workers -- number of processes to start here; 0: `scheduler` is the address of a running cluster
+    say -- function that prints a line for the user
 
-    Workers that see the files of the source read them; otherwise the pairs are read here and sent."""
+    Workers that can read the files of the source read the pairs there; otherwise the pairs are read
+    here and sent to them."""
 
     def __init__(self, source: Source, settings: Any, verify: Verify, workers: int, scheduler: str,
                  say: Callable[[str], None]) -> None:
@@ -55,7 +57,7 @@ class Cluster:
     def _connect(distributed: Any, target: Any, scheduler: str) -> Any:
         try:
             client = distributed.Client(target, timeout=_CONNECT, set_as_default=False)
-        except (OSError, ValueError) as error:  # TimeoutError is an OSError; of an address without a meaning
+        except (OSError, ValueError) as error:  # TimeoutError is an OSError; ValueError is raised for an invalid address
             raise CollectionError("--scheduler {}: nobody answers there: {}".format(
                 scheduler, " ".join(str(error).split()))) from error
         try:
@@ -67,7 +69,8 @@ class Cluster:
         return client
 
     def _shared(self) -> Optional[str]:
-        """Returns the fingerprint of the source if all workers see its files."""
+        """Returns the fingerprint of the source if all workers see the same files; otherwise None.
+        """
         own = self._source.fingerprint()
         try:
             found = self._client.run(fingerprintOf, self._packed)
@@ -97,7 +100,8 @@ class Cluster:
             items = pickle.dumps(self._source.load(keys), pickle.HIGHEST_PROTOCOL)
             reading = time.perf_counter() - start
         with warnings.catch_warnings():
-            # The scheduler keeps the pairs of a chunk until they are done: data that lie on a worker go with it.
+            # The scheduler keeps the pairs of a chunk until they are done, since data stored on a
+            # worker would be lost with it.
             warnings.filterwarnings("ignore", message="Large object")
             future: Future = self._client.submit(processRemotely, self._packed, self._expected, list(keys), items, reading,
                                                  self._verify, self._settings, pure=False, retries=_RETRIES)

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs of a COLMAP database, of 3.8 and later. The database is read only: tables and columns that are not named here may be
-there or not."""
+"""Reads pairs of a COLMAP database of version 3.8 or later. Tables and columns that are not named
+here are optional."""
 
 from __future__ import annotations
 
@@ -29,42 +29,42 @@ if TYPE_CHECKING:
     _Array = npt.NDArray[np.float64]
     _Matches = npt.NDArray[np.uint32]
 
-# COLMAP's pair_id is this times the smaller image_id, plus the larger one.
+# COLMAP's pair_id is this number times the smaller image_id, plus the larger image_id.
 IMAGES = 2147483647
-CACHE = 256 << 20  # bytes of keypoints kept, of each process
-_PAGE = 4096  # keys read at once: a statement that stays open keeps other connections from writing
-_COLUMNS = (2, 4, 6)  # of keypoints: x, y; with scale and orientation; with an affine shape
+CACHE = 256 << 20  # bytes of keypoints kept in memory by each process
+_PAGE = 4096  # number of keys read at once; a statement that stays open would prevent other connections from writing
+_COLUMNS = (2, 4, 6)  # numbers of columns of keypoints: x, y; with scale and orientation; with an affine shape
 
 
 class Scores(typing.Protocol):
-    """Where scores of matches come from; objects can be pickled."""
+    """A source of scores of matches. Objects must be picklable."""
 
     higherIsBetter: bool
 
     def of(self, key: int, first: str, second: str, matches: _Matches,
            connection: sqlite3.Connection) -> Optional[_Array]:
-        """Returns a score for each match, or None if there are none. `first` and `second` are names of the images. CollectionError makes
-        the pair a fault."""
+        """Returns a score for each match, or None if there are none. `first` and `second` are names
+        of the images. If it raises CollectionError, the pair is a fault."""
 
 
 class _Image(typing.NamedTuple):
-    """What pairs need to know of an image."""
+    """The data of an image that pairs need."""
 
     name: str
     camera: Optional[Camera]
     taken: npt.NDArray[np.float32]  # N x 2
-    ideal: Optional[_Array]  # N x 2; None: there is no distortion
-    finite: bool  # all of `taken`
-    seen: Optional[npt.NDArray[np.bool_]]  # N: whether `ideal` is finite; None: all are
-    fault: str  # why it cannot be used; empty: it can
+    ideal: Optional[_Array]  # N x 2, without distortion; None: the camera has no distortion
+    finite: bool  # True: all coordinates of `taken` are finite
+    seen: Optional[npt.NDArray[np.bool_]]  # N: whether the point of `ideal` is finite; None: all are
+    fault: str  # why the image cannot be used; empty: it can
 
 
 class _Wrong(Exception):
-    """Raised for a fault of a pair; the message is without the names of its images."""
+    """Raised for a fault of a pair. The message does not have the names of the images."""
 
 
 class _Cache:
-    """Keeps the images that were used last, in bounded memory, for all threads of a process."""
+    """Keeps the most recently used images in limited memory, for all threads of a process."""
 
     def __init__(self, limit: int) -> None:
         self._limit = limit
@@ -83,7 +83,7 @@ class _Cache:
     def put(self, number: int, image: _Image) -> None:
         size = 1000 + image.taken.nbytes + (0 if image.ideal is None else image.ideal.nbytes)
         with self._lock:
-            if number in self._images:  # another thread was faster
+            if number in self._images:  # another thread has added it
                 return
             self._images[number] = image, size
             self._bytes += size
@@ -95,11 +95,12 @@ class DatabaseSource:
     """A Source of the pairs in the table `matches`, in the order of pair_id.
 
     path -- of the database
-    scores -- of the matches, None: not known
-    cache -- bytes of keypoints kept in each process
+    scores -- of the matches, None: unknown
+    cache -- bytes of keypoints kept in memory by each process
 
-    The first use of a damaged or foreign database raises CollectionError. A single pair that is damaged becomes a Fault. Matches
-    of points that no direction in front of the camera is mapped to (see Camera.ideal) are left out of a Pair."""
+    The first use of a damaged or foreign database raises CollectionError. A single damaged pair
+    becomes a Fault. A Pair does not have matches of points that correspond to no direction in front
+    of the camera (see Camera.ideal)."""
 
     def __init__(self, path: str, scores: Optional[Scores] = None, cache: int = CACHE) -> None:
         self.path = os.path.abspath(path)
@@ -123,7 +124,7 @@ class DatabaseSource:
         self._prepare()
 
     def connection(self) -> sqlite3.Connection:
-        """Returns the connection of this thread, which is made when it is needed first."""
+        """Returns the connection of this thread, which is opened at its first use."""
         if self._process != os.getpid():  # a connection does not survive a fork
             self._prepare()
         found: Optional[sqlite3.Connection] = getattr(self._local, "connection", None)
@@ -171,7 +172,8 @@ class DatabaseSource:
         return self._count
 
     def fingerprint(self) -> str:
-        """Returns a fingerprint of the first and the last rows of the tables, which do not change when results are written."""
+        """Returns a fingerprint of the first and the last rows of the input tables. It does not
+        change when results are written."""
         digest = hashlib.sha256()
         for table, key, values in (("cameras", "camera_id", "model, width, height, params, prior_focal_length"),
                                    ("images", "image_id", "name, camera_id"), ("keypoints", "image_id", "rows, cols, data"),
@@ -181,7 +183,7 @@ class DatabaseSource:
                     rows = self.connection().execute("SELECT {0}, {1} FROM {2} ORDER BY {0} {3} LIMIT 4".format(
                         key, values, table, order)).fetchall()
                 digest.update(repr(rows).encode())
-        for first in itertools.islice(self.keys(), 1):  # with the file of the scores, if there is one
+        for first in itertools.islice(self.keys(), 1):  # includes the scores of a pair, which may come from another file
             item = self.load([first])[0]
             digest.update(repr(item if isinstance(item, Fault) else item.scores is not None and item.scores.tobytes()).encode())
         return digest.hexdigest()
@@ -300,7 +302,8 @@ def _check(matches: _Matches, side: int, image: _Image) -> None:
 
 
 def _seen(matches: _Matches, first: _Image, second: _Image) -> Optional[npt.NDArray[np.bool_]]:
-    """Returns which matches have a direction in both cameras; None: all."""
+    """Returns for each match whether both points correspond to a direction in front of the camera;
+    None: all do."""
     result: Optional[npt.NDArray[np.bool_]] = None
     for side, image in enumerate((first, second)):
         if image.seen is not None:

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Results in a COLMAP database: its table two_view_geometries, and two tables of our own for the report and for --resume."""
+"""Writes results to a COLMAP database: to its table two_view_geometries, and to two additional
+tables for the report and for --resume."""
 
 from __future__ import annotations
 
@@ -20,12 +21,13 @@ from ._loops import Edge
 from ._pair import CollectionError, Configuration, Key, TwoView
 from ._sqlite import checkInput, columns, connect, explained
 
-# Of our own tables and of what is in a row; 1: zeros for matrices that are not known; 2: no rotations.
+# Version of the additional tables and of the contents of rows. Version 1 had zeros for unknown
+# matrices, version 2 no rotations.
 VERSION = 3
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
 
-# As COLMAP 3.8 makes it.
+# The table as COLMAP 3.8 creates it.
 _GEOMETRIES = """CREATE TABLE IF NOT EXISTS two_view_geometries (pair_id INTEGER PRIMARY KEY NOT NULL, rows INTEGER NOT NULL,
 cols INTEGER NOT NULL, data BLOB, config INTEGER NOT NULL, F BLOB, E BLOB, H BLOB, qvec BLOB, tvec BLOB)"""
 _OWN = (
@@ -36,34 +38,36 @@ configuration INTEGER NOT NULL, reason TEXT NOT NULL, matches INTEGER NOT NULL, 
 iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB)""".format(PAIRS),
 )
 _NEEDED = ("pair_id", "rows", "cols", "data", "config")
-_LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # whose rotation is one and well determined
-_MATRICES = ("F", "E", "H", "qvec", "tvec")  # versions before 3.8 have some of them
-# How the reasons of pairs begin that others contradict: not all of those are known until a run has ended, so --resume begins anew.
+_LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # their rotation is unique and well determined
+_MATRICES = ("F", "E", "H", "qvec", "tvec")  # versions before 3.8 have only some of them
+# Prefix of the reasons of pairs that contradict other pairs. --resume estimates these pairs again,
+# since not all contradictions are known until a run has ended.
 CONTRADICTED = "loop: "
 _SIZES = {"F": 9, "E": 9, "H": 9, "qvec": 4, "tvec": 3}
 
 
 class DatabaseSink:
-    """Writes to a COLMAP database that exists; its other tables stay as they are.
+    """Writes to an existing COLMAP database; its other tables are not changed.
 
     path -- of the database
-    settings -- what the results depend on; values are those of JSON
-    resume -- True: pairs that earlier runs have done with the same settings are kept. CollectionError if the settings of the last
-        run are others. Without a last run one begins
-    keep -- True: of other pairs than those that are committed the rows stay, whoever has written them. Otherwise, and without
-        `resume`, all rows that were in two_view_geometries are removed together with the first commit
+    settings -- settings that the results depend on; values are JSON values
+    resume -- True: results of earlier runs with the same settings are kept. CollectionError if the
+    last run had other settings. Without an earlier run a new one starts
+    keep -- True: rows of pairs that are not committed stay, no matter who has written them. If
+    neither `keep` nor `resume` is set, the first commit removes all old rows of two_view_geometries
 
-    A pair that is refused has a row without inliers, by which COLMAP knows that it was looked at. A fault has none. Of two sinks
-    of one database, in whatever processes, the one that has begun to write last goes on; the other one raises CollectionError
-    with its next commit and has changed nothing since."""
+    A refused pair has a row without inliers, which tells COLMAP that the pair was examined. A fault
+    has no row. If two sinks write to one database, even in different processes, the one that
+    started to write last continues; the other one raises CollectionError at its next commit and has
+    changed nothing since."""
 
     def __init__(self, path: str, settings: typing.Mapping[str, Any], resume: bool = False, keep: bool = False) -> None:
         self.path = os.path.abspath(path)
         self._settings = json.loads(json.dumps(dict(settings), sort_keys=True))
-        self.removed = 0  # rows of two_view_geometries that another program, or an earlier run, has left
+        self.removed = 0  # number of removed rows of two_view_geometries from another program or an earlier run
         self._run: Optional[int] = None
-        self._newest: Optional[int] = None  # run of the database, as far as this sink knows
-        self._same = ""  # runs with the same settings, for SQL
+        self._newest: Optional[int] = None  # newest run in the database that this sink knows
+        self._same = ""  # ids of runs with the same settings, for SQL
         self._keep = keep
         self._resumed = False
         self._closed = False
@@ -73,7 +77,8 @@ class DatabaseSink:
             with explained(self.path):
                 self._wal = self._connection.execute("PRAGMA journal_mode").fetchone()[0] == "wal"
                 if self._wal:
-                    # A commit survives the death of the process, and the database that of the machine.
+                    # With this setting a commit survives the death of the process, and the database
+                    # stays intact if the machine fails.
                     self._connection.execute("PRAGMA synchronous = NORMAL")
                 self._matrices = self._checkTable()
                 self._newest = self._newestRun()
@@ -90,8 +95,9 @@ class DatabaseSink:
         return self._resumed
 
     def done(self, key: Key) -> bool:
-        """Faults, which have no row, are not: the database may have been repaired meanwhile. Neither are pairs that others have
-        contradicted: new pairs may be on their side."""
+        """Returns whether a pair needs no further work. Faults, which have no row, are not done,
+        since the database may have been repaired. Pairs that contradict others are not done either,
+        since new pairs may support them."""
         if not self._resumed:
             return False
         with explained(self.path):
@@ -106,7 +112,7 @@ class DatabaseSink:
             self._transaction(lambda: self._write(results))
 
     def edges(self) -> List[Edge]:
-        """Returns the pairs that are kept, of this run and of those that it continues."""
+        """Returns the accepted pairs of this run and of the runs that it continues."""
         runs = ", ".join(filter(None, [self._same, "" if self._run is None else str(self._run)]))
         with explained(self.path):
             if not runs or not columns(self._connection, PAIRS):
@@ -117,7 +123,8 @@ class DatabaseSink:
                         "AND run_id IN ({})".format(PAIRS, runs))]
 
     def refuse(self, pairs: typing.Mapping[Key, str]) -> int:
-        """Refuses pairs that were committed, for the reasons given; returns how many of them this run committed."""
+        """Refuses committed pairs for the given reasons; returns how many of them this run has
+        committed."""
         def own() -> int:
             kept = self._connection.execute("SELECT count(*) FROM {} WHERE run_id = ? AND inliers > 0".format(PAIRS), (self._run,))
             return int(kept.fetchone()[0])
@@ -137,20 +144,20 @@ class DatabaseSink:
     def close(self, finished: bool = True) -> None:
         """Closes the database.
 
-        finished -- False: pairs are left for --resume."""
+        finished -- False: some pairs are not done and are left for --resume"""
         if self._closed:
             return
         self._closed = True
         try:
             with explained(self.path):
                 self._transaction(lambda: self._finish(FINISHED if finished else INTERRUPTED))
-                if self._wal:  # all is in the one file then, even if other programs keep it open
+                if self._wal:  # moves all data to the main file, even if other programs have it open
                     self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
         finally:
             self._connection.close()
 
     def _try(self) -> None:
-        """Raises CollectionError before the work if the database cannot be written."""
+        """Raises CollectionError if the database cannot be written, so that no work is lost."""
         self._connection.execute("BEGIN IMMEDIATE")
         try:
             self._connection.execute("CREATE TABLE usacv20_trial (a)")
@@ -180,10 +187,10 @@ class DatabaseSink:
         return newest
 
     def _checkTable(self) -> List[str]:
-        """Returns the columns for matrices that the table of the results has."""
+        """Returns the names of the columns for matrices in the table of results."""
         found = columns(self._connection, "two_view_geometries")
         if not found:
-            return list(_MATRICES)  # it will be made
+            return list(_MATRICES)  # the table will be created
         missing = [name for name in _NEEDED if name not in found]
         if missing:
             raise CollectionError("{}: its table two_view_geometries has no column {}".format(self.path, missing[0]))
@@ -229,7 +236,7 @@ class DatabaseSink:
         begun = self._resumed or self._keep
         for statement in (_GEOMETRIES,) + (() if begun else ("DROP TABLE IF EXISTS {}".format(PAIRS),)) + _OWN:
             self._connection.execute(statement)
-        if "rotations" not in columns(self._connection, PAIRS):  # of version 2
+        if "rotations" not in columns(self._connection, PAIRS):  # made by version 2
             self._connection.execute("ALTER TABLE {} ADD COLUMN rotations BLOB".format(PAIRS))
         if not begun:
             self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
@@ -239,14 +246,16 @@ class DatabaseSink:
 
     def _finish(self, state: str) -> None:
         if self._run is None and state == INTERRUPTED:
-            return  # nothing was written, and nothing is removed
+            return  # nothing was written, so nothing is removed
         self._begin()
         self._connection.execute("UPDATE {} SET state = ?, updated = ? WHERE run_id = ?".format(RUNS), (state, _now(), self._run))
 
     def _row(self, result: TwoView) -> Tuple[Any, ...]:
-        """NULL stands for a matrix that is not known: COLMAP 4 takes zeros for a pose, and 3.8, which writes them, reads NULL
-        as well. The motion of a PLANAR pair is one of two: COLMAP 4's global mapper would take it for the right one, and
-        finds it from other pairs if there is none (AUC at 1 degree of 20 synthetic images 0.957, with it 0.627)."""
+        """Returns the row of a result. NULL stands for an unknown matrix: COLMAP 4 would read zeros
+        as a pose; 3.8 writes zeros, but also reads NULL. The motion of a PLANAR pair is one of two
+        possible motions and is not written: COLMAP 4's global mapper would use it as the right one,
+        but finds it from other pairs if there is none (AUC at 1 degree of 20 synthetic images:
+        0.957 without the motion, 0.627 with it)."""
         count = len(result.inliers)
         motion = (None, None) if result.configuration == Configuration.PLANAR else (result.quaternion, result.translation)
         given = {"F": result.F, "E": result.E, "H": result.H, "qvec": motion[0], "tvec": motion[1]}
@@ -260,7 +269,7 @@ def _rotations(result: TwoView) -> Optional[bytes]:
 
 
 def _blob(values: Any, size: int) -> Optional[bytes]:
-    """Row by row."""
+    """The matrix row by row as bytes; None stays None."""
     if values is None:
         return None
     table = np.asarray(values, "<f8")
@@ -274,7 +283,7 @@ def _now() -> str:
 
 
 def lastRun(connection: sqlite3.Connection) -> Optional[Dict[str, Any]]:
-    """Returns the columns of the last run, its settings as a dict, or None if there was no run."""
+    """Returns the columns of the last run with the settings as a dict; None if there was no run."""
     if not columns(connection, RUNS):
         return None
     rows = connection.execute("SELECT run_id, version, settings, state, started, updated FROM {} "

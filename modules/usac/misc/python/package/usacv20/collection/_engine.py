@@ -2,10 +2,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Estimates all pairs of a source and stores the results in a sink, in parallel, in bounded memory, and so that it can be stopped.
+"""Estimates all pairs of a source in parallel and stores the results in a sink, in limited memory
+and with the possibility to stop.
 
-The calling thread hands out chunks of keys and writes what comes back, as it comes: each result depends on its pair only, and so
-the table does not depend on the order."""
+The calling thread distributes chunks of keys and stores results in the order in which they arrive.
+Each result depends only on its pair, so the stored table does not depend on this order."""
 
 from __future__ import annotations
 
@@ -24,19 +25,20 @@ from ._pair import Configuration, Key, Sink, Source
 from ._progress import Progress
 from ._work import Future, Outcome, Verify, Workers, process
 
-CHUNK = 64  # pairs
-_PER_THREAD = 2  # chunks: one that is worked on, one that waits
-_POLL = 0.2  # seconds between looks at Ctrl-C
+CHUNK = 64  # number of pairs in a chunk
+_PER_THREAD = 2  # chunks for each thread: one in work, one waiting
+_POLL = 0.2  # seconds between two checks for Ctrl-C
 
 
 class Summary:
-    """What a run did. Times are in seconds; those of reading and estimating are sums over all workers."""
+    """Statistics of a run. Times are in seconds; those of reading and estimating are sums over all
+    workers."""
 
     def __init__(self) -> None:
-        self.pairs = 0  # results stored by this run, faults among them
-        self.skipped = 0  # pairs that an earlier run has stored
+        self.pairs = 0  # number of results stored by this run, including faults
+        self.skipped = 0  # number of pairs stored by an earlier run
         self.refused = 0
-        self.contradicted = 0  # of all pairs of the table: those that are refused as others contradict them
+        self.contradicted = 0  # number of pairs of the whole table that are refused because they contradict others
         self.faults = 0
         self.interrupted = False
         self.threshold = float("nan")  # pixels
@@ -73,7 +75,7 @@ class Summary:
 
 
 class _Threads:
-    """Workers that are threads of this process."""
+    """Workers that are threads of the calling process."""
 
     def __init__(self, source: Source, settings: Any, verify: Verify, threads: int) -> None:
         self._job = source, settings, verify
@@ -95,7 +97,8 @@ class _Threads:
 
 
 class _Interrupts:
-    """Ctrl-C and SIGTERM ask a run to stop; the second one stops it at once. Only the main thread can be asked."""
+    """Handles Ctrl-C and SIGTERM: the first signal asks a run to stop, the second one stops it at
+    once. Works in the main thread only."""
 
     def __init__(self) -> None:
         self.asked = False
@@ -118,7 +121,7 @@ class _Interrupts:
 
 
 class _Run:
-    """The chunks under way and what has become of the others."""
+    """A run with its pending chunks; it stores the results of finished chunks."""
 
     def __init__(self, sink: Sink, workers: Workers, progress: Progress, interrupts: _Interrupts) -> None:
         self.sink = sink
@@ -150,13 +153,14 @@ class _Run:
             raise self.failure
 
     def cancel(self) -> None:
-        """Cancels the chunks that no worker has begun."""
+        """Cancels the chunks that no worker has started."""
         for future in self.pending.values():
             if not future.done():
                 future.cancel()
 
     def _finished(self) -> List[Future]:
-        """Returns the chunks that were finished since the last call, all at once, as one commit costs less than many."""
+        """Waits for finished chunks and returns all of them at once, since one commit is cheaper
+        than many."""
         futures: List[Future] = []
         with contextlib.suppress(queue.Empty):
             while len(futures) < len(self.pending):
@@ -171,7 +175,7 @@ class _Run:
                 continue
             try:
                 outcomes.append(future.result())
-            except BaseException as error:  # what the others have found is stored before it is raised
+            except BaseException as error:  # raised after the results of the other chunks are stored
                 self.failure = self.failure or self.workers.explain(error)
         if not outcomes:
             return
@@ -198,15 +202,16 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
         scheduler: str = "", progress: Optional[bool] = None) -> Summary:
     """Estimates all pairs of the source that the sink does not have.
 
-    verify -- a function of a module: (pairs, settings) to a result for each pair
+    verify -- a function of a module that takes (pairs, settings) and returns a result for each pair
     threads -- of this process, 0: one for each core
-    chunk -- pairs that are handed out and stored together
-    workers, scheduler -- of Dask: processes to be started on this machine, or the address of a scheduler, tcp://HOST:PORT.
-        Without both the threads do the work
+    chunk -- number of pairs that are estimated and stored together
+    workers, scheduler -- of Dask: number of processes to start on this machine, or the address of a
+    scheduler, tcp://HOST:PORT. Without either, threads of this process do the work
     progress -- see Progress
 
-    Returns the summary, also if it was interrupted by Ctrl-C or SIGTERM: the chunks under way are then finished and stored. The
-    sink is left open. Raises what a worker has raised, after the results of the others are stored."""
+    Returns the summary. If Ctrl-C or SIGTERM interrupts the run, chunks in work are first finished
+    and stored. The sink stays open. An exception of a worker is raised after the results of the
+    other workers are stored."""
     bar = Progress(len(source), progress)
     try:
         with _Interrupts() as interrupts:
@@ -223,7 +228,7 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
                 made.close()
     finally:
         bar.close()
-        _close(source)  # a reader keeps the sink from removing the files of SQLite beside the database
+        _close(source)  # an open reader would keep the sink from removing SQLite's additional files
     return state.summary
 
 
@@ -249,7 +254,8 @@ def _cores() -> int:
 
 
 def _close(source: Source) -> None:
-    """Closes the files of a source that has some; it opens them again when it is used again."""
+    """Closes the open files of a source, if there are any. The source opens them again at its next
+    use."""
     close = getattr(source, "close", None)
     if close is not None:
         close()

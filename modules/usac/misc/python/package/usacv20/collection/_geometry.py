@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The two-view geometry of pairs, by usacv20.estimateTwoViewGeometries: doc/collections.md has its rules, and how they differ from
-COLMAP's."""
+"""Two-view geometry of pairs by usacv20.estimateTwoViewGeometries. doc/collections.md describes its
+rules and how they differ from COLMAP's."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 
 def verifyPairs(pairs: typing.Sequence[Pair], settings: Settings) -> List[TwoView]:
-    """Estimates the two-view geometry of each pair and returns the results in their order. A result depends on its pair and the
-    settings only."""
+    """Estimates the two-view geometry of each pair and returns the results in the same order. A
+    result depends only on its pair and the settings."""
     found = estimateTwoViewGeometries([_given(pair, settings) for pair in pairs], settings.params(), settings.rules, threads=1,
                                       returnExceptions=True)
     return [_result(pair, geometry) for pair, geometry in zip(pairs, found)]
@@ -46,7 +46,7 @@ def _taken(view: View) -> Optional[npt.NDArray[np.float64]]:
 
 
 def _scores(pair: Pair) -> Optional[npt.NDArray[np.float64]]:
-    """For SCORES_HIGHER_IS_BETTER, as Settings.params has it."""
+    """Returns the scores with a sign such that higher is better, as Settings.params expects."""
     return pair.scores if pair.scores is None or pair.higherIsBetter else -pair.scores
 
 

@@ -2,16 +2,19 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Results of the command `pairs` as arrays in an NPZ or HDF5 file, written and read a block at a time.
+"""Results of the command `pairs` as arrays in an NPZ or HDF5 file, written and read in blocks.
 
-Of N pairs in the order of their names:
-- names: N texts; images: N x 2 texts, empty where the list does not tell them
-- configurations: N numbers of COLMAP, see Configuration; matches, iterations: N numbers; chances, milliseconds: N numbers
+For N pairs in the order of their names:
+- names: N texts; images: N x 2 texts, empty if unknown
+- configurations: N numbers of COLMAP, see Configuration; matches, iterations: N numbers; chances,
+  milliseconds: N numbers
 - F, E, H: N x 3 x 3, quaternions: N x 4, translations: N x 3; NaN: not estimated or not found
-- reasons: texts, each once; reason: N numbers, which of them; the empty text: the pair is not refused
-- inliers: the inliers of all pairs, one after the other: numbers of the keypoints, or of the matches where there are none, of
-  both images; offsets: N + 1 numbers, those of pair i are inliers[offsets[i]:offsets[i + 1]]
-- settings: one text, JSON, what the results depend on"""
+- reasons: the different texts; reason: N indices of reasons; the empty text: the pair is not
+  refused
+- inliers: the inliers of all pairs, one pair after the other, as indices of keypoints in both
+  images, or of matches if there are no keypoints; offsets: N + 1 numbers, the inliers of pair i are
+  inliers[offsets[i]:offsets[i + 1]]
+- settings: one JSON text with the settings that the results depend on"""
 
 from __future__ import annotations
 
@@ -33,7 +36,7 @@ if TYPE_CHECKING:
 
     _Array = npt.NDArray[Any]
 
-_BLOCK = 4096  # pairs that are in memory
+_BLOCK = 4096  # number of pairs in memory
 _MODELS = (("quaternions", "quaternion", (4,)), ("translations", "translation", (3,)), ("F", "F", (3, 3)), ("E", "E", (3, 3)),
            ("H", "H", (3, 3)))
 _NUMBERS = (("configurations", "configuration", "<i4"), ("matches", "matches", "<i8"), ("iterations", "iterations", "<i8"),
@@ -42,7 +45,7 @@ _NUMBERS = (("configurations", "configuration", "<i4"), ("matches", "matches", "
 
 class _Writer(typing.Protocol):
     def array(self, name: str, dtype: str, shape: Tuple[int, ...], blocks: typing.Iterator[_Array]) -> None:
-        """Writes an array that comes in blocks of rows."""
+        """Writes an array from blocks of rows."""
 
     def close(self) -> None:
         """Completes the file."""
@@ -148,7 +151,7 @@ def _writeAll(writer: _Writer, table: _Table) -> None:
 
 
 def write(path: str, connection: sqlite3.Connection, table: str) -> None:
-    """Makes the file of a table; it is there as a whole or not at all."""
+    """Writes the file of a table. The file is complete or does not exist."""
     made = path + ".new"
     try:
         writer: _Writer
@@ -164,7 +167,7 @@ def write(path: str, connection: sqlite3.Connection, table: str) -> None:
 
 
 class _NpzArray:
-    """An array of an NPZ file, read from its front."""
+    """An array of an NPZ file, read sequentially in blocks."""
 
     def __init__(self, stream: typing.IO[bytes]) -> None:
         version = np.lib.format.read_magic(stream)  # type: ignore[no-untyped-call]
@@ -239,7 +242,7 @@ def _arrays(path: str) -> typing.Iterator[Callable[[str], Any]]:
 
 
 def read(path: str) -> typing.Iterator[TwoView]:
-    """Returns the results of a file. Raises CollectionError if it is damaged."""
+    """Yields the results of a file. Raises CollectionError if it is damaged."""
     with _arrays(path) as arrays:
         yield from _results(arrays)
 

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A pair of the command `pairs`, from a `.corr` file or from arrays with the names that the field uses."""
+"""Reads a pair of the command `pairs`, from a `.corr` file or from arrays with commonly used names.
+"""
 
 from __future__ import annotations
 
@@ -21,17 +22,20 @@ if TYPE_CHECKING:
 
     _Array = npt.NDArray[Any]
     _Points = npt.NDArray[np.float64]
-    _Get = Callable[[str], Optional[_Array]]  # the array of a name, None: there is none
+    _Get = Callable[[str], Optional[_Array]]  # returns the array of a name, or None if there is none
 
-# Points of image 1 and of image 2. Those of the last two rows may come with numbers that say which of them match.
+# Names of the points of image 1 and of image 2. The last two may come with an array of matches
+# (MATCHES).
 POINTS = (("points1", "points2"), ("mkpts0", "mkpts1"), ("keypoints0", "keypoints1"), ("keypoints1", "keypoints2"))
 MATCHES = ("matches0", "matches")
 SCORES = (("scores", True), ("matching_scores0", True), ("matching_scores", True), ("match_confidence", True),
           ("confidence", True), ("mconf", True), ("ratios", False))  # True: higher is better
 SIZES = ("size", "image_size")
-# What a file that is no NPZ, or a damaged one, makes NumPy raise; a damaged header may ask for any amount of memory.
+# Exceptions of NumPy for a file that is not a valid NPZ file. MemoryError: a damaged header may
+# state any size.
 UNREADABLE: Any = (OSError, ValueError, EOFError, KeyError, MemoryError, NotImplementedError, zipfile.BadZipFile, zlib.error)
-# COLMAP's guess of a focal length that is not known: default_focal_length_factor times the larger side of the image.
+# COLMAP's guess for an unknown focal length, as a multiple of the larger side of the image
+# (default_focal_length_factor).
 _FOCAL_LENGTH = 1.2
 
 
@@ -40,8 +44,9 @@ def fail(message: str) -> NoReturn:
 
 
 def _view(name: str, points: _Points, matrix: Optional[_Points], size: Optional[Tuple[int, int]]) -> View:
-    """A view without distortion. Without a camera matrix a guess takes its place, of the extent of the points if even the size
-    of the image is not known; focalKnown says that it is none to rely on."""
+    """Returns a view without distortion. If the camera matrix is unknown, it is guessed from the
+    size of the image or, if this is also unknown, from the extent of the points; focalKnown is then
+    false."""
     width, height = size or (0, 0)
     if matrix is not None:
         return View(name, points, points, matrix, True, width, height)
@@ -52,7 +57,8 @@ def _view(name: str, points: _Points, matrix: Optional[_Points], size: Optional[
 
 
 def _numbers(array: Any, name: str, columns: int) -> npt.NDArray[np.float64]:
-    """N x columns, or N if columns is 0, in double and finite."""
+    """Converts to an N x columns array of double, or to N values if columns is 0. Raises
+    CollectionError if a value is not finite."""
     try:
         numbers = np.ascontiguousarray(array, np.float64)
     except (TypeError, ValueError):
@@ -83,7 +89,8 @@ def _size(array: Any, name: str) -> Tuple[int, int]:
 
 
 def _ofBoth(get: _Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any, Any]:
-    """What the arrays stem1 and stem2 hold, or stem0 and stem1; None, None without them."""
+    """Returns the values of the arrays stem1 and stem2, or stem0 and stem1; None, None if there are
+    none. Raises CollectionError if one of the two is missing."""
     zero = get(stem + "0")
     names = (stem + "1", stem + "2") if zero is None else (stem + "0", stem + "1")
     arrays = [get(name) for name in names]
@@ -96,7 +103,8 @@ def _ofBoth(get: _Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any,
 
 
 def _rows(matches: _Array, name: str, points: List[_Points], names: Tuple[str, str]) -> npt.NDArray[np.int64]:
-    """M x 2 numbers of keypoints: of a list of such rows, or of the match of each keypoint of image 1, negative: it has none."""
+    """Returns M x 2 indices of keypoints. `matches` is such a list, or has for each keypoint of
+    image 1 its match in image 2 (negative: none)."""
     if matches.size and matches.dtype.kind not in "iu":
         fail("{}: whole numbers are expected".format(name))
     rows = matches.astype(np.int64)
@@ -117,8 +125,8 @@ def _rows(matches: _Array, name: str, points: List[_Points], names: Tuple[str, s
 
 
 def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optional[_Points], bool]:
-    """Scores of the matches, and whether higher is better; count: keypoints of image 1. Those that are all the same say
-    nothing."""
+    """Returns scores of the matches, and whether higher is better. `count` is the number of
+    keypoints of image 1. If all scores are equal, None is returned."""
     for name, higherIsBetter in SCORES:
         array = get(name)
         if array is None:
@@ -126,15 +134,15 @@ def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optiona
         array = np.ravel(array)
         if len(array) not in (len(rows), count):
             fail("{}: {} numbers for {} matches".format(name, len(array), len(rows)))
-        # Of keypoints without a match they need not be numbers.
+        # Keypoints without a match may have scores that are not finite.
         scores = _numbers(array if len(array) == len(rows) else array[rows[:, 0]], name, 0)
         return (scores if len(scores) and scores.min() < scores.max() else None), higherIsBetter
     return None, True
 
 
 def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
-    """Returns the pair of an NPZ file or of a group; `read` is called once for a name. `names` are those of the images. Raises
-    CollectionError."""
+    """Returns the pair of an NPZ file or of an HDF5 group. `read` returns an array by name, and is
+    called once for each name. `names` are those of the images. Raises CollectionError."""
     known: Dict[str, Optional[_Array]] = {}
 
     def get(name: str) -> Optional[_Array]:
@@ -171,7 +179,7 @@ def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
 def pairOfNpz(key: Key, path: str) -> Pair:
     """Returns the pair of an NPZ file. Raises CollectionError."""
     try:
-        # Opened here, as NumPy leaves a file open that is damaged.
+        # Opened here, as NumPy leaves a damaged file open.
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as arrays:
             if isinstance(arrays, np.ndarray):
                 raise ValueError("one array only")
@@ -185,7 +193,8 @@ def _sides(key: Key) -> Tuple[str, str]:
 
 
 def _rowByRow(lines: List[str]) -> _Points:
-    """Slower than NumPy, but lines may or may not have a score, and a mistake has its line."""
+    """Parses the lines of a .corr file. This is slower than NumPy, but allows lines with and
+    without a score, and errors name the line."""
     rows: List[List[float]] = []
     for number, line in enumerate(lines, 1):
         try:
@@ -200,7 +209,7 @@ def _rowByRow(lines: List[str]) -> _Points:
 
 
 def _correspondences(path: str) -> _Points:
-    """Returns the rows of a .corr file with a score each, 1 where there is none."""
+    """Returns the rows of a .corr file, each with a score; a missing score is 1."""
     try:
         with open(path, encoding="ascii") as file:
             text = file.read()
@@ -217,7 +226,7 @@ def _correspondences(path: str) -> _Points:
 
 
 def _description(path: str) -> Dict[str, Any]:
-    """Returns the JSON object beside a .corr file; empty without the file."""
+    """Returns the JSON object of the file next to a .corr file; empty if there is no such file."""
     if not os.path.exists(path):
         return {}
     try:
@@ -235,8 +244,8 @@ def _description(path: str) -> Dict[str, Any]:
 
 
 def pairOfCorr(key: Key, path: str) -> Pair:
-    """Returns the pair of a .corr file, with sizes and camera matrices of the .json file beside it; doc/benchmark.md describes both.
-    Raises CollectionError."""
+    """Returns the pair of a .corr file. Sizes and camera matrices come from the .json file next to
+    it; doc/benchmark.md describes both files. Raises CollectionError."""
     rows = _correspondences(path)
     wrong = ~np.isfinite(rows).all(axis=1)
     if wrong.any():

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""HDF5 files of matches for the command `pairs`: a group a pair, and hloc's two files. h5py is needed for them."""
+"""HDF5 files of matches for the command `pairs`: a file with a group for each pair, or the two
+files of hloc. They need h5py."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ from ._pair import Pair
 if TYPE_CHECKING:
     from ._list_files import _Array, _Get
 
-_KEPT = 64  # images whose keypoints stay in memory: the pairs of an image follow each other
+_KEPT = 64  # number of images whose keypoints stay in memory; pairs of an image follow each other
 _DAMAGED: Any = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
 
 
@@ -33,7 +34,8 @@ def openFile(path: str) -> Any:
     h5py = useH5py()
     try:
         file = h5py.File(path, "r")
-        # HDF5 keeps what it knows of groups up to 32 megabytes, which take two hundred in memory.
+        # By default HDF5 caches up to 32 megabytes of information on groups, which need 200
+        # megabytes of memory.
         limits = file.id.get_mdc_config()
         limits.set_initial_size, limits.initial_size, limits.max_size, limits.min_size = True, 1 << 20, 1 << 20, 1 << 19
         file.id.set_mdc_config(limits)
@@ -51,8 +53,9 @@ def _isGroup(item: Any) -> bool:
 
 
 def _groups(h5py: Any, group: Any, path: str = "") -> typing.Iterator[str]:
-    """Paths of the groups that hold arrays, in the order of their names. What is below such a group is not looked at. `group` is
-    of the low-level interface of h5py, as a pair takes three times as long by the other."""
+    """Yields the paths of the groups that contain arrays, sorted by name. Subgroups of such a group
+    are ignored. `group` belongs to h5py's low-level interface, since the other one is three times
+    slower."""
     first = next(iter(group), None)
     if first is None:
         return
@@ -62,14 +65,14 @@ def _groups(h5py: Any, group: Any, path: str = "") -> typing.Iterator[str]:
     for name in sorted(group):
         try:
             child = h5py.h5g.open(group, name)
-        except (KeyError, ValueError):  # an array, or a link to nowhere
+        except (KeyError, ValueError):  # an array, or a broken link
             continue
         text = name.decode("utf-8", "surrogateescape")
         yield from _groups(h5py, child, path + "/" + text if path else text)
 
 
 class Groups:
-    """An HDF5 file with a group for each pair, or with one pair."""
+    """An HDF5 file with a group for each pair, or with a single pair."""
 
     def __init__(self, path: str) -> None:
         self._path, self._file = path, openFile(path)
@@ -88,7 +91,8 @@ class Groups:
         return [self._path]
 
     def group(self, name: str) -> Any:
-        """The file itself if name is empty. Raises CollectionError."""
+        """Returns the group of a name, or the file itself if the name is empty or the file has a
+        single pair. Raises CollectionError."""
         try:
             item = self._file[name] if name else self._file
         except _DAMAGED:
@@ -104,7 +108,7 @@ class Groups:
         """Returns a function that reads the arrays of a group. Raises CollectionError if there is no such group."""
         group = self.group(name)
         try:
-            members = set(group)  # one look at the group, not one for each name that there may be
+            members = set(group)  # one access to the group instead of one for each possible name
         except _DAMAGED:
             fail("{}: {} is damaged".format(self._path, group.name))
 
@@ -127,12 +131,13 @@ class Groups:
 
 
 class _Features:
-    """hloc's file of features: a group an image with keypoints and image_size. In names of pairs `-` takes the place of `/`."""
+    """hloc's file of features: a group for each image with keypoints and image_size. Names of pairs
+    have `-` instead of the `/` of image names."""
 
     def __init__(self, path: str) -> None:
         self._groups = Groups(path)
         self.path = path
-        self._image: Dict[str, Optional[str]] = {}  # None: of several images
+        self._image: Dict[str, Optional[str]] = {}  # name with `-` instead of `/`: name of the image; None: several images
         for name in self._groups.paths():
             dashed = name.replace("/", "-")
             self._image[dashed] = None if dashed in self._image else name
@@ -164,8 +169,9 @@ class _Features:
 
 
 class Hloc:
-    """hloc's files: groups NAME0/NAME1, of older versions NAME0_NAME1, with matches0 and matching_scores0, and the features of
-    the images. The middle of the first pixel is 0,0 in both."""
+    """hloc's files: the file of matches with groups NAME0/NAME1 (in older versions NAME0_NAME1),
+    which have matches0 and matching_scores0, and the file of features. In both the center of the
+    first pixel is 0,0."""
 
     def __init__(self, path: str, features: str) -> None:
         self._matches, self._features = Groups(path), _Features(features)
@@ -203,7 +209,8 @@ class Hloc:
 
 
 def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
-    """Returns the container of a file. Raises CollectionError if it is none of the formats."""
+    """Returns the container of a file. Raises CollectionError if the file has none of the formats.
+    """
     if features is not None:
         return Hloc(path, features)
     groups = Groups(path)
@@ -217,7 +224,7 @@ def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
 
 
 def pairOfHdf5(name: str, path: str) -> Pair:
-    """Returns the pair of a file with one pair. Raises CollectionError if it is damaged."""
+    """Returns the pair of a file with a single pair. Raises CollectionError if it is damaged."""
     groups = Groups(path)
     try:
         return pairOfArrays(name, groups.reader(""), (name + " (1)", name + " (2)"))

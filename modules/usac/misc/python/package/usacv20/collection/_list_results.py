@@ -2,13 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Results of the command `pairs`: an SQLite table, or arrays in an NPZ or HDF5 file. Also their reader.
+"""Writes and reads the results of the command `pairs`: an SQLite table, or arrays in an NPZ or HDF5
+file.
 
-SQLite: the table usacv20_results, a row a pair; see COLUMNS. Numbers of matrices are little-endian doubles in the order of
-rows, those of inliers little-endian unsigned integers of 32 bits.
+SQLite: the table usacv20_results with a row for each pair; see COLUMNS. Matrices are little-endian
+doubles, row by row; inliers are little-endian unsigned integers of 32 bits.
 
-Arrays: those that _list_columns.py describes. They have their lengths at the front, so they are written at the end of a run;
-until then the results are in the file OUTPUT.part, a database as above."""
+Arrays: described in _list_columns.py. Their lengths precede their contents, so they are written at
+the end of a run. Until then the results are in the file OUTPUT.part, a database as above."""
 
 from __future__ import annotations
 
@@ -35,13 +36,13 @@ if TYPE_CHECKING:
 SQLITE = (".sqlite", ".sqlite3", ".db")
 ARRAYS = (".npz", ".h5", ".hdf5")
 TABLE, RUNS = "usacv20_results", "usacv20_results_runs"
-# Small ones first: SQLite reads a row from its front.
+# Small columns come first, as SQLite reads a row from its beginning.
 COLUMNS = (("name", "TEXT PRIMARY KEY NOT NULL"), ("image1", "TEXT"), ("image2", "TEXT"), ("configuration", "INTEGER NOT NULL"),
            ("reason", "TEXT NOT NULL"), ("matches", "INTEGER NOT NULL"), ("inliers", "INTEGER NOT NULL"),
            ("iterations", "INTEGER NOT NULL"), ("chance", "REAL"), ("milliseconds", "REAL"), ("quaternion", "BLOB"),
            ("translation", "BLOB"), ("F", "BLOB"), ("E", "BLOB"), ("H", "BLOB"), ("inlier_matches", "BLOB NOT NULL"))
 _PAIRS = "SELECT {} FROM {} ORDER BY name".format(", ".join(name for name, _ in COLUMNS), TABLE)
-_BLOCK = 1000  # pairs in a transaction of our own
+_BLOCK = 1000  # number of pairs in a transaction when a complete file is copied to OUTPUT.part
 _THERE = "there is such a file already (--resume goes on with it)"
 _OTHER = "the results are of a run with other settings"
 
@@ -51,7 +52,8 @@ def settingsText(run: typing.Mapping[str, object]) -> str:
 
 
 def storedSettings(path: str) -> Optional[Dict[str, Any]]:
-    """Returns the settings of the run whose results are there, OUTPUT.part first; None: there are none that can be read."""
+    """Returns the settings of the run that has written the results of OUTPUT.part or else of the
+    file; None if there are none or if they cannot be read."""
     for name in (path + ".part", path):
         if not os.path.isfile(name):
             continue
@@ -63,7 +65,7 @@ def storedSettings(path: str) -> Optional[Dict[str, Any]]:
                     text = connection.execute("SELECT settings FROM {}".format(RUNS)).fetchone()[0]
             found = json.loads(text)
         except (CollectionError, sqlite3.Error, TypeError, ValueError):
-            return None  # the sink says what is wrong
+            return None  # the sink reports the error
         return found if isinstance(found, dict) else None
     return None
 
@@ -91,10 +93,11 @@ def _twoView(row: typing.Sequence[Any]) -> TwoView:
 
 
 class SqliteSink:
-    """A database of results; the pairs of a commit are in it together or not at all."""
+    """A database of results. Either all pairs of a commit are stored, or none."""
 
     def __init__(self, path: str, source: Optional[_ListSource], run: typing.Mapping[str, object], resume: bool) -> None:
-        """source: knows the images of the pairs; run, resume: see openResults. Raises CollectionError."""
+        """source: gives the images of the pairs; run, resume: see openResults. Raises
+        CollectionError."""
         if os.path.exists(path) and not resume:
             fail("{}: {}".format(path, _THERE))
         self._path, self._source = path, source
@@ -122,7 +125,8 @@ class SqliteSink:
         self._connection.execute("COMMIT")
 
     def done(self, key: Key) -> bool:
-        """Faults are not: the file may have been repaired meanwhile."""
+        """Returns whether the pair has a result. Faults count as not done, since the file may have
+        been repaired."""
         if self._connection is None:
             return False
         with explained(self._path):
@@ -145,14 +149,14 @@ class SqliteSink:
                 raise
 
     def close(self, finished: bool = True) -> None:
-        """finished -- as for ArraySink; the table is the same whether it is or not."""
+        """finished -- no effect: the table is the same if pairs are left."""
         if self._connection is not None:
             self._connection.close()
             self._connection = None
 
 
 class ArraySink:
-    """An NPZ or HDF5 file of results, made of OUTPUT.part at the end of a run."""
+    """An NPZ or HDF5 file of results, which is made from OUTPUT.part at the end of a run."""
 
     def __init__(self, path: str, source: _ListSource, run: typing.Mapping[str, object], resume: bool) -> None:
         """Takes the same arguments as SqliteSink."""
@@ -167,8 +171,8 @@ class ArraySink:
         self._changed = begun or not there
 
     def _restore(self, source: _ListSource, run: typing.Mapping[str, object]) -> None:
-        """Goes on from a file that is complete: the list may have more pairs now, or faults may have been repaired. OUTPUT.part
-        always has all pairs of OUTPUT."""
+        """Makes OUTPUT.part from a complete file, since the list may have new pairs now or faults
+        may have been repaired. OUTPUT.part always contains all pairs of OUTPUT."""
         if _list_columns.readSettings(self._path) != settingsText(run):
             fail("{}: {}".format(self._path, _OTHER))
         made = self._part + ".new"
@@ -190,7 +194,7 @@ class ArraySink:
         self._rows.commit(results)
 
     def close(self, finished: bool = True) -> None:
-        """finished -- False: OUTPUT.part is left for --resume."""
+        """finished -- False: some pairs are not done, and OUTPUT.part is kept for --resume"""
         if self._rows is None:
             return
         self._rows.close()
@@ -205,8 +209,9 @@ class ArraySink:
 
 def openResults(path: str, source: _ListSource, run: typing.Mapping[str, object],
                 resume: bool = False) -> Union[SqliteSink, ArraySink]:
-    """Returns the sink of a file by its extension. `run` is what the results depend on beside the pairs themselves, the settings, say;
-    --resume goes on with a run of the same. Raises CollectionError."""
+    """Returns the sink of a file, chosen by its extension. `run` describes everything except the
+    pairs that results depend on, such as the settings; --resume continues a run with the same
+    `run`. Raises CollectionError."""
     checkExtension(path)
     if _extension(path) in ARRAYS:
         return ArraySink(path, source, run, resume)
@@ -218,7 +223,7 @@ def _extension(path: str) -> str:
 
 
 def checkExtension(path: str) -> None:
-    """Raises CollectionError for a file that is of none of the formats by its name."""
+    """Raises CollectionError if the extension belongs to none of the formats."""
     if _extension(path) not in SQLITE + ARRAYS:
         fail("{}: results go to files {} or {}{}".format(
             path, ", ".join(SQLITE + ARRAYS[:-1]), ARRAYS[-1],
@@ -226,8 +231,9 @@ def checkExtension(path: str) -> None:
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:
-    """Returns the results of the command `pairs` in the order of their names, one after the other, from its SQLite, NPZ or HDF5 file, or
-    from OUTPUT.part of a run that was interrupted. Raises CollectionError for a file that is none or that is damaged."""
+    """Yields the results of the command `pairs` in the order of their names, from its SQLite, NPZ
+    or HDF5 file, or from OUTPUT.part of an interrupted run. Raises CollectionError if the file is
+    damaged or has no results."""
     try:
         with open(path, "rb") as file:
             start = file.read(16)

@@ -2,27 +2,30 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The source of the command `pairs`: matches in files, one a pair, or in one file with a group a pair.
+"""The source of the command `pairs`: files of matches, one for each pair, or one file with a group
+for each pair.
 
 LIST is one of
-- a folder (with those below it) of `.corr` files, a match a line, `x1 y1 x2 y2 score`, and beside them `.json` files with the
-  sizes of the images and their camera matrices (see doc/benchmark.md), or of `.npz`, or of `.h5` or `.hdf5` files, a pair each,
-- a `.list` file that names such files without extension, a line each, relative to its folder or, if that is called `lists`, to
-  the one above it,
-- an `.npz` file with arrays PAIR/NAME, or `.h5` or `.hdf5` file with arrays NAME in groups PAIR, or of one pair,
+- a folder with a file for each pair, including subfolders: `.corr` files, a match on each line, `x1
+  y1 x2 y2 score`, with optional `.json` files for the sizes and camera matrices of the images (see
+  doc/benchmark.md); or `.npz` files; or `.h5` or `.hdf5` files,
+- a `.list` file that names such files without extension, one on each line, relative to its folder
+  or, if that is called `lists`, to the parent folder,
+- an `.npz` file with arrays PAIR/NAME, or an `.h5` or `.hdf5` file with arrays NAME in groups PAIR;
+  or such a file of a single pair,
 - hloc's `.h5` file of matches together with that of features.
 
 Arrays, all in pixels and without distortion:
 - points1, points2 (or mkpts0, mkpts1): N x 2, row i of one matches row i of the other,
-- or keypoints0, keypoints1 (or keypoints1, keypoints2): as those; with matches0 or matches: for each keypoint of image 1 the
-  number of its match, negative: it has none; or M x 2 numbers,
-- scores (or matching_scores0, matching_scores, match_confidence, confidence, mconf; higher is better) or ratios (lower is
-  better): one for each match, or for each keypoint of image 1,
-- K1, K2 (or K0, K1; or K, of both images): 3 x 3; without them the focal length is taken for unknown,
-- size1, size2 (or size0, size1; or with image_size in the place of size): width and height.
+- or keypoints0, keypoints1 (or keypoints1, keypoints2): likewise; or with matches0 or matches,
+  which has for each keypoint of image 1 the index of its match (negative: none), or M x 2 indices,
+- scores (or matching_scores0, matching_scores, match_confidence, confidence, mconf; higher is
+  better) or ratios (lower is better): one for each match, or for each keypoint of image 1,
+- K1, K2 (or K0, K1; or K for both images): 3 x 3; without them the focal length counts as unknown,
+- size1, size2 (or size0, size1; or image_size instead of size): width and height.
 
-Without K1 and K2 only F and H can be found. A pair is called by its file without the extension, relative to the folder, by its
-line of the list, or by its group."""
+Without K1 and K2 only F and H can be found. The name of a pair is the path of its file without the
+extension, relative to the folder, or its line in the list, or its group."""
 
 from __future__ import annotations
 
@@ -43,30 +46,31 @@ if TYPE_CHECKING:
 
 HDF5 = (".h5", ".hdf5")
 EXTENSIONS = (".corr", ".npz") + HDF5
-BATCH = 1 << 16  # entries of a folder that are sorted at once: some ten megabytes of names
+BATCH = 1 << 16  # number of folder entries that are sorted at once: some ten megabytes of names
 
 
 class Container(typing.Protocol):
-    """The files of a LIST, which ListSource opens in each process."""
+    """The files of a LIST. ListSource opens them in each process."""
 
     def names(self) -> typing.Iterator[str]:
-        """Returns the names of all pairs in a fixed order, as a stream."""
+        """Yields the names of all pairs in a fixed order."""
 
     def files(self) -> typing.Iterable[str]:
-        """Returns the files from which the pairs come."""
+        """Returns the paths of all files that pairs come from."""
 
     def load(self, name: str) -> Pair:
         """Returns a pair. Raises CollectionError if it cannot be read."""
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
-        """Returns the names of the images of a pair; None: not known."""
+        """Returns the names of the images of a pair; None: unknown."""
 
     def close(self) -> None:
-        """Closes the files that are open."""
+        """Closes all open files."""
 
 
 def inOrder(entries: Callable[[], typing.Iterable[str]], batch: int) -> typing.Iterator[str]:
-    """Returns different strings in order, however many, with `batch` of them in memory: each pass finds those that follow the last one."""
+    """Yields the different strings of `entries` in sorted order with only `batch` of them in
+    memory: each pass over the entries finds those that follow the last one."""
     last = ""
     while True:
         found = heapq.nsmallest(batch, (entry for entry in entries() if entry > last))
@@ -97,7 +101,7 @@ class Folder:
     def __init__(self, path: str) -> None:
         self._path = path
         self._extension = ""
-        # Looked for once, in no order: it is the same for all files, or the first two that differ are a mistake.
+        # One unsorted search; two different extensions are an error.
         for file in self._walk("", self._scanned):
             extension = os.path.splitext(file)[1]
             self._extension = self._extension or extension
@@ -107,7 +111,8 @@ class Folder:
             fail("{}: no {} files".format(path, ", ".join(EXTENSIONS)))
 
     def _scanned(self, folder: str) -> typing.Iterator[str]:
-        """Entries of interest; folders end in '/'. Links to folders are not followed, they may lead back."""
+        """Yields the files and subfolders of a folder; the latter end in '/'. Links to folders are
+        not followed, since they may form a cycle."""
         with os.scandir(os.path.join(self._path, folder)) as entries:
             for entry in entries:
                 if entry.name.startswith("."):
@@ -118,7 +123,7 @@ class Folder:
                     yield entry.name
 
     def _walk(self, folder: str, entries: Callable[[str], typing.Iterable[str]]) -> typing.Iterator[str]:
-        """Returns the relative paths of the files."""
+        """Yields the relative paths of the files."""
         try:
             for entry in entries(folder):
                 if entry.endswith("/"):
@@ -149,11 +154,11 @@ class Folder:
 
 
 class ListFile:
-    """A file that names those of the pairs."""
+    """A list file, which names the files of the pairs."""
 
     def __init__(self, path: str) -> None:
         kind = os.path.basename(path)[:-len(".list")].rpartition(".")[2]
-        if kind in ("P", "R", "M"):  # absolute poses, motions of space
+        if kind in ("P", "R", "M"):  # lists of absolute poses and motions of space
             fail("{}: these are no pairs of images".format(path))
         folder = os.path.dirname(os.path.abspath(path))
         self._path = path
@@ -189,13 +194,14 @@ class ListFile:
 
 
 class NpzFile:
-    """An NPZ file with arrays PAIR/NAME, or those of one pair. A zip file has one directory, which is read as a whole: 1.5
-    kilobytes of memory for two arrays of a pair. For millions of pairs take a folder or HDF5."""
+    """An NPZ file with arrays PAIR/NAME, or with the arrays of a single pair. The directory of a
+    zip file is read as a whole, which needs 1.5 kilobytes of memory for a pair with two arrays. For
+    millions of pairs, a folder or HDF5 is better."""
 
     def __init__(self, path: str) -> None:
         self._path = path
         try:
-            # Not by numpy.load, which looks through all names for one.
+            # Not by numpy.load, which searches all names for each access.
             self._zip = zipfile.ZipFile(path)
         except UNREADABLE as error:
             fail("{}: {}".format(path, error.strerror if isinstance(error, OSError) and error.strerror
@@ -257,11 +263,11 @@ def _open(path: str, features: Optional[str]) -> Container:
 
 
 class ListSource:
-    """The pairs of LIST, see the top of this file. `features`: hloc's file of keypoints if LIST is that of its matches. Raises
-    CollectionError if there is none, or if it has no pairs."""
+    """The pairs of a LIST, see the top of this file. `features`: hloc's file of keypoints if LIST
+    is hloc's file of matches. Raises CollectionError if LIST does not exist or has no pairs."""
 
     def __init__(self, path: str, features: Optional[str] = None) -> None:
-        # Workers may run in another folder.
+        # Absolute paths, since workers may run in another folder.
         self._path = os.path.abspath(path)
         self._features = None if features is None else os.path.abspath(features)
         self._opened: Optional[Tuple[int, Container]] = None
@@ -273,7 +279,8 @@ class ListSource:
         return dict(self.__dict__, _opened=None)
 
     def _container(self) -> Container:
-        """Opened once in each process: one that was forked must not share the file positions of its parent."""
+        """Returns the container, which is opened once in each process: a forked process must not
+        share the file positions of its parent."""
         process = os.getpid()
         if self._opened is None or self._opened[0] != process:
             self._opened = process, _open(self._path, self._features)
@@ -283,7 +290,7 @@ class ListSource:
         for name in self._container().names():
             try:
                 name.encode("utf-8")
-            except UnicodeEncodeError:  # the results could not name it
+            except UnicodeEncodeError:  # the results could not store this name
                 fail("{}: {!r} is not in UTF-8".format(self._path, name))
             yield name
 
@@ -301,17 +308,18 @@ class ListSource:
         return loaded
 
     def images(self, key: Key) -> Optional[Tuple[str, str]]:
-        """Returns the names of the images of a pair; None where the files do not tell them."""
+        """Returns the names of the images of a pair; None if the files do not have them."""
         return self._container().images(str(key))
 
     def close(self) -> None:
-        """Closes what this process has opened; no thread may be using it. The next use opens it again."""
+        """Closes the files that this process has opened; no thread may be using them. The next use
+        opens them again."""
         if self._opened is not None and self._opened[0] == os.getpid():
             self._opened[1].close()
         self._opened = None
 
     def fingerprint(self) -> str:
-        """Returns a fingerprint of the names, sizes and times of all files."""
+        """Returns a fingerprint of the names, sizes and modification times of all files."""
         digest = hashlib.sha256()
         for file in self._container().files():
             try:

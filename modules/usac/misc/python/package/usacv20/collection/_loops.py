@@ -2,16 +2,19 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs whose rotation contradicts that of pairs with more matches: repeated structure, which a pair by itself does not tell.
+"""Finds pairs whose rotation contradicts pairs with more matches. They are due to repeated
+structure, which cannot be detected from a single pair.
 
-Windows that are matched with those of another facade agree with a motion as right matches do, and so do the scales and angles
-of their key points. But rotations around a loop of images multiply to the identity if all its pairs are right
-@cite zach2010disambiguating. Here a loop is one pair and the path of links between its two images, in the forest that has the
-links with the most inliers; a link is a calibrated pair that has `STRONGER` times the inliers of the pair that is judged: of
-those right pairs have many around them, and wrong ones mostly none. A pair between images that no such path joins is kept.
+Matches between windows of different facades agree with a motion as right matches do, and so do the
+scales and angles of their key points. But around a loop of images, the rotations of right pairs
+multiply to the identity @cite zach2010disambiguating. Here a loop consists of the tested pair and a
+path of links between its two images. A link is a calibrated pair with at least `STRONGER` times as
+many inliers as the tested pair; a right pair has many links around it, a wrong pair mostly none.
+The links with the most inliers form a forest (a graph without loops), which contains at most one
+path between two images. If there is no path, the pair is accepted.
 
-Pairs are judged from those with the most inliers to those with the least, and the forest grows with them, so that each pair is
-looked at once."""
+Pairs are tested in descending order of their inliers while the forest grows, so that each pair is
+tested once."""
 
 from __future__ import annotations
 
@@ -24,30 +27,31 @@ import numpy as np
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-_Rotation = Tuple[float, float, float, float]  # w, x, y, z; takes directions of one camera to those of another one
+_Rotation = Tuple[float, float, float, float]  # unit quaternion w, x, y, z; maps directions in the coordinates of one camera to those of another
 
-# Half and double of these: doc/collections.md.
+# doc/collections.md has results with half and double of these values.
 
-STRONGER = 2.0  # inliers of a link, in terms of those of the pair that is judged
-LARGEST = 20.0  # degrees
-LONGEST = 32  # links in a path: the errors of many add up
+STRONGER = 2.0  # least ratio of the inliers of a link to those of the tested pair
+LARGEST = 20.0  # largest rotation error in degrees of an accepted pair
+LONGEST = 32  # largest number of links in a path, since their errors add up
 
 _NONE: _Rotation = (1.0, 0.0, 0.0, 0.0)
 
 
 class Edge(typing.NamedTuple):
-    """A pair that is kept."""
+    """An accepted pair."""
 
-    key: Any  # orders edges with as many inliers
-    first: typing.Hashable  # images
+    key: Any  # determines the order of edges with equal numbers of inliers
+    first: typing.Hashable  # ids of the images
     second: typing.Hashable
     inliers: int
-    rotations: npt.NDArray[np.float64]  # k x 4, w, x, y, z: those that are possible
-    link: bool  # one rotation, of a calibrated pair, by which others are judged
+    rotations: npt.NDArray[np.float64]  # k x 4, w, x, y, z: the possible rotations
+    link: bool  # true: a calibrated pair with a single rotation, which can be a link
 
 
 def contradicted(edges: typing.Sequence[Edge]) -> Dict[Any, float]:
-    """Returns which edges are contradicted by others, and by how many degrees at least."""
+    """Returns the contradicted edges and, for each, the least rotation error in degrees over its
+    possible rotations."""
     order = sorted(edges, key=lambda edge: (-edge.inliers, edge.key))
     forest = _Forest()
     result: Dict[Any, float] = {}
@@ -65,8 +69,8 @@ def contradicted(edges: typing.Sequence[Edge]) -> Dict[Any, float]:
 
 
 class _Forest:
-    """Images and the links between them. Each image knows its rotation in terms of another one, up to a representative of its
-    tree."""
+    """The forest of links as a union-find structure. Each image stores its rotation relative to
+    another image of its tree; these references lead to a representative of the tree."""
 
     def __init__(self) -> None:
         self._toward: Dict[typing.Hashable, Tuple[typing.Hashable, _Rotation]] = {}  # R_image = rotation R_other
@@ -74,7 +78,8 @@ class _Forest:
         self._links: Dict[typing.Hashable, List[typing.Hashable]] = {}
 
     def add(self, first: typing.Hashable, second: typing.Hashable, rotation: _Rotation) -> None:
-        """R_second = rotation R_first. Nothing happens if a path joins them."""
+        """Adds a link with R_second = rotation R_first. Does nothing if a path joins the images
+        already."""
         (one, ofFirst), (other, ofSecond) = self._find(first), self._find(second)
         if one == other:
             return
@@ -90,7 +95,8 @@ class _Forest:
         self._links.setdefault(second, []).append(first)
 
     def error(self, edge: Edge) -> float:
-        """Returns the least angle, in degrees, between a rotation of the edge and that of the path; 0: there is no path."""
+        """Returns the least angle in degrees between a rotation of the edge and the rotation of the
+        path; 0 if there is no path."""
         (one, ofFirst), (other, ofSecond) = self._find(edge.first), self._find(edge.second)
         if one != other:
             return 0.0
@@ -109,8 +115,9 @@ class _Forest:
         return False
 
     def _find(self, image: typing.Hashable) -> Tuple[typing.Hashable, _Rotation]:
-        """The representative, and R_image in terms of its rotation. The steps are at most as many as the logarithm of the images,
-        as smaller trees are joined to larger ones."""
+        """Returns the representative of the tree, and the rotation of the image relative to it. The
+        number of steps is at most logarithmic, as the smaller tree is always attached to the larger
+        one."""
         rotation = _NONE
         while image in self._toward:
             image, step = self._toward[image]

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Libraries that only some commands need."""
+"""Imports libraries that only some commands need."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ _DEBIAN = {"h5py": "python3-h5py", "matplotlib": "python3-matplotlib", "distribu
 
 
 def need(module: str, purpose: str) -> Any:
-    """Imports a module, for example "matplotlib.pyplot"; raises CollectionError, which names the package, if that fails."""
+    """Imports a module, for example "matplotlib.pyplot". Raises CollectionError with the name of
+    the missing package if that fails."""
     try:
         return importlib.import_module(module)
     except ImportError:

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""What the parts of the tool hand to each other: pairs of images with their matches, and what has become of them."""
+"""The data types that the parts of the tool share: pairs of images with their matches, and results.
+"""
 
 from __future__ import annotations
 
@@ -15,15 +16,16 @@ import numpy as np
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-Key = Union[int, str]  # of a pair: COLMAP's pair_id in a database, a name in a list
+Key = Union[int, str]  # id of a pair: COLMAP's pair_id in a database, a name in a list
 
 
 class CollectionError(Exception):
-    """Raised, with one line for the user, if the tool cannot go on or a pair cannot be used."""
+    """Raised if the tool cannot continue or a pair cannot be used; the message is one line for the
+    user."""
 
 
 class Configuration(enum.IntEnum):
-    """The relation between two images that their matches show, with COLMAP's numbers."""
+    """The relation between two images according to their matches, with COLMAP's numbers."""
 
     UNDEFINED = 0
     DEGENERATE = 1
@@ -33,19 +35,19 @@ class Configuration(enum.IntEnum):
     PANORAMIC = 5
     PLANAR_OR_PANORAMIC = 6
     WATERMARK = 7
-    MULTIPLE = 8  # this and the next are in tables of COLMAP's own only
+    MULTIPLE = 8  # this and the next value occur only in tables written by COLMAP
     CALIBRATED_RIG = 9
 
 
 class View(typing.NamedTuple):
-    """One side of a pair: the matched points of an image and its camera."""
+    """The matched points of one image of a pair, and its camera."""
 
     name: str
-    points: npt.NDArray[np.float64]  # M x 2, pixels, as a camera without distortion sees them
-    taken: npt.NDArray[np.float64]  # M x 2, pixels in the image as taken; the same array if there is no distortion
+    points: npt.NDArray[np.float64]  # M x 2, pixels, without distortion
+    taken: npt.NDArray[np.float64]  # M x 2, pixels, with distortion; the same array as `points` if the camera has none
     matrix: npt.NDArray[np.float64]  # 3 x 3
     focalKnown: bool
-    width: int  # pixels; 0: not known
+    width: int  # pixels; 0: unknown
     height: int
 
 
@@ -55,13 +57,13 @@ class Pair(typing.NamedTuple):
     key: Key
     first: View
     second: View
-    matches: npt.NDArray[np.uint32]  # M x 2: numbers of the keypoints
-    scores: Optional[npt.NDArray[np.float64]]  # M, of the matches; None: not known
+    matches: npt.NDArray[np.uint32]  # M x 2: indices of the keypoints
+    scores: Optional[npt.NDArray[np.float64]]  # M, of the matches; None: unknown
     higherIsBetter: bool
 
 
 class Fault(typing.NamedTuple):
-    """A pair that cannot be read, in the place of a Pair."""
+    """Replaces a Pair that cannot be read."""
 
     key: Key
     reason: str  # one line that names the images
@@ -72,26 +74,28 @@ class TwoView(typing.NamedTuple):
 
     key: Key
     configuration: Configuration  # UNDEFINED: a fault
-    inliers: npt.NDArray[np.uint32]  # K x 2: rows of Pair.matches
-    F: Optional[npt.NDArray[np.float64]]  # 3 x 3, of points without distortion; None: not estimated or not found
+    inliers: npt.NDArray[np.uint32]  # K x 2: the rows of Pair.matches that are inliers
+    F: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
     E: Optional[npt.NDArray[np.float64]]
     H: Optional[npt.NDArray[np.float64]]
-    quaternion: Optional[npt.NDArray[np.float64]]  # w, x, y, z: x2 ~ R x1 + t; None: not known
-    translation: Optional[npt.NDArray[np.float64]]  # unit length; 0: a rotation
-    reason: str  # why the pair is refused, one line; empty: it is not
+    quaternion: Optional[npt.NDArray[np.float64]]  # w, x, y, z: x2 ~ R x1 + t; None: unknown
+    translation: Optional[npt.NDArray[np.float64]]  # unit length; 0: pure rotation
+    reason: str  # why the pair is refused, one line; empty: not refused
     matches: int
-    iterations: int  # samples drawn, except for H among the inliers of E or F
-    chance: float  # Report.chance of the model that was taken
+    iterations: int  # number of samples drawn, without those for H among the inliers of E or F
+    chance: float  # Report.chance of the accepted model
     milliseconds: float
-    # k x 4, as `quaternion`: those that the matches allow, one of which is right. None: the focal lengths are not known
+    # k x 4, as `quaternion`: the rotations that agree with the matches, one of which is right.
+    # None: the focal lengths are unknown
     rotations: Optional[npt.NDArray[np.float64]] = None
 
 
 class Source(typing.Protocol):
-    """Base class of sources of pairs. Objects can be pickled; each process opens the files by itself when it needs them first."""
+    """Base class of sources of pairs. Objects must be picklable; each process opens the files at
+    its first use."""
 
     def keys(self) -> typing.Iterator[Key]:
-        """Returns the keys of all pairs in a fixed order, as a stream."""
+        """Yields the keys of all pairs in a fixed order."""
 
     def __len__(self) -> int:
         """Returns the number of pairs."""
@@ -100,17 +104,18 @@ class Source(typing.Protocol):
         """Returns pairs in the order of the keys."""
 
     def fingerprint(self) -> str:
-        """Returns a text that is the same in two processes that see the same files."""
+        """Returns a text that is equal in two processes if they see the same files."""
 
 
 class Sink(typing.Protocol):
-    """Base class of sinks, which store results; one thread only uses a sink."""
+    """Base class of sinks, which store results. A sink is used by one thread only."""
 
     def done(self, key: Key) -> bool:
         """Returns True if an earlier run has stored the pair (--resume)."""
 
     def commit(self, results: typing.Sequence[TwoView]) -> None:
-        """Stores results at once, or none of them."""
+        """Stores all of the results or none of them."""
 
     def close(self, finished: bool = True) -> None:
-        """Ends the sink: nothing is stored afterwards. finished -- False: pairs are left for --resume."""
+        """Ends the sink; nothing can be stored afterwards. finished -- False: some pairs are not
+        done and are left for --resume"""

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pictures of the command `report`; matplotlib is needed for them."""
+"""Pictures of the command `report`; they need matplotlib."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 
     _Numbers = npt.NDArray[np.int64]
 
-CELLS = 1000  # most rows of the matrix of the pairs
-NAMED = 40  # images whose names are shown beside the matrix, at most: a line has a fifth of an inch then
+CELLS = 1000  # largest number of rows of the matrix of pairs
+NAMED = 40  # largest number of images whose names are shown at the matrix, where a row is then a fifth of an inch high
 
 
 def _ranked(blocks: typing.Iterable[_Numbers], ranks: _Numbers) -> typing.Iterator[_Numbers]:
-    """Returns links with the places of their images in another order."""
+    """Replaces the image indices of links by their ranks in another order."""
     for block in blocks:
         yield np.column_stack((ranks[block[:, :2]], block[:, 2:]))
 
@@ -36,7 +36,7 @@ class Pictures:
 
     def __init__(self, folder: str) -> None:
         """Makes the folder. Raises CollectionError if there is no matplotlib."""
-        # Without pyplot: it looks for a screen and keeps all figures.
+        # pyplot is not used, since it needs a display and keeps all figures in memory.
         self._figure = need("matplotlib.figure", "for --pictures").Figure
         self._canvas = need("matplotlib.backends.backend_agg", "for --pictures").FigureCanvasAgg
         self._colors = need("matplotlib.colors", "for --pictures")
@@ -49,12 +49,13 @@ class Pictures:
         return figure
 
     def histograms(self, histograms: Dict[str, Any]) -> None:
-        """Draws the histograms of the summary of a report: bars between its edges, of equal width, as those of times and samples grow."""
+        """Draws the histograms of the summary of a report. All bars have equal width although the
+        widths of the bins grow."""
         for name, histogram in histograms.items():
             figure = self._new(8, 4.5)
             axes = figure.add_subplot()
             used = np.flatnonzero(histogram["pairs"])
-            begin, end = int(used[0]), int(used[-1]) + 1  # without empty bins at the ends
+            begin, end = int(used[0]), int(used[-1]) + 1  # removes empty bins at both ends
             counts, edges = histogram["pairs"][begin:end], histogram["edges"][begin:end + 1]
             axes.bar(range(len(counts)), counts, width=0.95, align="edge", color="tab:blue")
             axes.set_xticks(range(len(edges)))
@@ -65,8 +66,8 @@ class Pictures:
             figure.savefig(os.path.join(self._folder, name + ".png"))
 
     def pairs(self, results: Results) -> None:
-        """Draws the matrix of the pairs: colors tell the inliers, gray: refused, white: no such pair. Nothing where the results do not
-        tell the images."""
+        """Draws the matrix of the pairs: colors show the number of inliers, gray refused pairs,
+        white missing pairs. Draws nothing if the results do not have the images."""
         images = results.images()
         if not len(images):
             return

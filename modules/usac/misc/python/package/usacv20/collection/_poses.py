@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Rotations as a COLMAP database has them."""
+"""Rotations in the form of a COLMAP database: unit quaternions."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 
 
 def quaternion(R: _Array) -> _Array:
-    """(w, x, y, z) with w >= 0 of a rotation: of the four columns of the quaternion's square the one with the largest norm. Without
-    NumPy, whose calls take ten times as long for so few numbers."""
+    """Returns the quaternion (w, x, y, z) with w >= 0 of a rotation. The outer product of the
+    quaternion with itself is computed from R, and its column with the largest diagonal element is
+    normalized. NumPy is not used, since its calls take ten times as long for so few numbers."""
     rows: Any = R.tolist()
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rows
     columns = ((1 + xx + yy + zz, zy - yz, xz - zx, yx - xy), (zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx),

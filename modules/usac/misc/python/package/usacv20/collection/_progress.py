@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Shows on stderr how far a run is."""
+"""Shows the progress of a run on stderr."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ from ._optional import need
 from ._output import write
 from ._pair import CollectionError
 
-_LINES = 20  # of faults that are shown; a table of the report has all
+_LINES = 20  # number of faults that are shown; a table of the report has all of them
 
 
 class Progress:
-    """A bar with pairs a second and the time left, and lines above it.
+    """A progress bar with pairs a second and the time left, and lines above it.
 
-    total -- pairs
-    wanted -- True: CollectionError if there is no tqdm; None: if stderr is a terminal and there is a tqdm; False: lines only"""
+    total -- number of pairs
+    wanted -- True: shows a bar, CollectionError if tqdm is missing; None: shows a bar if stderr is
+    a terminal and tqdm is there; False: lines only"""
 
     def __init__(self, total: int, wanted: Optional[bool] = None) -> None:
         self._bar: Any = None
@@ -36,7 +37,7 @@ class Progress:
         self._bar = tqdm.tqdm(total=total, unit=" pairs", file=sys.stderr, dynamic_ncols=True, smoothing=0.05)
 
     def skip(self, pairs: int) -> None:
-        """Counts pairs of an earlier run, which say nothing about the time left."""
+        """Counts pairs of an earlier run; they do not affect the estimate of the time left."""
         if self._bar is not None:
             self._bar.initial += pairs
             self._bar.update(pairs)

@@ -2,15 +2,18 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The command `report`, which describes the results for a collection as text, JSON, CSV and pictures.
+"""The command `report`, which describes the results for a collection as text, JSON, CSV and
+pictures.
 
-Pairs most worth a look, the first few of each kind:
-- refused, although they have the most matches,
-- verified, although random matches would give such a model with a chance that is at least a hundredth of the limit (Settings.
-  significance), the largest first,
-- verified with an inlier ratio below 0.2, those with most inliers first: repeated structure, or a part of the images moves,
-- the only link between two parts of at least two images each: wrong, it joins what does not belong together, missing, it
-  parts the reconstruction; those of the largest parts first."""
+It lists some pairs that should be checked, the first few of each kind:
+- refused pairs with the most matches,
+- verified pairs whose probability of being a chance result is at least a hundredth of the limit
+  (Settings.significance), the largest first,
+- verified pairs with an inlier ratio below 0.2, those with most inliers first; the reason may be
+  repeated structure, or a moving part of the images,
+- pairs that are the only link between two parts of at least two images each, those of the largest
+  parts first. If such a pair is wrong, it joins unrelated parts; if it were missing, the
+  reconstruction would fall apart."""
 
 from __future__ import annotations
 
@@ -27,18 +30,18 @@ from ._report_table import FAULT, OURS, PAIRS, REFUSED, VERIFIED, Results, Row
 from ._settings import Settings
 
 LOW_RATIO = 0.2
-NEAR_LIMIT = 0.01  # of the limit of the chance
-REASONS = 20  # kinds of reasons that are listed
+NEAR_LIMIT = 0.01  # fraction of the limit of the chance
+REASONS = 20  # number of kinds of reasons that are listed
 QUANTILES = (0.5, 0.9, 1.0)
 _STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000)
 
 
 class Measure(typing.NamedTuple):
-    """A value of the pairs of which the report has a histogram."""
+    """A value of pairs that the report shows as a histogram."""
 
     name: str
     title: str
-    value: str  # of a row
+    value: str  # SQL expression for a row
     edges: typing.Sequence[float]
     where: str
 
@@ -52,7 +55,8 @@ MEASURES = (
 
 
 def _significance(settings: Any) -> float:
-    """Returns the limit of the chance among the settings of a run, at whatever depth; else the default."""
+    """Returns the limit of the chance from the settings of a run, searched for in nested dicts, or
+    else the default."""
     if isinstance(settings, dict):
         for name, value in settings.items():
             if name == "significance" and isinstance(value, (int, float)):
@@ -121,7 +125,7 @@ def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
 
 
 def _table(rows: typing.Iterable[typing.Sequence[Any]], indent: str = "  ") -> List[str]:
-    """Returns lines with columns of the same width, numbers at the right."""
+    """Returns lines with columns of equal width; numbers are aligned to the right."""
     cells = [[cell if isinstance(cell, str) else _number(cell) for cell in row] for row in rows]
     given = [list(row) for row in rows]
     widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))] if cells else []
@@ -206,15 +210,16 @@ def _writeTable(results: Results, path: str) -> None:
 
 def report(path: str, pictures: Optional[str] = None, jsonFile: Optional[str] = None, csvFile: Optional[str] = None,
            most: int = 5, stream: Optional[typing.TextIO] = None) -> int:
-    """Reports on a COLMAP database or on a database of the command `pairs`; the file is not changed.
+    """Reports on a COLMAP database or on a database of the command `pairs`; the file is not
+    changed.
 
     pictures -- folder for histograms and the matrix of the pairs, None: no pictures
-    jsonFile -- for the figures; csvFile -- for a row a pair; None: none
-    most -- pairs of each kind that are worth a look
+    jsonFile -- file for the figures; csvFile -- file with a row for each pair; None: not written
+    most -- number of listed pairs of each kind that should be checked
     stream -- for the text, None: standard output
 
     Returns the exit code. Raises CollectionError."""
-    draw = None if pictures is None else _pictures.Pictures(pictures)  # a missing library is known before the work
+    draw = None if pictures is None else _pictures.Pictures(pictures)  # made first, so that a missing library is reported early
     try:
         with Results(path) as results:
             summary = summarize(results, most)

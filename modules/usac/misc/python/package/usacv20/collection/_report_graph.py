@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The graph of the images that verified pairs connect: its components, and the links that hold it together."""
+"""The graph whose nodes are images and whose edges are verified pairs: its components and its
+bridges."""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ Edge = Tuple[int, int]
 
 
 class _Forest:
-    """Components by union-find."""
+    """Connected components as a union-find structure."""
 
     def __init__(self, count: int) -> None:
         self._parent = list(range(count))
@@ -34,7 +35,7 @@ class _Forest:
         return node
 
     def join(self, first: int, second: int) -> bool:
-        """False: they are connected already."""
+        """Joins two components; returns False if the nodes are in the same component already."""
         first, second = self.root(first), self.root(second)
         if first == second:
             return False
@@ -43,21 +44,22 @@ class _Forest:
 
 
 class Bridge(typing.NamedTuple):
-    """A link without which a component falls apart."""
+    """An edge whose removal splits a component."""
 
     first: int
     second: int
-    images: int  # of the smaller part
+    images: int  # number of images in the smaller part
 
 
 class Graph(typing.NamedTuple):
-    components: List[int]  # numbers of images, the largest first
-    bridges: List[Bridge]  # those of the largest parts first
+    components: List[int]  # numbers of images, in descending order
+    bridges: List[Bridge]  # sorted by the number of images, in descending order
 
 
 def graphOf(count: int, links: typing.Iterable[Edge]) -> Graph:
-    """Returns the graph of `count` images. The memory depends on the images, not on the links: a spanning forest, and one of the
-    links that are not in it, have the same bridges as all links together (a sparse certificate of Nagamochi and Ibaraki, 1992)."""
+    """Returns the graph of `count` images. The memory depends on the number of images, not of
+    links. A spanning forest of all links, and a second one of the remaining links, together have
+    the same bridges as all links (the sparse certificate of Nagamochi and Ibaraki, 1992)."""
     forest, second = _Forest(count), _Forest(count)
     kept: List[Edge] = []
     for edge in links:
@@ -69,7 +71,9 @@ def graphOf(count: int, links: typing.Iterable[Edge]) -> Graph:
 
 
 def _neighbors(count: int, edges: List[Edge]) -> Tuple[_Numbers, _Numbers, _Numbers]:
-    """Of node i: those of the numbers start[i] to start[i + 1] of the second array; the third tells by which edge."""
+    """Returns arrays (start, neighbors, edges): the neighbors of node i are
+    neighbors[start[i]:start[i + 1]], and the same part of the third array has the indices of the
+    edges to them."""
     ends = np.array(edges, np.int64).reshape(-1, 2)
     origins, targets = ends.T.ravel(), ends[:, ::-1].T.ravel()
     order = np.argsort(origins, kind="stable")
@@ -79,7 +83,8 @@ def _neighbors(count: int, edges: List[Edge]) -> Tuple[_Numbers, _Numbers, _Numb
 
 
 def _bridges(count: int, edges: List[Edge]) -> typing.Iterator[Bridge]:
-    """Tarjan's: an edge of the tree of a depth-first search is a bridge if no edge leads from below it to above it."""
+    """Tarjan's algorithm: an edge of a depth-first search tree is a bridge if no other edge
+    connects the subtree below it with the nodes above it."""
     lists: Any = [array.tolist() for array in _neighbors(count, edges)]
     start, targets, numbers = lists
     entered, low, below = [-1] * count, [0] * count, [1] * count
@@ -117,7 +122,8 @@ def _bridges(count: int, edges: List[Edge]) -> typing.Iterator[Bridge]:
 
 
 def indexed(images: _Numbers, links: typing.Iterable[Tuple[int, int, int, int]]) -> typing.Iterator[_Numbers]:
-    """Links with the places of their images among `images`, which are in order, in blocks of rows; others are left out."""
+    """Replaces image ids in links by their indices in the sorted array `images`. Yields blocks of
+    rows; links with other images are left out."""
     rows = iter(links)
     for block in iter(lambda: list(itertools.islice(rows, 4096)), []):
         values = np.array(block, np.int64)
@@ -128,8 +134,9 @@ def indexed(images: _Numbers, links: typing.Iterable[Tuple[int, int, int, int]])
 
 
 def matrixOf(count: int, blocks: typing.Iterable[_Numbers], verified: int, most: int) -> _Numbers:
-    """Returns a matrix with the largest number of inliers of the pairs of images in each cell, -1: none of them was verified,
-    -2: there are none. Of more than `most` images several share a row and a column."""
+    """Returns a matrix of images by images. A cell has the largest number of inliers of its pairs,
+    -1 if none of them was verified, and -2 if it has no pairs. If there are more than `most`
+    images, several images share a row and a column."""
     size = min(count, most)
     cells = np.full((size, size), -2, np.int64)
     for block in blocks:

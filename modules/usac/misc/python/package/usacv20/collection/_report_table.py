@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Results as the report sees them: one table, whether they are in a COLMAP database, of this tool or of COLMAP alone, or in a
-database of the command `pairs`."""
+"""Gives the report a common view of results as one table: from a COLMAP database written by this
+tool or only by COLMAP, or from a database of the command `pairs`."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from ._sqlite import columns, connect, explained, tidy
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-OURS, COLMAP, PAIRS = "usacv20", "colmap", "pairs"  # where the results are from
+OURS, COLMAP, PAIRS = "usacv20", "colmap", "pairs"  # origin of the results
 FAULT, REFUSED, VERIFIED = 0, 1, 2
 
-_IMAGES = 2147483647  # COLMAP's pair_id is this times the smaller image_id, plus the larger one
+_IMAGES = 2147483647  # COLMAP's pair_id is this number times the smaller image_id, plus the larger image_id
 _NUMBER = re.compile(r"(?<![A-Za-z0-9_])[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?", re.IGNORECASE)
-_BLOCK = 4096  # rows in memory
+_BLOCK = 4096  # number of rows in memory
 _NAMES = "(SELECT name FROM images WHERE image_id = {})"
 _OF_COLMAP = ("IFNULL({}, '?') || ' - ' || IFNULL({}, '?') AS name, p.pair_id / {} AS first, p.pair_id % {} AS second".format(
     _NAMES.format("p.pair_id / {}".format(_IMAGES)), _NAMES.format("p.pair_id % {}".format(_IMAGES)), _IMAGES, _IMAGES))
@@ -37,7 +37,7 @@ _VALUES = "configuration, reason, matches, inliers, iterations, chance, millisec
 _VIEWS = {
     OURS: "SELECT {}, {} FROM usacv20_pairs AS p".format(_OF_COLMAP, _VALUES),
     PAIRS: "SELECT {}, {} FROM {} AS p".format(_OF_PAIRS, _VALUES, TABLE),
-    # COLMAP keeps a pair that it has refused as a row without inliers.
+    # COLMAP stores a refused pair as a row without inliers.
     COLMAP: "SELECT {}, CASE WHEN p.rows > 0 THEN p.config ELSE 1 END AS configuration, '' AS reason, "
             "IFNULL(m.rows, 0) AS matches, p.rows AS inliers, NULL AS iterations, NULL AS chance, NULL AS milliseconds "
             "FROM two_view_geometries AS p LEFT JOIN matches AS m ON m.pair_id = p.pair_id".format(_OF_COLMAP)}
@@ -46,7 +46,7 @@ _STATE = "CASE WHEN configuration = {:d} THEN {} WHEN configuration = {:d} OR re
 
 
 class Row(typing.NamedTuple):
-    """The result of a pair; what the file does not tell is None."""
+    """The result of a pair; values missing in the file are None."""
 
     name: str
     configuration: Configuration
@@ -68,7 +68,7 @@ def _row(values: typing.Sequence[Any]) -> Row:
 
 
 def withoutNumbers(reason: str) -> str:
-    """Returns a reason without its numbers, which reasons of a kind have in common."""
+    """Returns a reason with all numbers replaced by N, so that similar reasons become equal."""
     return _NUMBER.sub("N", reason)
 
 
@@ -126,19 +126,20 @@ class Results:
                 yield from block
 
     def value(self, sql: str, *values: Any) -> Any:
-        """Returns the first column of the first row; None: there is none."""
+        """Returns the first column of the first row; None if there is no row."""
         with explained(self.path):
             found = self._connection.execute(sql, values).fetchone()
         return None if found is None else found[0]
 
     def pairs(self, where: str = "1", order: str = "name", most: int = -1,
               values: typing.Sequence[Any] = ()) -> typing.Iterator[Row]:
-        """Returns pairs as a stream; most -- their largest number, -1: all."""
+        """Yields pairs. most -- their largest number, -1: all"""
         for row in self.rows("SELECT {} FROM results WHERE {} ORDER BY {} LIMIT {:d}".format(_ROW, where, order, most), *values):
             yield _row(row)
 
     def reasons(self, most: int) -> List[Tuple[str, int, str]]:
-        """Returns the reasons, without numbers and the pair that they name, how often there is each, and an example."""
+        """Returns (reason, count, example) for each kind of reason; numbers and the name of the
+        pair are removed from the reason."""
         prefix = "substr(reason, 1, length(name) + 2) = name || ': '"
         kind = "withoutNumbers(CASE WHEN {} THEN substr(reason, length(name) + 3) ELSE reason END)".format(prefix)
         return [(reason, count, example) for reason, count, example in self.rows(
@@ -146,8 +147,8 @@ class Results:
             "LIMIT {:d}".format(kind, VERIFIED, most))]
 
     def histogram(self, value: str, edges: typing.Sequence[float], where: str) -> List[int]:
-        """Returns how many pairs have a value, if it is known, in edges[i] <= value < edges[i + 1]; those beyond the ends are in the
-        first and the last."""
+        """Returns the number of pairs with edges[i] <= value < edges[i + 1] for each i. Values
+        outside of all bins count in the first or last bin; unknown values are ignored."""
         cases = " ".join("WHEN {} < {!r} THEN {}".format(value, edge, i) for i, edge in enumerate(edges[1:-1]))
         counts = [0] * (len(edges) - 1)
         for number, count in self.rows("SELECT CASE {} ELSE {} END, COUNT(*) FROM results WHERE {} AND {} IS NOT NULL "
@@ -156,20 +157,21 @@ class Results:
         return counts
 
     def quantiles(self, value: str, parts: typing.Sequence[float], where: str) -> List[float]:
-        """Returns quantiles of the pairs where the value is known; empty if there are none."""
+        """Returns quantiles over the pairs whose value is known; empty if there are none."""
         where = "{} AND {} IS NOT NULL".format(where, value)
         count = self.value("SELECT COUNT(*) FROM results WHERE {}".format(where))
         return [self.value("SELECT {} FROM results WHERE {} ORDER BY 1 LIMIT 1 OFFSET {:d}".format(
             value, where, min(int(part * count), count - 1))) for part in parts] if count else []
 
     def images(self) -> npt.NDArray[np.int64]:
-        """Returns the numbers of all images in order; none where the results do not tell them."""
+        """Returns the sorted numbers of all images; empty if the results do not have them."""
         sql = "SELECT number FROM temp.nodes ORDER BY 1" if self.kind == PAIRS else "SELECT image_id FROM images ORDER BY 1"
         return np.fromiter((number for number, in self.rows(sql)), np.int64)
 
     def names(self, images: npt.NDArray[np.int64]) -> Tuple[List[str], npt.NDArray[np.int64]]:
-        """Of those images in the order of their names, and the place of each image in it: numbers of images tell no order, COLMAP
-        4 gives them out as its threads finish."""
+        """Returns the names of the images in alphabetical order and the rank of each image in this
+        order. The numbers of images cannot be used for sorting: COLMAP 4 assigns them in the order
+        in which its threads finish."""
         sql = "SELECT number, image FROM temp.nodes" if self.kind == PAIRS else "SELECT image_id, name FROM images"
         known: Dict[int, Any] = {number: name for number, name in self.rows(sql)}
         order = sorted(range(len(images)), key=lambda i: (str(known[int(images[i])]), i))
@@ -178,18 +180,18 @@ class Results:
         return [str(known[int(images[i])]) for i in order], ranks
 
     def links(self, where: str = "1") -> typing.Iterator[Tuple[int, int, int, int]]:
-        """Returns the numbers of the images, the inliers and the state of each pair."""
+        """Yields the numbers of the two images, the inliers and the state of each pair."""
         for first, second, inliers, state in self.rows(
                 "SELECT first, second, inliers, state FROM results WHERE first IS NOT NULL AND {}".format(where)):
             yield first, second, inliers, state
 
     def pairOf(self, first: int, second: int) -> Optional[Row]:
-        """Returns the pair of two images."""
+        """Returns the pair of two images, or None."""
         return next(self.pairs("(first = ? AND second = ?) OR (first = ? AND second = ?)", "name", 1,
                                (first, second, second, first)), None)
 
     def settings(self) -> Dict[str, Any]:
-        """Returns the settings of the last run; empty where they are not known."""
+        """Returns the settings of the last run; empty if unknown."""
         sql = {OURS: "SELECT settings FROM usacv20_runs ORDER BY run_id DESC LIMIT 1",
                PAIRS: "SELECT settings FROM {}".format(RUNS)}.get(self.kind)
         try:
@@ -199,13 +201,14 @@ class Results:
         return found if isinstance(found, dict) else {}
 
     def left(self) -> int:
-        """Returns how many pairs were not looked at; 0 where that is not known."""
+        """Returns the number of pairs that were not processed; 0 if unknown."""
         table = {OURS: "usacv20_pairs", COLMAP: "two_view_geometries"}.get(self.kind)
         return 0 if table is None else int(self.value(
             "SELECT COUNT(*) FROM matches WHERE pair_id NOT IN (SELECT pair_id FROM {})".format(table)))
 
     def changed(self) -> int:
-        """Returns how many rows of COLMAP's table are not those that this tool wrote."""
+        """Returns the number of rows in COLMAP's table that differ from what this tool has written.
+        """
         if self.kind != OURS:
             return 0
         if not columns(self._connection, "two_view_geometries"):

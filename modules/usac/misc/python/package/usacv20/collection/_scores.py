@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Scores of the matches of a database: of hloc's file of matches, or of a column beside them."""
+"""Scores of the matches in a database: from hloc's file of matches, or from an additional column of
+the table of matches."""
 
 from __future__ import annotations
 
@@ -24,8 +25,9 @@ if TYPE_CHECKING:
 
 
 class HlocScores:
-    """HDF5 as hloc writes it: a group for each pair, named by both images with - for / in their names, and in it `matches0`, for
-    each keypoint of the first image the number of its partner or -1, and `matching_scores0`."""
+    """Scores in an HDF5 file of hloc. It has a group for each pair, named by both images, whose
+    names have - instead of /. `matches0` has the index of the matching keypoint, or -1, for each
+    keypoint of the first image; `matching_scores0` has the scores."""
 
     higherIsBetter = True
 
@@ -38,7 +40,7 @@ class HlocScores:
         return {"path": self.path, "_file": None}
 
     def describe(self) -> str:
-        """For the settings of a run."""
+        """Returns a text for the settings of a run."""
         return os.path.basename(self.path)
 
     def _open(self) -> Any:
@@ -51,7 +53,8 @@ class HlocScores:
         return self._file
 
     def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:
-        """One number for each match. Raises CollectionError if the file has other matches, or none of the pair."""
+        """Returns a score for each match. Raises CollectionError if the file has other matches of
+        the pair or does not have the pair."""
         for first, second, order in ((name1, name2, (0, 1)), (name2, name1, (1, 0))):
             for name in _groupNames(first, second):
                 if name in self._open():
@@ -69,7 +72,7 @@ class HlocScores:
 
 
 def _groupNames(first: str, second: str) -> typing.Iterator[str]:
-    """Of hloc's present and of its older versions."""
+    """Yields the names of a group in the current and in older versions of hloc."""
     first, second = first.replace("/", "-"), second.replace("/", "-")
     yield first + "/" + second
     yield first + "_" + second
@@ -85,11 +88,12 @@ class ColumnScores:
         self.higherIsBetter = higherIsBetter
 
     def describe(self) -> str:
-        """For the settings of a run."""
+        """Returns a text for the settings of a run."""
         return "matches.{}, {} is better".format(self.column, "higher" if self.higherIsBetter else "lower")
 
     def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:
-        """One number for each match. Raises CollectionError if there are more or less."""
+        """Returns a score for each match. Raises CollectionError if the number of scores is
+        different."""
         row: Optional[Tuple[Any]] = connection.execute(
             'SELECT matches."{}" FROM matches WHERE pair_id = ?'.format(self.column), (pairId,)).fetchone()
         blob = row[0] if row is not None else None

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A selection of the pairs of a database, which a file names (--pairs)."""
+"""A selection of pairs of a database, given by a file (--pairs)."""
 
 from __future__ import annotations
 
@@ -18,16 +18,17 @@ from ._sqlite import explained
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-_PAGE = 500  # keys in a query; every version of SQLite allows 999 values
+_PAGE = 500  # number of keys in a query; every version of SQLite allows 999 values
 
 
 class Selection:
-    """Those pairs of a database that are in a list; a Source.
+    """A Source of those pairs of a database that are in a list.
 
-    path -- of a text file in the format of COLMAP's importer of matches and of hloc: the names of two images on a line; empty
-        lines and those that begin with # are skipped. CollectionError for an image that is not in the database
+    path -- text file in the format of COLMAP's importer of matches and of hloc: two image names on
+    each line; empty lines and lines that begin with # are skipped. CollectionError for an image
+    that is not in the database
 
-    `missing` is how many of them have no row in the table of matches."""
+    `missing` is the number of listed pairs that have no row in the table of matches."""
 
     def __init__(self, source: DatabaseSource, path: str) -> None:
         self.source = source
@@ -74,7 +75,8 @@ def _read(source: DatabaseSource, path: str) -> List[int]:
 
 
 def _key(line: str, images: Dict[str, int], place: str) -> int:
-    """Names may have blanks: both parts of the line are to be names."""
+    """Returns the key of the pair on a line. Names may contain blanks, so each blank is tried as
+    the separator until both parts are names."""
     numbers: Optional[List[int]] = None
     for i, letter in enumerate(line):
         if letter.isspace():

@@ -14,8 +14,9 @@ from .._params import Params
 from .._two_view import TwoViewRules
 from ._pair import CollectionError
 
-# Not USACV20_PARALLEL, as the pairs are what is parallel; not USACV20_PROSAC, as matches of a collection come in no order: scores
-# are for all other methods. USACV20_AUTO: each pair has a threshold of its own.
+# USACV20_PARALLEL is excluded because the pairs are processed in parallel. USACV20_PROSAC is
+# excluded because matches of a collection are not sorted; all other methods use scores. With
+# USACV20_AUTO each pair has its own threshold.
 METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC)}
 
 
@@ -23,26 +24,31 @@ METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Meth
 class Settings:
     """Options of the verification. Defaults are those of COLMAP unless a comment says otherwise."""
 
-    threshold: float = 4.0  # pixels, largest error of an inlier; USACV20_AUTO: the largest plausible one
+    threshold: float = 4.0  # pixels, largest error of an inlier; USACV20_AUTO: upper limit of the estimated threshold
     method: str = "USACV20"  # one of METHODS
     confidence: float = 0.999
-    # Largest number of samples of a model; COLMAP's limit. With the other defaults it may end a search before `confidence` is
-    # reached (see `reached`). F, from 37 matches on: if less than 42 % (37 matches) to 35 % (many) are right; if a quarter is
-    # right, the probability of an all-inlier sample is then 0.15 (60 matches), 0.39 (300), 0.45 (2000). E: if a quarter of 58 to
-    # 64 matches is right, with a probability of at least 0.996. H: never.
+    # Largest number of samples of a model, equal to COLMAP's limit. With the other defaults it may
+    # end a search before `confidence` is reached (see `reached`). F: this happens for at least 37
+    # matches with an inlier ratio below 0.42 (37 matches) to 0.35 (many matches). For an inlier
+    # ratio of 0.25, the probability of an all-inlier sample is then 0.15 (60 matches), 0.39 (300),
+    # 0.45 (2000). E: it happens for 58 to 64 matches with an inlier ratio of 0.25; the probability
+    # is at least 0.996. H: never.
     maxIterations: int = 10000
-    # Least part of the matches that is expected to be right; pairs with less are found, too, but not with `confidence`.
+    # Least expected inlier ratio. Pairs with a lower ratio may be found, too, but with less than
+    # `confidence`.
     inlierRatio: float = 0.25
-    # Inlier ratios of some pairs of the collection, those that tell its threshold (see `needed`); none: not known.
+    # Inlier ratios of some pairs of the collection, from the estimation of its threshold (see
+    # `needed`); empty: unknown.
     ratios: Tuple[float, ...] = ()
     seed: int = 0
-    minInliers: int = 15  # of a pair that is kept
-    # Largest Report.chance of a pair that is kept: of pairs without overlap at most this part is taken for one with. A
-    # hundredth of what is asked of a single pair, as most pairs of a collection have no overlap.
+    minInliers: int = 15  # least number of inliers of an accepted pair
+    # Largest Report.chance of an accepted pair: at most this fraction of the pairs without overlap
+    # is accepted by mistake. It is a hundredth of the limit for single pairs, as most pairs of a
+    # collection have no overlap.
     significance: float = 1e-4
-    planarRatio: float = 0.8  # of the inliers; a homography with more of them makes the pair planar or panoramic
-    calibrationRatio: float = 0.95  # E with less of the inliers of F tells that the focal lengths are wrong
-    watermarks: bool = True  # pairs whose matches are a picture's frame or mark are named as such
+    planarRatio: float = 0.8  # if a homography has more than this fraction of the inliers, the pair is planar or panoramic
+    calibrationRatio: float = 0.95  # if E has less than this fraction of F's inliers, the focal lengths are taken as wrong
+    watermarks: bool = True  # detects pairs whose matches belong to a frame or mark in the images
 
     def __post_init__(self) -> None:
         if self.method not in METHODS:
@@ -56,7 +62,7 @@ class Settings:
             raise CollectionError(getattr(mistake, "err", "") or str(mistake))
 
     def asDict(self) -> Dict[str, Any]:
-        """Returns the settings for a file: two runs that have them in common count as one."""
+        """Returns the settings for a file. Runs with equal settings can be continued (--resume)."""
         return dict(dataclasses.asdict(self), ratios=list(self.ratios))
 
     @property
@@ -64,20 +70,22 @@ class Settings:
         return TwoViewRules(self.minInliers, self.inlierRatio, self.ratios, self.planarRatio, self.calibrationRatio)
 
     def needed(self, sample: int, matches: int) -> int:
-        """Returns how many samples of so many points find a pair that is to be kept, with `confidence`, see TwoViewRules.samples."""
+        """Returns the number of samples of `sample` points that find a pair that must be kept with
+        `confidence`, see TwoViewRules.samples."""
         return self.rules.samples(self.params(), sample, matches)
 
     def iterations(self, sample: int, matches: int) -> int:
-        """Returns how many samples are drawn at most: those that are needed, or `maxIterations`, if that is less."""
+        """Returns the limit of samples: the needed number, but at most `maxIterations`."""
         return min(self.maxIterations, self.needed(sample, matches))
 
     def reached(self, sample: int, matches: int) -> float:
-        """Returns the probability that one of those samples is right, if `inlierRatio` of the matches is: less than `confidence` where
-        `maxIterations` is less than is needed."""
+        """Returns the probability that one of these samples consists of inliers if the inlier ratio
+        is `inlierRatio`. It is less than `confidence` if `maxIterations` is less than the needed
+        number."""
         return self.rules.reached(self.params(), sample, matches)
 
     def params(self) -> Params:
-        """Returns the options of the estimator, without the scores, which the pairs have."""
+        """Returns the options of the estimator, without scores, which belong to the pairs."""
         params = Params.fromMethod(METHODS[self.method])
         params.threshold, params.confidence, params.maxIterations, params.seed, params.significance = (
             self.threshold, self.confidence, self.maxIterations, self.seed, self.significance)

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Databases of SQLite: opened for reading or for writing, copied, and their errors in words for the user."""
+"""SQLite databases: opening, copying, and errors in words for the user."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ._pair import CollectionError
 
 PATIENCE = 5.0  # seconds to wait for a lock of another connection
 
-# What COLMAP 3.8 and all later versions have, of those columns that are read.
+# Required tables and columns, which COLMAP 3.8 and all later versions have.
 INPUT: Dict[str, typing.Sequence[str]] = {
     "cameras": ("camera_id", "model", "width", "height", "params", "prior_focal_length"),
     "images": ("image_id", "name", "camera_id"),
@@ -25,7 +25,7 @@ INPUT: Dict[str, typing.Sequence[str]] = {
     "matches": ("pair_id", "rows", "cols", "data"),
 }
 
-# Part of what SQLite says: what it means.
+# Part of SQLite's message, and the message for the user.
 _MEANINGS = (
     ("file is not a database", "{}: this is not a database of SQLite"),
     ("malformed", "{}: the database is damaged or was cut off ({})"),
@@ -39,7 +39,7 @@ _MEANINGS = (
 
 @contextlib.contextmanager
 def explained(path: str) -> typing.Iterator[None]:
-    """Turns exceptions of SQLite into a CollectionError of one line."""
+    """Converts exceptions of SQLite to a CollectionError of one line."""
     try:
         yield
     except sqlite3.Error as error:
@@ -51,10 +51,11 @@ def explained(path: str) -> typing.Iterator[None]:
 
 
 def connect(path: str, write: bool = False) -> sqlite3.Connection:
-    """Opens an existing database. Nothing is begun or committed but by an explicit statement.
+    """Opens an existing database. Transactions start and end only by explicit statements.
 
-    write -- False: it cannot be written. Where SQLite cannot make the files that it needs beside a database in WAL mode (a
-        read-only folder), it is read as it is, provided that no program is writing it."""
+    write -- False: read-only. If SQLite cannot create the files that it needs next to a database in
+    WAL mode (read-only folder), the database is read without them, provided that no program is
+    writing it"""
     if not os.path.exists(path):
         raise CollectionError("{}: there is no such file".format(path))
     if not os.path.isfile(path):
@@ -85,12 +86,13 @@ def _open(path: str, options: str) -> sqlite3.Connection:
 
 
 def columns(connection: sqlite3.Connection, table: str) -> List[str]:
-    """Returns the names of the columns in the order of the table; none if there is no such table."""
+    """Returns the names of the columns in the order of the table; empty if there is no such table.
+    """
     return [row[1] for row in connection.execute('PRAGMA table_info("{}")'.format(table.replace('"', '""')))]
 
 
 def checkInput(connection: sqlite3.Connection, path: str) -> None:
-    """Raises CollectionError if this is no database of COLMAP, or damaged."""
+    """Raises CollectionError if the file is not a COLMAP database, or is damaged."""
     with explained(path):
         if os.path.getsize(path) == 0:
             raise CollectionError("{}: the file is empty".format(path))
@@ -102,24 +104,26 @@ def checkInput(connection: sqlite3.Connection, path: str) -> None:
                 if name not in found:
                     raise CollectionError("{}: this is not a database of COLMAP: its table {} has no column {}".format(
                         path, table, name))
-        # SQLite notices pages that are missing, but takes the end of one that was cut off for zeros.
+        # SQLite detects missing pages, but reads the missing end of a truncated page as zeros.
         if os.path.getsize(path) % int(connection.execute("PRAGMA page_size").fetchone()[0]):
             raise CollectionError("{}: the database is damaged or was cut off in the middle of a page".format(path))
 
 
 def tidy(path: str) -> None:
-    """Removes the empty files that a reader of a database in WAL mode leaves beside it, if nobody else uses them."""
+    """Removes the empty files that a reader leaves next to a database in WAL mode, unless another
+    program uses them."""
     journal = path + "-wal"
     try:
         if os.path.exists(journal) and not os.path.getsize(journal) and os.access(path, os.W_OK):
             with contextlib.closing(_open(path, "mode=rw")) as connection:
                 connection.execute("SELECT count(*) FROM sqlite_master").fetchone()
     except (OSError, sqlite3.Error):
-        pass  # they do no harm
+        pass  # these files are harmless
 
 
 def copyDatabase(source: str, target: str) -> None:
-    """Copies a database as it is now, also while other programs use it. `target` must not exist."""
+    """Copies the current state of a database, even if other programs are using it. `target` must
+    not exist."""
     folder = os.path.dirname(os.path.abspath(target))
     if not os.path.isdir(folder):
         raise CollectionError("{}: there is no folder {}".format(target, folder))
@@ -137,7 +141,7 @@ def copyDatabase(source: str, target: str) -> None:
                 reader.backup(writer, pages=4096)
             tidy(target)
         except BaseException:
-            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # a full disk leaves them behind
+            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # a full disk may leave these files behind
                 with contextlib.suppress(FileNotFoundError):
                     os.remove(name)
             raise

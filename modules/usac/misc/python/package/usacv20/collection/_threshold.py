@@ -2,20 +2,23 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The threshold of a collection, from the noise of its keypoints (--threshold auto).
+"""Estimates the threshold of a collection from the noise of its keypoints (--threshold auto).
 
-The noise is nearly the same in all pairs of a scene and a camera, so some of the pairs tell that of all.
+The noise is nearly equal in all pairs of a scene and a camera, so a sample of the pairs is
+sufficient.
 
 1. Some pairs are chosen by a hash of their keys.
-2. Of each E (both focal lengths known) or F is estimated with a threshold that is found in its matches (Params.automatic()). A
-   plane or a rotation leaves F undetermined, but not the errors of the matches under it, which are all that is used: so H is not
-   needed. Report.sigma is the noise of the matches that are located well, Report.threshold contains `QUANTILE` of all right ones,
-   also of those that are located badly: real keypoints have some, their part is 0.2 to 0.4 on photographs.
-3. Of all pairs: the median of the noise; and as heavy a tail as all but `FEW_PAIRS` of them have at least, as wrong matches
-   close to right ones look like a tail in some pairs. All pairs have the same weight: between them the noise differs by more
-   than the 5 % to which 200 matches tell it.
+2. For each of these pairs, E (both focal lengths known) or F is estimated with a threshold that is
+   estimated from its matches (Params.automatic()). Only the errors of the matches are used. A plane
+   or a rotation leaves F undetermined, but not these errors, so H is not needed. Report.sigma is
+   the noise of accurately located matches. Report.threshold contains a fraction `QUANTILE` of all
+   right matches, including badly located ones, which are 20 to 40 % of the matches in photographs.
+3. From the results of all pairs: the median of the noise, and the ratio sigma / noise that is
+   exceeded by all except a fraction `FEW_PAIRS` of the pairs. A low quantile is used because in
+   some pairs wrong matches close to right matches increase this ratio. All pairs have equal weight,
+   as the noise differs between pairs by more than the 5 % accuracy of an estimate from 200 matches.
 
-The threshold is that within which `QUANTILE` of the right matches are."""
+The threshold contains a fraction `QUANTILE` of the right matches."""
 
 from __future__ import annotations
 
@@ -38,40 +41,41 @@ if TYPE_CHECKING:
 
     _Numbers = npt.NDArray[np.float64]
 
-# Half and double of these: doc/collections.md.
+# doc/collections.md has results with half and double of these values.
 
-SAMPLE = 100  # pairs that are looked at
-MORE = 10  # times as many are read to find such with matches
-LEAST_MATCHES = 50  # of a pair that is preferred
-CHUNK = 50  # pairs that are read at once
+SAMPLE = 100  # number of pairs that are used
+MORE = 10  # at most this many times SAMPLE pairs are read in search of pairs with many matches
+LEAST_MATCHES = 50  # pairs with at least so many matches are preferred
+CHUNK = 50  # number of pairs that are read at once
 
-QUANTILE = 0.95  # of the right matches @cite hartley2003multiple (table 4.2)
-IN_SIGMAS = 1.96  # what that is of a normal distribution with one degree of freedom
+QUANTILE = 0.95  # fraction of the right matches within the threshold @cite hartley2003multiple (table 4.2)
+IN_SIGMAS = 1.96  # threshold / sigma for this fraction and a normal distribution with one degree of freedom
 
-WIDEST = 12.0  # pixels, the largest threshold that is plausible: three times COLMAP's
-CONFIDENCE, ITERATIONS = 0.99, 500  # pairs that need more are left out
-SIGNIFICANCE = 1e-4  # largest Report.chance of a pair that tells the noise
-MOST = 1000  # matches of a pair that are looked at
+WIDEST = 12.0  # pixels, largest plausible threshold: three times COLMAP's
+CONFIDENCE, ITERATIONS = 0.99, 500  # pairs that need more samples are left out
+SIGNIFICANCE = 1e-4  # largest Report.chance of a pair that is used
+MOST = 1000  # largest number of matches of a pair that are used
 
-# Pairs below which a warning is due: three are within 10 %; of single ones 79 % are, the worst was wrong by 3.8.
+# If less pairs are used, a warning is given. Estimates from three pairs are within 10 % of the
+# noise; 79 % of those from a single pair are, but the worst is wrong by a factor of 3.8.
 ENOUGH = 3
 
-LEAST_INLIERS = 30  # beyond the parameters
+LEAST_INLIERS = 30  # least number of inliers in addition to the number of the model's parameters
 FEW_PAIRS = 0.25
 
-SMALLEST = 0.012  # pixels, a threshold: the least that is told with WIDEST, ten times what float32 leaves of coordinates up to 2^14
+SMALLEST = 0.012  # pixels, least threshold: the least that can be estimated with WIDEST, ten times the float32 rounding of coordinates up to 2^14
 
 
 @dataclass(frozen=True)
 class ThresholdEstimate:
-    """What the sampled pairs tell of the collection."""
+    """The threshold and its statistics over the sampled pairs."""
 
-    threshold: float  # pixels, rounded to three digits, so that what is printed is what is used
-    sigma: float  # pixels, noise of a coordinate: of normal noise with the same QUANTILE
-    spread: float  # half of the distance between the quartiles of the pairs, as a part of sigma
-    asked: int  # pairs
-    used: int  # pairs that tell the noise
-    ratios: Tuple[float, ...] = ()  # of those pairs, in order: the part of the matches that are inliers
+    threshold: float  # pixels, rounded to three digits, so that the printed value is the used one
+    sigma: float  # pixels, standard deviation of a coordinate for normal noise with the same QUANTILE
+    spread: float  # half of the interquartile range over the pairs, relative to sigma
+    asked: int  # number of sampled pairs
+    used: int  # number of pairs with an estimate of the noise
+    ratios: Tuple[float, ...] = ()  # of these pairs, sorted: inlier ratios
 
     def describe(self) -> str:
         """Returns one sentence for a log."""
@@ -84,8 +88,9 @@ class ThresholdEstimate:
 
 
 def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:
-    """Returns pairs that do not depend on the order of the keys, preferring those with many matches. Not many more than `count` are held,
-    and not more than MORE times as many are read; each of the keys is seen once."""
+    """Returns sampled pairs, which do not depend on the order of the keys. Pairs with many matches
+    are preferred. Only slightly more than `count` pairs are kept in memory, and at most MORE *
+    count are read; all keys are enumerated once."""
     keys = heapq.nsmallest(MORE * count, source.keys(), key=_mark)
     many: List[Pair] = []
     few: List[Pair] = []
@@ -100,13 +105,13 @@ def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:
 
 
 def _mark(key: Key) -> bytes:
-    """Orders keys as if by chance, in any process alike."""
+    """Returns a hash that sorts keys in a pseudo-random order, equal in all processes."""
     return hashlib.blake2b(str(key).encode("utf-8", "surrogatepass"), digest_size=8).digest()
 
 
 def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> ThresholdEstimate:
-    """Estimates the noise of the pairs and the threshold for it; COLMAP's threshold if no pair tells the noise. Of the settings the seed is
-    used."""
+    """Estimates the noise of the pairs and the corresponding threshold. If no pair gives an
+    estimate, COLMAP's threshold is returned. Of the settings only the seed is used."""
     told = [noise for noise in _noise(pairs, settings.seed) if noise is not None]
     if not told:
         return ThresholdEstimate(Settings().threshold, math.nan, math.nan, len(pairs), 0)
@@ -118,15 +123,15 @@ def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> Thres
 
 
 class _Noise(typing.NamedTuple):
-    """The noise of a pair that tells it."""
+    """The estimated noise of a pair."""
 
-    core: float  # pixels, sigma of the matches that are located well
-    sigma: float  # pixels, of the normal distribution that has the QUANTILE of all right matches
-    ratio: float  # part of the matches that are inliers
+    core: float  # pixels, standard deviation of accurately located matches
+    sigma: float  # pixels, standard deviation of the normal distribution with the same QUANTILE as all right matches
+    ratio: float  # inlier ratio
 
 
 def _noise(pairs: typing.Sequence[Pair], seed: int) -> List[Optional[_Noise]]:
-    """Returns the noise of each pair; None: the pair tells nothing."""
+    """Returns the noise of each pair; None: no estimate."""
     params = Params.automatic(threshold=WIDEST, confidence=CONFIDENCE, maxIterations=ITERATIONS, significance=SIGNIFICANCE, seed=seed)
     result: List[Optional[_Noise]] = [None] * len(pairs)
     for calibrated in (False, True):
@@ -151,5 +156,5 @@ def _noise(pairs: typing.Sequence[Pair], seed: int) -> List[Optional[_Noise]]:
 
 
 def _some(points: _Numbers) -> _Numbers:
-    """Returns an evenly spread part of many points."""
+    """Returns at most MOST points, evenly spread over the list."""
     return points[::-(-len(points) // MOST) or 1]

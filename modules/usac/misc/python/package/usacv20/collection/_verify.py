@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The verification of a whole database, for the command line and for other programs."""
+"""Verification of a whole database, for the command line and for other programs."""
 
 from __future__ import annotations
 
@@ -32,24 +32,31 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
            resume: bool = False, scores: Union[HlocScores, ColumnScores, None] = None, loops: bool = True, threads: int = 0, workers: int = 0,
            scheduler: str = "", chunk: int = CHUNK, progress: Optional[bool] = False, say: Optional[Say] = None,
            **settings: Any) -> Summary:
-    """Estimates the two-view geometry of all pairs of a COLMAP database, as `usacv20-collection verify` does.
+    """Estimates the two-view geometry of all pairs of a COLMAP database, as `usacv20-collection
+    verify` does.
 
-    path -- of the database. Its table two_view_geometries is written, others of COLMAP's are not
-    output -- a copy to be made and written in the place of it; with `resume` it may be there
-    threshold -- pixels, largest error of an inlier; None: found from a part of the pairs, or, with `resume`, that of the last run.
-        With the method USACV20_AUTO each pair finds its own, and this is the largest plausible one, 12 by default
-    pairs -- file with the names of two images on a line: only those pairs are verified, rows of others stay as they are
-    resume -- True: pairs that a run with the same settings has done are skipped, pairs that are new are done
+    path -- of the database. Only its table two_view_geometries is written; other tables of COLMAP
+    are not changed
+    output -- path of a copy that is made and written instead; with `resume` it may exist already
+    threshold -- pixels, largest error of an inlier; None: estimated from a sample of the pairs, or,
+    with `resume`, that of the last run. With the method USACV20_AUTO each pair has its own
+    threshold, and this is the upper limit, 12 by default
+    pairs -- file with two image names on each line: only these pairs are verified, and rows of
+    other pairs do not change
+    resume -- True: pairs that a run with the same settings has done are skipped, new pairs are done
     scores -- of the matches
-    loops -- False: pairs are kept, too, whose rotation contradicts that of pairs with more matches
-    threads, workers, scheduler -- 0: a thread for each core; of Dask: processes, or tcp://HOST:PORT
-    chunk -- pairs that are handed out and stored together
-    progress -- a bar on stderr: True, False, or None: if that is a terminal
-    say -- is called with each line that the command prints
-    settings -- method, confidence, maxIterations, inlierRatio, minInliers, significance, watermarks, seed: as of the command line
+    loops -- False: pairs whose rotation contradicts that of pairs with more matches are not refused
+    threads, workers, scheduler -- 0: a thread for each core; of Dask: number of processes, or
+    tcp://HOST:PORT
+    chunk -- number of pairs that are estimated and stored together
+    progress -- progress bar on stderr: True, False, or None: only if stderr is a terminal
+    say -- function that is called with each line that the command prints
+    settings -- method, confidence, maxIterations, inlierRatio, minInliers, significance,
+    watermarks, seed: as on the command line
 
-    Pairs that cannot be read are named on stderr and counted in the summary. Raises CollectionError if nothing can be done, and
-    KeyboardInterrupt, after what is under way was stored, if the run was interrupted."""
+    Pairs that cannot be read are named on stderr and counted in the summary. Raises CollectionError
+    if nothing can be done, and KeyboardInterrupt if the run was interrupted, after results of pairs
+    in work are stored."""
     summary = verifyDatabase(path, output, threshold, pairs, resume, scores, loops, settings, say or _silent, threads=threads,
                              workers=workers, scheduler=scheduler, chunk=chunk, progress=progress)
     if summary.interrupted:
@@ -63,7 +70,7 @@ def _silent(line: str) -> None:
 
 def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float], pairs: Optional[str], resume: bool, scores: Any, loops: bool,
                    options: Dict[str, Any], say: Say, **engine: Any) -> Summary:
-    """Does the same as `verify`, but notes an interruption in the summary."""
+    """Does the same as `verify`, but reports an interruption in the summary."""
     with contextlib.closing(DatabaseSource(path, scores)) as source:
         _checkMatches(source)
         chosen: Any = source
@@ -90,9 +97,11 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
            say: Say) -> Settings:
     """Returns the settings with a threshold.
 
-    source -- of all pairs of the collection, so that the threshold does not depend on which of them are verified
-    threshold -- None: that of `stored`, else found from a part of the pairs; with USACV20_AUTO each pair finds its own
-    stored -- the settings of the run that goes on, None: there is none"""
+    source -- of all pairs of the collection, so that the threshold does not depend on a selection
+    of pairs
+    threshold -- None: the threshold of `stored`, or else estimated from a sample of the pairs; with
+    USACV20_AUTO each pair has its own
+    stored -- the settings of the run that is continued, None: there is none"""
     unknown = sorted(set(options) - set(Settings().asDict()))
     if unknown:
         raise CollectionError("{}: there is no such setting".format(unknown[0]))
@@ -111,9 +120,9 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
 
 
 def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, **engine: Any) -> Summary:
-    """Runs the estimation, and closes the sink.
+    """Runs the estimation and closes the sink.
 
-    graph -- the sink, if pairs are refused that others contradict"""
+    graph -- the sink, if pairs that contradict others must be refused; otherwise None"""
     finished = False
     try:
         summary = run(source, sink, settings, verifyPairs, **engine)
@@ -138,7 +147,7 @@ def _refuseContradicted(graph: DatabaseSink, summary: Summary) -> None:
 
 
 def _stored(path: str) -> Optional[Dict[str, Any]]:
-    """Returns the settings of the last run on a database, None: there was none."""
+    """Returns the settings of the last run on a database; None if there was none."""
     if not os.path.exists(path):
         return None
     with explained(path), contextlib.closing(connect(path)) as connection:

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A chunk of pairs from its keys to its results: what threads and Dask's workers do."""
+"""Processing of a chunk of pairs from its keys to its results, used by threads and by Dask workers.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ Verify = Callable[[typing.Sequence[Pair], Any], List[TwoView]]
 
 
 class Future(typing.Protocol):
-    """What the futures of Python and those of Dask have in common."""
+    """The common methods of Python's and Dask's futures."""
 
     def result(self) -> Outcome: ...
 
@@ -38,12 +39,12 @@ class Workers(typing.Protocol):
     """Base class of the workers, which process chunks."""
 
     def capacity(self) -> int:
-        """Returns how many chunks may be under way at once."""
+        """Returns the largest number of chunks that may be pending."""
 
     def submit(self, keys: typing.Sequence[Key]) -> Future: ...
 
     def explain(self, error: BaseException) -> BaseException:
-        """Returns the exception to raise instead of the one that a future raised."""
+        """Returns the exception to raise in place of an exception of a future."""
 
     def close(self) -> None: ...
 
@@ -68,7 +69,7 @@ def process(source: Source, keys: typing.Sequence[Key], verify: Verify, settings
 
 
 def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, reading: float) -> Outcome:
-    """Estimates pairs that are loaded."""
+    """Estimates the pairs among the loaded items."""
     start = time.perf_counter()
     pairs = [item for item in items if isinstance(item, Pair)]
     found = verify(pairs, settings) if pairs else []
@@ -80,23 +81,24 @@ def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings:
 
 
 def _named(result: TwoView, pair: Pair) -> TwoView:
-    """The reason of a fault is of use only with the names of the images."""
+    """Adds the names of the images to the reason of a fault, which is useless without them."""
     if result.configuration != Configuration.UNDEFINED:
         return result
     return result._replace(reason="{} - {}: {}".format(pair.first.name, pair.second.name, result.reason))
 
 
 _kept: Dict[str, Source] = {}
-_checked: List[Source] = []  # of those, the one whose fingerprint was right
+_checked: List[Source] = []  # at most one source of _kept: the one whose fingerprint was right
 _lock = threading.Lock()
 
 
 def unpickled(source: bytes) -> Source:
-    """Returns the source in a process of a cluster: the same object each time, with the files that it has opened."""
+    """Returns the source in a process of a cluster. The same bytes always give the same object, so
+    its files are opened only once."""
     digest = hashlib.sha256(source).hexdigest()
     with _lock:
         if digest not in _kept:
-            _kept.clear()  # one run at a time
+            _kept.clear()  # only one run at a time
             _kept[digest] = pickle.loads(source)
         return _kept[digest]
 
@@ -105,8 +107,9 @@ def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequ
                     verify: Verify, settings: Any) -> Outcome:
     """Processes a chunk in another process.
 
-    fingerprint -- of the source, which this process must see as well; None: the pairs are sent
-    items, reading -- the pairs, pickled, and the seconds that it took to read them"""
+    fingerprint -- fingerprint of the source that this process must also find; None: the pairs are
+    sent
+    items, reading -- the pickled pairs, and the seconds that reading them took"""
     if items is not None:
         return finish(pickle.loads(items), verify, settings, reading)
     shared = unpickled(source)
@@ -119,7 +122,8 @@ def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequ
 
 
 def fingerprintOf(source: bytes) -> str:
-    """Returns, in another process, Source.fingerprint, or what keeps it from being read."""
+    """Returns Source.fingerprint in another process, or the error message if it cannot be computed.
+    """
     try:
         return unpickled(source).fingerprint()
     except Exception as error:
