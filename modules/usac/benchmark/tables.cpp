@@ -19,7 +19,8 @@ struct Column
 {
     const char *title, *csvName, *format;  //!< title: null omits the column in Markdown tables
     double Summary::*figure;
-    bool ofAll;  //!< false: CSV files have the column only if some value is known
+    bool ofAll;  //!< false: CSV files have the column only if the results contain a problem whose
+                 //!< error is in degrees (P, R, M)
 };
 
 const Column COLUMNS[] = {

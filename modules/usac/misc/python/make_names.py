@@ -100,8 +100,9 @@ class Arguments:
         self.pythonMany = ["{}: _Lists".format(name) for name in points] + [
             "{}: _Arrays{}".format(name, " = None" if one in optional or one == "cameraMatrix2" else "")
             for one, name in zip(rest, many[2:])]
-        self.aboutMany = ("\n\n" + ", ".join(many[2:]) + " -- for all, or a list with an entry for each. A camera matrix is a 3x3 array, "
-                          "that of image 1 holds for both images where that of image 2 is not given; distortions may be None: none"
+        self.aboutMany = ("\n\n" + ", ".join(many[2:]) + " -- one array for all, or a list with an array for each. A camera matrix is a 3x3 array; "
+                          "without one for image 2, that of image 1 holds for both images. Distortion coefficients of None mean no "
+                          "distortion"
                           ) if rest else ""
         one, two = (cpp[2:4], cpp[4:]) if len(cpp) == 6 else (cpp[2:3], cpp[3:])  # camera matrices, distortions
         self.call = list(points) + ["params", "mask"] + list(one) + (["None"] if len(cpp) == 4 else []) + list(two)

@@ -141,8 +141,9 @@ TEST(Usac_ArgumentNames, solvePnPRansac)
     expectBegin([&] { solve(l.b, K, 10, 8, 1.5); }, "confidence");
 }
 
-//! An absolute pose names the arguments of fits differently. With a focal length the caller has
-//! given no camera matrix, so that the message must name "focal, pp".
+//! fitModel and modelErrors call the camera matrix of an absolute pose `cameraMatrix1`, and the
+//! messages must use this name. A caller of findEssentialMat with a focal length has given no
+//! camera matrix, so that the message must name "focal, pp".
 TEST(Usac_ArgumentNames, fits_and_focal_lengths)
 {
     const Lists l;

@@ -130,8 +130,9 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
         bench.minimalModel(trial, model, quality);
     SigmaConsensus consensus;
     Rng rng;
-    ASSERT_TRUE(consensus.fit(bench.context(), rng,
-                              model));  // so that even the smallest part has enough points
+    // a first fit brings the model so near to the truth that even the partition of smallest sigma
+    // has enough inliers for a fit
+    ASSERT_TRUE(consensus.fit(bench.context(), rng, model));
     const std::vector<double> expected = bruteForceWeights(bench, model,
                                                            SigmaConsensus::PARTITIONS);
     Model fitted = model;

@@ -9,11 +9,12 @@
 
 namespace opencv_test {
 
-/** Checks a pose that is not empty, and its mask. @return what is wrong in words, "" if nothing is
-The pose must be a rotation within 1e-9 and a translation. The mask must be 1 exactly where a point
-is in front of the camera, the lens shows it, and the distance of its image by cv::projectPoints is
-at most `threshold` (pixels). Rows are not checked if the rounding of the pose and of the points may
-move the image across the threshold, by the derivatives of cv::projectPoints. */
+/** Checks a pose that is not empty, and its mask. R must be a rotation matrix up to 1e-9. The mask
+must be 1 exactly where the point is in front of the camera, the lens shows it, and its projection
+by cv::projectPoints is at most `threshold` pixels from the given image point. Rows are not checked
+if, according to the derivatives of cv::projectPoints, rounding of the pose and of the points may
+move the projection across the threshold.
+@return a description of the mistake, or an empty string if there is none */
 std::string brokenPose(const EstimatorCall& call, double threshold, const cv::Mat& model,
                        const cv::Mat& mask);
 

@@ -109,8 +109,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     CV_PROP_RW std::vector<float> scores;
 };
 
-//! The result for a pair. Matrices are CV_64F, and empty if they were not determined. They refer to
-//! undistorted pixels.
+//! The result for a pair. Matrices except the mask are CV_64F, and empty if they were not
+//! determined. F and H refer to undistorted pixels.
 struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 {
     CV_WRAP TwoViewGeometry();

@@ -173,10 +173,11 @@ private:
             (errors[i] <= (float)most ? onPlane[onCount++] : offPlane[offCount++]) = i;
     }
 
-    /** Repeats least squares over the points on the plane until their number stops growing: the
-    homography of three noisy points often explains only some of the points on the plane.
-    @return false if fewer than `least` points are on the plane; otherwise onPlane and offPlane are
-    set for planeAndParallax() */
+    /** Repeats least squares over the points on the plane until their number stops growing, at most
+    MAX_FITS times: the homography of three noisy points often explains only some of them.
+    @param H replaced by the homography of the last fit
+    @return false if fewer than `least` points are on the plane, or a fit fails; otherwise onPlane
+    and offPlane are set for planeAndParallax() */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;

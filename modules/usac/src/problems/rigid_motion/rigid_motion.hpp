@@ -18,7 +18,8 @@ Ptr<Problem> createSimilarity3DProblem();
 Ptr<MinimalSolver> createTriangleSolver(bool scaled);
 //! Creates a least-squares fit: in closed form for SpaceTransferError, otherwise iterative.
 Ptr<NonMinimalSolver> createRigidFit(const Ptr<Residual>& residual, bool scaled);
-//! Creates the closed-form least-squares fit of the distance in space 2, see RigidLeastSquares.
+//! Creates the closed-form fit of a motion that minimizes the sum of squared distances in space 2,
+//! see RigidLeastSquares.
 Ptr<NonMinimalSolver> createRigidLeastSquares(bool scaled);
 
 }  // namespace usacv20

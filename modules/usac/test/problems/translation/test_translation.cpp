@@ -171,7 +171,8 @@ TEST(Usac_Translation, everyPreset)
                 Report report;
                 const Mat model = estimateTranslation2D(matches.points1, matches.points2, params,
                                                         noArray(), report);
-                // PROSAC's termination ends the search of unsorted points early
+                // the points are not sorted: where all samples follow their order (orderedEvery is
+                // 1), PROSAC's criterion may end the search early, and a larger error is allowed
                 EXPECT_LE(matches.error(model), params.orderedEvery == 1 ? 0.6 : 0.3)
                     << preset.name << ", " << residual;
                 EXPECT_LE(report.chance, 1e-6);

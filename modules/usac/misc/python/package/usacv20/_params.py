@@ -87,8 +87,8 @@ class Params:
     neighborhood = Option(e.NeighborhoodType, "NeighborhoodType: which points are neighbors. Default NEIGHBORHOOD_GRID.")
     neighbors = Integer("""Neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers, each of twice as
         many; 1..1000. Default 10.""")
-    neighborRadius = Real("""Radius for NEIGHBORHOOD_RADIUS in the finest of four layers, each twice as wide, pixels in
-        the joint space (x1, y1, x2, y2); > 0. Default 40.""")
+    neighborRadius = Real("""Radius for NEIGHBORHOOD_RADIUS in the finest of four layers, in pixels of the joint space
+        (x1, y1, x2, y2); each coarser layer has twice the radius of the one before it; > 0. Default 40.""")
     residual = Option(e.ResidualType, "ResidualType: which error of a point is minimized. Default RESIDUAL_STANDARD.")
     quality = Option(e.QualityType, "QualityType: how a model is rated. Default QUALITY_MSAC.")
     reach = Real("""Search, local optimization and polishing work with so many times threshold, the mask with threshold
@@ -200,7 +200,7 @@ class Params:
 
     def _prepared(self) -> Any:
         """Returns the options in the form of the compiled part, with the current contents of the
-        lists."""
+        arrays `scores` and `initialModel`, which a program may have changed in place."""
         options = self._native
         scores, model = self.scores, self.initialModel
         if self._filled or scores.size or model.size:

@@ -118,8 +118,9 @@ def estimateEssentials(points1: _Lists, points2: _Lists, cameraMatrices1: _Array
                        threads: int = 0, returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateEssential.
 
-    cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2 -- for all, or a list with an entry for each. A camera matrix is
-        a 3x3 array, that of image 1 holds for both images where that of image 2 is not given; distortions may be None: none"""
+    cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2 -- one array for all, or a list with an array for each. A camera
+        matrix is a 3x3 array; without one for image 2, that of image 1 holds for both images. Distortion coefficients of None
+        mean no distortion"""
     return estimateMany(ProblemType.ESSENTIAL, points1, points2, params, threads, returnExceptions, cameraMatrices1,
                         cameraMatrices2, distCoeffs1, distCoeffs2)
 
@@ -200,8 +201,8 @@ def estimateAbsolutePoses(objectPoints: _Lists, imagePoints: _Lists, cameraMatri
                           params: _ParamsOfEach = None, threads: int = 0, returnExceptions: bool = False) -> _Estimates:
     """As estimateHomographies, by estimateAbsolutePose.
 
-    cameraMatrices, distCoeffs -- for all, or a list with an entry for each. A camera matrix is a 3x3 array, that of image 1
-        holds for both images where that of image 2 is not given; distortions may be None: none"""
+    cameraMatrices, distCoeffs -- one array for all, or a list with an array for each. A camera matrix is a 3x3 array; without
+        one for image 2, that of image 1 holds for both images. Distortion coefficients of None mean no distortion"""
     return estimateMany(ProblemType.ABSOLUTE_POSE, objectPoints, imagePoints, params, threads, returnExceptions,
                         cameraMatrices, None, distCoeffs, names=POSES)
 
