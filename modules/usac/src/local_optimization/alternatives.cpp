@@ -93,15 +93,16 @@ const Alternative* Alternatives::chosen(const Context& context, const int* order
 {
     if (!contested())
         return 0;
-    const double first = kept[0].gain + WORTH * orderOf(context, kept[0].candidate.model, order);
     const double parts = std::max(context.points.size / (double)InlierBits::MOST, 1.);
     const Alternative* best = 0;
-    double most = 0;
+    double most = 0, first = -1;  // -1: not computed yet
     for (int i = 1; i < count; ++i)
     {
         const int own = kept[i].inliers.without(kept[0].inliers);
         if (own > (1 - SHARED) * kept[i].inliers.count())
             continue;
+        if (first < 0)
+            first = kept[0].gain + WORTH * orderOf(context, kept[0].candidate.model, order);
         const double points = parts * difference(kept[i].inliers, kept[0].inliers);
         const double advantage = kept[i].gain +
                                  WORTH * orderOf(context, kept[i].candidate.model, order) - first -
