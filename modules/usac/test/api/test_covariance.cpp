@@ -39,7 +39,7 @@ Mat modelOf(ProblemType problem)
         return Mat(problem == ESSENTIAL ? E * (1 / cv::norm(E)) : scene.model, true);
     }
     if (problem == AFFINITY || problem == SIMILARITY)
-        return (Mat_<double>(2, 3) << 1.1, -0.3, 20, 0.3, problem == AFFINITY ? 0.9 : 1.1, -5);
+        return Mat(Matx23d(1.1, -0.3, 20, 0.3, problem == AFFINITY ? 0.9 : 1.1, -5));
     const double scale = problem == SIMILARITY_3D ? 1.7 : 1;
     Mat pose(3, 4, CV_64F);
     Mat(ROTATION * scale).copyTo(pose.colRange(0, 3));
@@ -153,8 +153,9 @@ TEST(Usac_Covariance, parameters_of_poses_and_motions)
 TEST(Usac_Covariance, parameters_of_maps_are_entries)
 {
     EXPECT_LT(cv::norm(tangentOfModel(AFFINITY, modelOf(AFFINITY)), Mat::eye(6, 6, CV_64F)), 1e-7);
-    const Mat expected = (Mat_<double>(6, 4) << 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1,
-                          0, 0, 0, 0, 0, 0, 1);
+    double entries[6 * 4] = {1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0,
+                             0, 1, 0, 0, 1, 0,  0, 0, 0, 0, 0, 1};
+    const Mat expected(6, 4, CV_64F, entries);
     EXPECT_LT(cv::norm(tangentOfModel(SIMILARITY, modelOf(SIMILARITY)), expected), 1e-7);
     const Mat H = modelOf(HOMOGRAPHY), T = tangentOfModel(HOMOGRAPHY, H);
     EXPECT_EQ(0, cv::norm(T.row(8), NORM_INF));  // h33 is always 1
@@ -321,8 +322,8 @@ TEST(Usac_Covariance, points_that_are_nowhere)
     const Mat pose = modelOf(ABSOLUTE_POSE), C = someCovariance(ABSOLUTE_POSE, pose);
     // center of the camera, where no projection exists
     const Mat center = -pose.colRange(0, 3).t() * pose.col(3);
-    const Mat points = (Mat_<double>(2, 3) << center.at<double>(0), center.at<double>(1),
-                        center.at<double>(2), NAN, 0, 0);
+    const Mat points(
+        Matx23d(center.at<double>(0), center.at<double>(1), center.at<double>(2), NAN, 0, 0));
     const Mat found = pointCovariance(ABSOLUTE_POSE, pose, C, points, noArray(), K);
     for (int k = 0; k < 4; ++k)
         EXPECT_TRUE(cvIsNaN(found.at<double>(1, k)));
