@@ -95,12 +95,13 @@ uint64 platformHash()
 //! Instruction set of the loops over points in this process.
 std::string kernelsInUse()
 {
+    // the functions that return kernels may themselves contain instructions of their set
 #ifdef USACV20_HAVE_AVX512
-    if (kernels().arcs == avx512Kernels().arcs)
+    if (checkHardwareSupport(CV_CPU_AVX512_SKX) && kernels().arcs == avx512Kernels().arcs)
         return "avx512";
 #endif
 #ifdef USACV20_HAVE_AVX2
-    if (kernels().arcs == avx2Kernels().arcs)
+    if (checkHardwareSupport(CV_CPU_AVX2) && kernels().arcs == avx2Kernels().arcs)
         return "avx2";
 #endif
     return "baseline";
