@@ -36,6 +36,7 @@ public:
     //! All values of a repeated option; a value that lists several names separated by commas is
     //! split.
     std::vector<std::string> all(const std::string& name) const;
+    //! True if the option was given, even without a value.
     bool given(const std::string& name) const;
 
 private:

@@ -31,8 +31,9 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
 {
     typedef Vec<double, DIMENSIONS> Cell;
     Arena::Scope scope(arena);
-    Cell* const cells = scope.take<Cell>(count);
-    int* const rows = scope.take<int>(count);
+    const int most = count - (int)std::count(mask, mask + count, (uchar)0);
+    Cell* const cells = scope.take<Cell>(most);
+    int* const rows = scope.take<int>(most);
     int marked = 0, size = 1;
     for (int i = 0; i < count; ++i)
         if (mask[i])

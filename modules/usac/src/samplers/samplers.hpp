@@ -35,9 +35,9 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! Number of first samples that are uniform even if other samples follow an order of the points:
-//! many searches end with them and then need neither the order nor neighborhoods. See
-//! doc/constants.md.
+//! Number of first samples that are uniform even if later samples follow an order of the points
+//! (Params::orderedEvery above 1): many searches end with these samples and then need neither the
+//! order nor neighborhoods. See doc/constants.md.
 constexpr int BEFORE_ORDER = 8;
 
 //! The same as isOrdered() for a known order of the points, see orderIsKnown(). Depending on

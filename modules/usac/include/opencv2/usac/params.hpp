@@ -341,9 +341,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     in their own way; the others are uniform among all points. Only the uniform samples count for
     the termination criteria except #TERMINATION_PROSAC, because samples from a subset may never
     consist of inliers of the best model, and `confidence` would not hold. But all samples count if
-    more than half of the points outside the sample of the best model are its inliers. With
-    #TERMINATION_ORDER and a known order, every second one of the samples that come after 8 uniform
-    ones follows it, and all do once it is confirmed. 1: all are drawn in the sampler's way, and all
+    more than half of the points outside the sample of the best model are its inliers. If
+    the order is known, the first 8 samples are uniform. With #TERMINATION_ORDER every second one
+    then follows it, and all do once it is confirmed. 1: all are drawn in the sampler's way, and all
     count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default

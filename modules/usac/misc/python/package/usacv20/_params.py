@@ -109,10 +109,10 @@ class Params:
     spatialWeight = Real("Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.")
     runnersUp = Integer("""Models beside those that beat all samples before them that are optimized before the search
         ends, at most; 0..100. Default 16.""")
-    orderedEvery = Integer("""Samplers that prefer some of the points draw one in so many samples as they prefer, the
-        others are uniform among all points, and only those count for the criteria of termination. Where the order is
-        known (scores), more of the first samples follow it, and all do once it proves to be good, see
-        TERMINATION_ORDER. 1: all are as preferred, and all count, as in the papers; 1..1000. Default 8.""")
+    orderedEvery = Integer("""Samplers that prefer some points draw one in so many samples in their own way; the others are
+        uniform among all points, and only these count for the termination criteria. If the order of the points is known
+        (scores), the first 8 samples are uniform, half of the next follow the order, and all do once it is confirmed, see
+        TERMINATION_ORDER. 1: all are drawn in the sampler's way, and all count, as in the papers; 1..1000. Default 8.""")
     termination = Set(e.TerminationFlags, """Set of TerminationFlags; 0 runs all maxIterations. Default TERMINATION_SPRT
         | TERMINATION_P_NAPSAC | TERMINATION_EXACT | TERMINATION_ORDER.""")
     relaxation = Real("""What a "significantly" better model has more for TERMINATION_P_NAPSAC, as a fraction of the
