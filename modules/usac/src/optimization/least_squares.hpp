@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_LEAST_SQUARES_HPP
 #define OPENCV_USACV20_LEAST_SQUARES_HPP
 
-#include <Eigen/Cholesky>
+#include "optimization/cholesky.hpp"
 #include "optimization/inner_product.hpp"
 #include "residual/normal_equations.hpp"
 
@@ -122,10 +122,9 @@ private:
         added = damping * A.diagonal();
         added.array() += SINGULAR * A.trace() / (double)A.rows();
         A.diagonal() += added;
-        const Eigen::LLT<Matrix> llt(A);
-        if (llt.info() != Eigen::Success)
+        step = -b;
+        if (!solvePositiveDefinite(A, step))
             return false;
-        step = -llt.solve(b);
         gain = innerProduct(added, step.cwiseAbs2()) - innerProduct(b, step);
         return step.allFinite();
     }

@@ -10,19 +10,20 @@ namespace usacv20 {
 
 namespace {
 
-/* Local optimization also corrects models of samples that contain an outlier, the more often the
-more inliers there are. When the number of samples is computed, a sample for E therefore counts as
-(inliers / EASY)^2 samples, at least 1 and at most EASIEST. For USACV20, 200 scenes each gave the
-following values, from the models found with at most a quarter of the samples: 1.2 (18 inliers), 1.5
-(20 inliers), 2.1 (24 inliers), more than 12 (40 and 50 inliers). This was not measured for F, H and
-other presets; each of their samples counts as one. */
-constexpr double EASY = 15, EASIEST = 4;
+/* A model is found more often than the fraction of all-inlier samples tells: local optimization also
+corrects models of samples that contain an outlier, degenerate samples lead to models by plane and
+parallax (F), and many samples are drawn from regions where right matches are dense. When the number
+of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_OF_E)^2 samples for E,
+at least 1 and at most MOST_OF_E, and as OF_F samples for F. doc/measurements/collections_tables.md
+has the measured numbers; these are near the lowest ones on photographs and in collections. This was
+not measured for H and for other presets; each of their samples counts as one. */
+constexpr double ONE_OF_E = 10, MOST_OF_E = 4, OF_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.
 constexpr int TAIL = 8;
-constexpr int E_SAMPLE = 5;
+constexpr int E_SAMPLE = 5, F_SAMPLE = 7;
 
-//! True if the search is that of USACV20, for which EASY was measured.
+//! True if the search is that of USACV20, for which countedAs() was measured.
 bool isMeasured(const Params& params)
 {
     const Params usual;
@@ -45,6 +46,18 @@ double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, doub
     return part;
 }
 
+//! The number of samples as which a sample counts.
+double countedAs(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
+                 double ratio)
+{
+    if (!measured || (sampleSize != E_SAMPLE && sampleSize != F_SAMPLE))
+        return 1;
+    if (sampleSize == F_SAMPLE)
+        return OF_F;
+    const double inliers = std::max(ratio * matches, (double)rules.minInliers) / ONE_OF_E;
+    return std::min(std::max(inliers * inliers, 1.), MOST_OF_E);
+}
+
 //! Logarithm of the probability that one sample does not lead to the model of a pair; -infinity if
 //! every sample does.
 double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
@@ -53,9 +66,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
     const double right = rightSamples(rules, sampleSize, matches, ratio);
     if (right >= 1)
         return -HUGE_VAL;
-    const double easy = std::max(ratio * matches, (double)rules.minInliers) / EASY;
-    return (sampleSize == E_SAMPLE && measured ? std::min(std::max(easy * easy, 1.), EASIEST) : 1) *
-           std::log1p(-right);
+    return countedAs(rules, measured, sampleSize, matches, ratio) * std::log1p(-right);
 }
 
 //! The probabilities with which samples miss the models of the pairs of a collection.

@@ -28,11 +28,10 @@ class Settings:
     method: str = "USACV20"  # one of METHODS
     confidence: float = 0.999
     # Largest number of samples of a model, equal to COLMAP's limit. With the other defaults it may
-    # end a search before `confidence` is reached (see `reached`). F: this happens for at least 37
-    # matches with an inlier ratio below 0.42 (37 matches) to 0.35 (many matches). For an inlier
-    # ratio of 0.25, the probability of an all-inlier sample is then 0.15 (60 matches), 0.39 (300),
-    # 0.45 (2000). E: it happens for 58 to 64 matches with an inlier ratio of 0.25; the probability
-    # is at least 0.996. H: never.
+    # end a search for F before `confidence` is reached (see `reached`), but not one for E or H.
+    # This happens for at least 44 matches with an inlier ratio below 0.33 (60 matches) to 0.29
+    # (many matches). For an inlier ratio of 0.25, the probability that F is found is then at least
+    # 0.49 (60 matches), 0.86 (300), 0.91 (2000).
     maxIterations: int = 10000
     # Least expected inlier ratio. Pairs with a lower ratio may be found, too, but with less than
     # `confidence`.
@@ -79,8 +78,8 @@ class Settings:
         return min(self.maxIterations, self.needed(sample, matches))
 
     def reached(self, sample: int, matches: int) -> float:
-        """Returns the probability that one of these samples consists of inliers if the inlier ratio
-        is `inlierRatio`. It is less than `confidence` if `maxIterations` is less than the needed
+        """Returns the probability that these samples find a pair whose inlier ratio is
+        `inlierRatio`. It is less than `confidence` if `maxIterations` is less than the needed
         number."""
         return self.rules.reached(self.params(), sample, matches)
 

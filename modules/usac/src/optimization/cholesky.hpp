@@ -1,0 +1,76 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_CHOLESKY_HPP
+#define OPENCV_USACV20_CHOLESKY_HPP
+
+#include <Eigen/Cholesky>
+
+namespace cv {
+namespace usacv20 {
+
+//! Column K of the Cholesky decomposition of an N x N matrix, and the columns after it.
+template <int N, int K>
+struct CholeskyColumns
+{
+    //! @param A symmetric matrix, without the columns before K; becomes the factor, with the
+    //! inverses of its diagonal entries
+    //! @param x right-hand side, without the parts of the unknowns before K; becomes the solution
+    static bool solve(double (&A)[N][N], double (&x)[N])
+    {
+        const double pivot = A[K][K];
+        if (!(pivot > 0 && pivot <= DBL_MAX))
+            return false;
+        const double inverse = 1 / std::sqrt(pivot);
+        x[K] *= inverse;
+        for (int i = K + 1; i < N; ++i)
+        {
+            A[K][i] *= inverse;
+            x[i] -= A[K][i] * x[K];
+        }
+        // both triangles, because loops of constant length are faster than half of the work
+        for (int j = K + 1; j < N; ++j)
+            for (int i = K + 1; i < N; ++i)
+                A[j][i] -= A[K][j] * A[K][i];
+        if (!CholeskyColumns<N, K + 1>::solve(A, x))
+            return false;
+        for (int i = K + 1; i < N; ++i)
+            x[K] -= A[K][i] * x[i];
+        x[K] *= inverse;
+        return true;
+    }
+};
+
+template <int N>
+struct CholeskyColumns<N, N>
+{
+    static bool solve(double (&)[N][N], double (&)[N]) { return true; }
+};
+
+/** @brief Solves A x = b for a symmetric positive definite matrix by its Cholesky decomposition
+@cite golub2013matrix. For the few unknowns of a fit, it takes a fraction of the time of Eigen::LLT,
+whose loops are made for large matrices.
+@param A the matrix; overwritten
+@param x b, replaced by x
+@return false if A is not positive definite up to rounding errors, or not finite */
+template <int N>
+bool solvePositiveDefinite(Eigen::Matrix<double, N, N>& A, Eigen::Matrix<double, N, 1>& x)
+{
+    return CholeskyColumns<N, 0>::solve(*reinterpret_cast<double(*)[N][N]>(A.data()),
+                                        *reinterpret_cast<double(*)[N]>(x.data()));
+}
+
+//! The same for a matrix whose size is known at run time.
+template <class Matrix, class Vector>
+bool solvePositiveDefinite(Matrix& A, Vector& x)
+{
+    const Eigen::LLT<Matrix> llt(A);
+    llt.solveInPlace(x);
+    return llt.info() == Eigen::Success;
+}
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif
