@@ -10,13 +10,14 @@ namespace usacv20 {
 
 namespace {
 
-/* A model is found more often than the fraction of all-inlier samples tells: local optimization also
-corrects models of samples that contain an outlier, degenerate samples lead to models by plane and
-parallax (F), and many samples are drawn from regions where right matches are dense. When the number
-of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_OF_E)^2 samples for E,
-at least 1 and at most MOST_OF_E, and as OF_F samples for F. doc/measurements/collections_tables.md
-has the measured numbers; these are near the lowest ones on photographs and in collections. This was
-not measured for H and for other presets; each of their samples counts as one. */
+/* A model is found more often than the fraction of all-inlier samples tells: local optimization
+also corrects models of samples that contain an outlier, degenerate samples lead to models by plane
+and parallax (F), and many samples are drawn from regions where right matches are dense. When the
+number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_OF_E)^2
+samples for E, at least 1 and at most MOST_OF_E, and as OF_F samples for F.
+doc/measurements/collections_tables.md has the measured numbers; these are near the lowest ones on
+photographs and in collections. This was not measured for H and for other presets; each of their
+samples counts as one. */
 constexpr double ONE_OF_E = 10, MOST_OF_E = 4, OF_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.
