@@ -278,6 +278,15 @@ def measure_scale(run):
     return before + "\n" + block("scale/bound", "| problem |" + bound)
 
 
+def measure_phases(run):
+    run.repeats = 1
+    text = run.call("phases.py", "--build=" + run.build)
+    run.commands = ["phases.py --build=BUILD"]
+    return ("`USACV20` on synthetic scenes, ten of each kind: instructions of a call, and the part of each phase in percent. Samples: their points, with the order "
+            "of the points; graph cut: with the neighborhoods; rest: reading, normalization, runners-up, termination, mask.\n\n" +
+            block("phases/table", text.strip()))
+
+
 def measure_threads(run):
     found, _, _ = run.two_views(("USACV20", "USACV20_PARALLEL"), run.times(3), "--threads=2", "--baseline=USACV20")
     rows = [["%s %s" % key, "%.2f" % (t["USACV20"]["mean_wall_ms"] / t["USACV20_PARALLEL"]["mean_wall_ms"])] for key, t in found.items()]
@@ -310,6 +319,7 @@ KINDS = collections.OrderedDict((
     ("tracking", Kind("A model for the next frame", measure_tracking, Rows(("graf", "absolutePose"), ("usacV20",)), False)),
     ("scale", Kind("Time over size and hardness; the search and its lower bound", measure_scale, Rows(TWO_VIEWS, ("usacV20", "fast")), False)),
     ("covariance", Kind("How sure: the calibration of the covariance", measure_covariance, Rows(), False)),
+    ("phases", Kind("The time of a call, phase by phase", measure_phases, Rows(TWO_VIEWS, ("usacV20",)), False)),
     ("threads", Kind("Two threads", measure_threads, Rows(TWO_VIEWS, ("usacV20", "parallel")), False)),
     ("tests", Kind("Tests, sanitizers, fuzzer, coverage", None, Rows(), False)),
     ("constants_tables", Kind("Half and double of the chosen numbers; choices between variants", None, Rows(), False)),
@@ -417,7 +427,7 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(name for name, kind in KINDS.items() if kind.measure))
     parser.add_argument("--build", metavar="DIR")
-    parser.add_argument("--data", metavar="DIR", help="not needed by affine, rigid, tracking, scale and covariance")
+    parser.add_argument("--data", metavar="DIR", help="not needed by affine, rigid, tracking, scale, covariance and phases")
     parser.add_argument("--repeats", type=int, help="other than the measurement has")
     parser.add_argument("--logs", metavar="DIR", help="of run_tests.sh or sanitize.sh")
     parser.add_argument("--copied", metavar="NAME", help=", ".join(COPIED))

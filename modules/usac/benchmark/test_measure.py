@@ -22,6 +22,7 @@ import figure_tables
 import figures
 import gate_logs
 import measure
+import phases
 import structured_tables
 from figures import FiguresError, Measurement, Project, Rows
 from test_benchmark import FolderTest
@@ -283,6 +284,46 @@ class TablesTest(FolderTest):
         file = self.put("t.csv", "problem,ratio,initial_model,limit,frames,median_error,failures_percent,mean_samples,mean_cpu_ms,cpu_ratio,"
                                  "recovery\nP,0.2,no,8,9,inf,95.55,8,0.2,0.31,30.6\nP,0.2,yes or again,8,9,0.03,0,12.2,0.2,0.204,0\n")
         self.assertIn("| P, 20 % | 8 | inf / 95.5 / 8 / 0.31 / 30.6 |  | 0.030 / 0.0 / 12 / 0.20 / 0.0 |", figure_tables.tracking(file))
+
+
+class PhasesTest(unittest.TestCase):
+    COUNTS = """version: 1
+events: Ir
+fn=(1) cv::usacv20::(anonymous namespace)::UsacImpl::run(cv::_OutputArray const&)
++3 50
+cfn=(2) cv::usacv20::Ransac::drawBatch()
+calls=4 100
++1 100
+cfn=(3) cv::usacv20::(anonymous namespace)::GraphCutOptimizer::optimize(cv::usacv20::Context const&)
+calls=1 7
++2 400
+cfn=(5) cv::usacv20::Restarts::improve(cv::usacv20::Model&)
+calls=1 7
++2 200
+fn=(3)
++1 100
+cfn=(4) cv::usacv20::Labeling::cut(cv::usacv20::Context const&)
+calls=2 9
+* 300
+fn=(5)
+* 50
+cfn=(6) cv::usacv20::(anonymous namespace)::RobustPolisher::polish(cv::usacv20::Context const&)
+calls=2 9
+* 150
+fn=(1)
++1 100
+cfn=(6)
+calls=1 9
+* 150
+totals: 1000
+"""
+
+    def test_shares(self):
+        total, calls = phases.read_calls(io.StringIO(self.COUNTS))
+        self.assertEqual(total, 1000)
+        found = {phase: round(share, 3) for phase, share in phases.shares(total, calls).items()}
+        self.assertEqual(found, {"samples": 0.1, "their models": 0, "test, score": 0, "degeneracy": 0, "graph cut": 0.3, "local fits": 0.1,
+                                 "polishing": 0.35, "rest": 0.15})
 
 
 class GateLogsTest(FolderTest):

@@ -14,6 +14,8 @@ namespace {
 //! and 2 cells per axis as in the program of the authors of @cite barath2019progressive.
 //! MOST_BITS: maximum number of bits per axis, which matters if there are fewer axes.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
+//! Number of points whose cells are computed together.
+constexpr int BLOCK = 256;
 //! Maximum number of edges from a point to later points in its cell of the second layer. See
 //! doc/constants.md.
 constexpr int LINKS = 3;
@@ -73,9 +75,10 @@ public:
             links = context.arena.take<Vec2i>((size_t)size * LINKS);
             linkCount = 0;
             for (int i = 0; i < size; ++i)
-                for (int k = 1; k <= LINKS && i + k < size; ++k)
-                    if (sortedCodes[i] >> axes == sortedCodes[i + k] >> axes)
-                        links[linkCount++] = Vec2i(sorted[i], sorted[i + k]);
+                for (int k = i + 1;
+                     k <= i + LINKS && k < size && sortedCodes[i] >> axes == sortedCodes[k] >> axes;
+                     ++k)
+                    links[linkCount++] = Vec2i(sorted[i], sorted[k]);
         }
         edges = links;
         return linkCount;
@@ -111,10 +114,18 @@ private:
             const float low = points.lower[axis], range = points.upper[axis] - low;
             const float scale = range > 0 ? cells / range : 0, last = (float)(cells - 1);
             const float* const values = points.column[axis];
-            for (int i = 0; i < points.size; ++i)
+            uchar inCell[BLOCK];
+            for (int begin = 0; begin < size; begin += BLOCK)
             {
-                const float cell = (values[i] - low) * scale, inside = cell > 0 ? cell : 0;
-                to[i] = (ushort)(to[i] | codeOf[(int)(inside < last ? inside : last)]);
+                const int count = std::min<int>(BLOCK, size - begin);
+                for (int i = 0; i < count; ++i)  // this loop can use vector instructions
+                {
+                    const float cell = (values[begin + i] - low) * scale,
+                                inside = cell > 0 ? cell : 0;
+                    inCell[i] = (uchar)(int)(inside < last ? inside : last);
+                }
+                for (int i = 0; i < count; ++i)
+                    to[begin + i] = (ushort)(to[begin + i] | codeOf[inCell[i]]);
             }
         }
         sort(context.arena);
@@ -127,24 +138,26 @@ private:
         rank = arena.take<int>(size);
         sortedCodes = arena.take<ushort>(size);
         Arena::Scope scope(arena);
-        int *from = sorted, *to = scope.take<int>(size);
+        int* const byLow = scope.take<int>(size);  // points, sorted by the low digit
+        int low[257] = {0}, high[257] = {0};       // first place of each digit
         for (int i = 0; i < size; ++i)
-            sorted[i] = i;
-        for (int shift = 0; shift < 16; shift += 8)
         {
-            int start[257] = {0};
-            for (int i = 0; i < size; ++i)
-                ++start[((codes[i] >> shift) & 255) + 1];
-            for (int d = 0; d < 256; ++d)
-                start[d + 1] += start[d];
-            for (int i = 0; i < size; ++i)
-                to[start[(codes[from[i]] >> shift) & 255]++] = from[i];
-            std::swap(from, to);  // after two swaps the result is in `sorted`
+            ++low[(codes[i] & 255) + 1];
+            ++high[(codes[i] >> 8) + 1];
+        }
+        for (int d = 0; d < 256; ++d)
+        {
+            low[d + 1] += low[d];
+            high[d + 1] += high[d];
         }
         for (int i = 0; i < size; ++i)
+            byLow[low[codes[i] & 255]++] = i;
+        for (int k = 0; k < size; ++k)
         {
-            sortedCodes[i] = codes[sorted[i]];
-            rank[sorted[i]] = i;
+            const int i = byLow[k], place = high[codes[i] >> 8]++;
+            sorted[place] = i;
+            sortedCodes[place] = codes[i];
+            rank[i] = place;
         }
     }
 

@@ -381,7 +381,7 @@ class GeometryTest(unittest.TestCase):
         self.assertNotIn("confidence", verified(random, maxIterations=300000, **fast).reason)
         self.assertNotIn("confidence", verified(random, maxIterations=10250, **fast).reason)
         self.assertRegex(verifyPairs([unknown], Settings(threshold=2, maxIterations=10250))[0].reason, r"confidence 0\.2291 for F$")
-        self.assertRegex(verified(Scene(3, wrong=1, count=75, known=False)).reason, "^F: .* confidence 0.2242 for F$")
+        self.assertRegex(verified(Scene(3, wrong=1, count=75, known=False)).reason, "^F: .* confidence 0.6377 for F$")
         self.assertNotIn("confidence", verified(Scene(3, wrong=1, count=30)).reason)
 
     def test_mistakes(self):
