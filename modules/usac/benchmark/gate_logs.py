@@ -107,7 +107,8 @@ def outcome(row):
 
 
 def sentences(rows):
-    """Returns {part: text for README} of the tools, and of `gate` if all its parts are there."""
+    """Returns {name: text for README} for those of TOOLS, `fuzz` and `coverage` that have a row, and
+    for `gate` if all parts of GATE have a row."""
     found = {name: "%s tests, %s" % (rows[name]["passed"], outcome(rows[name])) for name in TOOLS if name in rows}
     if "fuzz" in rows:
         found["fuzz"] = "%s, %s" % (rows["fuzz"]["more"], outcome(rows["fuzz"]).replace("none failed", "no finding"))

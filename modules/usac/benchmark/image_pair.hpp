@@ -35,9 +35,9 @@ struct ImagePair
     cv::Matx33d H;                                        //!< image 1 -> image 2
     cv::Matx33d K1, K2;
     std::vector<double> distortion;  //!< P: lens distortion as in calib3d; empty: none
-    cv::Matx33d R;                   //!< x2 ~ R x1 + t; R, M: X2 = scale R X1 + t
+    cv::Matx33d R;                   //!< x2 ~ R x1 + t; problems R and M: X2 = scale R X1 + t
     cv::Vec3d t;
-    double scale;            //!< M: scale of space 2 over space 1; otherwise 1
+    double scale;            //!< problem M: scale of space 2 relative to space 1; otherwise 1
     std::vector<int> right;  //!< R, M: indices of the right matches; empty: unknown
     /** P: median depth of the right matches. R, M: size of the scene, the root mean square distance
     of the right points of space 2 from their mean. */

@@ -77,10 +77,12 @@ class Options(NamedTuple):
     layout: str = "street"
     images: int = 24
     noise: float = 0.4  # pixels
-    alike: float = 0.45  # deviation between windows of a kind, relative to that of unrelated points
-    shared: float = 0.5  # part of `alike` that depends on the window's number only
+    # Standard deviation between the descriptors of windows of a kind, relative to that between
+    # descriptors of unrelated points.
+    alike: float = 0.45
+    shared: float = 0.5  # fraction of this variance that depends only on the kind and the number of the window in its facade
     unique: int = 60  # unique points for each ten meters of facade
-    known: bool = True
+    known: bool = True  # the focal length is known
     seed: int = 0
 
 

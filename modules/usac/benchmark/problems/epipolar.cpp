@@ -28,7 +28,8 @@ struct Rays
     std::vector<cv::Vec3d> rays1, rays2;
 };
 
-//! Viewing rays of the inliers; of all correspondences if the mask has no inliers or another size.
+//! Viewing rays of the inliers; or of all correspondences, if the mask has no inliers or not as
+//! many rows as there are correspondences.
 Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
 {
     const cv::Matx33d inverse1 = pair.K1.inv(), inverse2 = pair.K2.inv();

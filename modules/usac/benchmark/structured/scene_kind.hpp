@@ -20,10 +20,10 @@ struct Cell
     ProblemType problem;
     std::string motion;  //!< see setMotion
     std::string kind;    //!< see setKind
-    int size;      //!< number of matches; kind `copies`: of different ones; kind `second`: of the
-                   //!< right model
-    double ratio;  //!< inlier ratio
-    std::string order;  //!< `none`: no scores; otherwise see setOrder
+    int size;            //!< number of matches; kind `copies`: number of different matches, each of
+                         //!< which occurs five times; kind `second`: number of right matches
+    double ratio;        //!< inlier ratio
+    std::string order;   //!< `none`: no scores; otherwise see setOrder
 
     //! Sets the options of the scenes, except noise and seed. @return false if there is no such
     //! scene, or if it has less right matches than a minimal sample plus `spare`.

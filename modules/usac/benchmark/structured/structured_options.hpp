@@ -16,7 +16,7 @@ namespace benchmark {
 /** The options of usac_structured's command line. */
 struct StructuredOptions
 {
-    bool search, accuracy, random;  //!< one of them: --mode
+    bool search, accuracy, random;  //!< exactly one is true, the one that --mode names
     std::vector<std::string> methods;
     std::vector<ProblemType> problems;
     std::vector<std::string> motions, kinds, orders, by;

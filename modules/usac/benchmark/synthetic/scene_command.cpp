@@ -58,8 +58,7 @@ bool isPart(double value) { return value >= 0 && value <= 1; }
 struct SceneKind
 {
     const char* name;
-    ProblemType
-        problem;  //!< of the generator of image pairs; unused for views and motions of space
+    ProblemType problem;  //!< for makeScene(); unused for views and motions of space
     const char* letters;
 };
 

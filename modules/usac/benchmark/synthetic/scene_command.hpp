@@ -18,7 +18,7 @@ struct SceneCommand
 {
     std::string folder, name;
     std::string letters;               //!< letters of the problems that the scenes can be used for
-    ProblemType problem;               //!< of the generator; unused for views and motions of space
+    ProblemType problem;               //!< for makeScene(); unused for views and motions of space
     int pairs;                         //!< number of scenes
     opencv_test::SceneOptions images;  //!< of the first scene; each next seed is larger by 1
     ViewOptions view;                  //!< as `images`, for views

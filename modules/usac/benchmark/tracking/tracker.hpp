@@ -41,8 +41,8 @@ public:
     double failures() const;      //!< percentage of frames that failed
     double meanSamples() const;   //!< per frame
     double meanCpuMs() const;     //!< per frame
-    double meanRecovery() const;  //!< mean number of frames after a jump until the first success,
-                                  //!< all if there is none
+    double meanRecovery() const;  //!< mean number of failed frames after a jump before the first
+                                  //!< success; without a success, all frames after the jump count
     int frames() const { return (int)errors.size(); }
 
 private:

@@ -314,7 +314,7 @@ def packageFile():
     rows = problems()
     names = [member for enumeration in enumerations() for member, _, _ in enumeration.members]
     names += [row.function for row in rows] + [row.batch for row in rows]
-    start, end = "# What follows is written by misc/python/make_names.py.\n", "# So far.\n"
+    start, end = "# What follows is written by misc/python/make_names.py.\n", "# End of the names written by misc/python/make_names.py.\n"
     before, _, rest = read(PACKAGE, "__init__.py").partition(start)
     return before + start + listed("__all__ +", sorted(names)) + end + rest.partition(end)[2]
 

@@ -14,6 +14,7 @@ Component::~Component() {}
 Ordering::~Ordering() {}
 bool Ordering::informative(const Context&) const { return true; }
 Neighborhood::~Neighborhood() {}
+int Neighborhood::mostEdges() const { return -1; }
 Sampler::~Sampler() {}
 MinimalSolver::~MinimalSolver() {}
 

@@ -99,6 +99,7 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
                                                     : context.neighborhood().edges(context, edges);
     if (context.stop(0))  // the time limit was reached while the edges were searched
         count = 0;
+    degree = std::max(degree, context.neighborhood().mostEdges());
     labelWithoutCut(context.arena, edges, count, lambda);
     labelByCut(context.arena, edges, count, lambda);
     int found = 0;

@@ -56,7 +56,7 @@ private:
     int size, nodeCount;           //!< numbers of points and of nodes
     detail::GCGraph<float> graph;  //!< a member in order to reuse its memory
 
-    int degree;  //!< largest number of edges of a point; -1: not yet known
+    int degree;  //!< at least the largest number of edges of a point; -1: not yet known
 };
 
 }  // namespace usacv20

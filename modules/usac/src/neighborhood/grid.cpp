@@ -84,6 +84,8 @@ public:
         return linkCount;
     }
 
+    int mostEdges() const CV_OVERRIDE { return 2 * LINKS; }
+
 private:
     static bool lessCode(ushort code, int value) { return code < value; }
 

@@ -26,16 +26,17 @@ constexpr double HIGH = 0.4;
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 /** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
 less than HOPE, the attempt ends; the result must gain GAIN. Changing two parameters gains 6 by
-chance in one of 20 cases; the result is then as good as the model. */
+chance in one of 20 cases; the changed model is then as good as the original one. */
 constexpr double HOPE = 3, GAIN = 6;
 /** Stricter conditions if nearly all inliers leave parameters undetermined (Problem::leavesFree),
-like points on a plane the epipole. The gain must be at least FREE_GAIN. It must also be at least
-TURNED sqrt(n) for n points: another epipole changes the direction in which all errors are measured,
-and the difference of two sums of n squares has a standard deviation of at most 2 sqrt(n) noise
-variances. The evidence of the lost inliers (surpriseOf()) must be at most gain / FREE_AGAINST,
-because only inliers off the plane determine the epipole. With GAIN alone, an F whose right matches
-are nearly all on a plane may lose the right matches off the plane. An ambiguous model (E) is not
-changed if parameters are undetermined, because fits may end between its two solutions. */
+as points on a plane leave the epipole undetermined. The gain must be at least FREE_GAIN. It must
+also be at least TURNED sqrt(n) for n points: another epipole changes the direction in which all
+errors are measured, and the difference of two sums of n squares has a standard deviation of at most
+2 sqrt(n) noise variances. The evidence of the lost inliers (surpriseOf()) must be at most gain /
+FREE_AGAINST, because only inliers off the plane determine the epipole. With GAIN alone, an F whose
+right matches are nearly all on a plane may lose the right matches off the plane. An ambiguous model
+(E) is not changed if parameters are undetermined, because fits may end between its two solutions.
+*/
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! Lower bound of the standard deviation of the noise, in thresholds: the accuracy of errors in
 //! single precision.

@@ -200,7 +200,7 @@ struct Changer
         const double end = values.initial < 1    ? std::min(values.high, 1.)
                            : values.initial == 1 ? 2
                                                  : 0;
-        params.*member = (2 * values.initial + end) / 3;  // not finite in binary digits
+        params.*member = (2 * values.initial + end) / 3;  // usually an infinite binary fraction
     }
     void operator()(const char*, std::vector<float> Params::*member, const FieldValues&)
     {

@@ -328,8 +328,9 @@ TEST_P(UsacComponents, polishing)
     EXPECT_NE(with, reweighted);
 }
 
-//! With persistence p, the number of samples must be about p times as large. The best model is
-//! found early enough in this scene that the criterion does not change.
+//! With persistence p, the number of samples must be about p times that with persistence 1. The
+//! best model of this scene is found so early that the number of samples that the criterion
+//! requires, before it is multiplied by p, is about the same for each p.
 TEST_P(UsacComponents, persistence)
 {
     const Scene scene = sceneOf(problem(), 150, 150);

@@ -89,8 +89,8 @@ TEST(UsacReport_Space, threshold_in_another_unit)
     }
 }
 
-//! A threshold is wide from half of the longest side of the points' extent on. One point far away
-//! must not enlarge the extent.
+//! A threshold is wide if it is at least half of the longest side of the points' extent. One point
+//! far away must not enlarge the extent.
 TEST(UsacReport_Wide, half_of_the_longest_side)
 {
     std::vector<Point2d> points;

@@ -128,6 +128,9 @@ void checkEdges(const Correspondences& points, size_t least)
     EXPECT_LE(edges.size(), 4 * (size_t)points.size);
     EXPECT_GE(edges.size(), least);
     EXPECT_EQ(edges, edgesOf(*grid, around.context));
+    std::vector<int> degrees(points.size);
+    for (const Vec2i& edge : edges)
+        EXPECT_LE(std::max(++degrees[edge[0]], ++degrees[edge[1]]), grid->mostEdges());
 }
 
 TEST(Usac_Neighborhood, edges)

@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 
 // If wrong matches are consistent with each other, the true model must be found nevertheless,
-// because its cost is the lowest. The rates for more scenes are in doc/structured.md.
+// because its cost is the lowest. doc/structured.md has the failure rates for more scenes.
 
 namespace opencv_test {
 namespace {

@@ -30,9 +30,10 @@ double costOf(const Score& score, double error, double inlierThreshold)
     return quality.cost;
 }
 
-/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max by the midpoint rule. Where
-the error is within k sigma, it is that of an inlier with Gaussian noise in n dimensions, otherwise
-that of an outlier in a square (maps) or on a line (F, E). */
+/** The log-likelihood of a point, averaged over sigma in 0 .. sigma_max by the midpoint rule. If
+the error is at most k sigma, the log-likelihood is that of an inlier with Gaussian noise in n
+dimensions. Otherwise it is that of an outlier that is uniformly distributed in a square of side
+SIDE (H, affine maps) or on a line segment of length SIDE (F, E). */
 double meanLogLikelihood(double error, double sigmaMax, int degrees)
 {
     const int STEPS = 20000;

@@ -67,7 +67,8 @@ Point2d onBorder(RNG& rng)
     return Point2d(at < 2 * WIDTH + HEIGHT ? 0 : WIDTH, std::fmod(at - 2 * WIDTH, HEIGHT));
 }
 
-//! What all wrong matches of the structured models of a scene share.
+//! What all wrong matches of a scene have in common if they follow a structured model: one of
+//! OUTLIERS_TARGETS and the later values of OutlierModel.
 struct OutlierStructure
 {
     OutlierStructure(ProblemType problem, const SceneOptions& options_) : options(options_)

@@ -80,8 +80,8 @@ struct SceneOptions
 
     int inliers;     //!< true matches
     int outliers;    //!< wrong matches
-    int structured;  //!< maximum number of wrong matches that follow OUTLIERS_SHIFT or a later
-                     //!< model; the other wrong matches are uniform
+    int structured;  //!< maximum number of wrong matches whose OutlierModel is OUTLIERS_SHIFT or
+                     //!< a later enumerator; the other wrong matches are uniform
     int places;      //!< OUTLIERS_PLACE: number of points of image 2, 1 or 2
     double noise;    //!< standard deviation of each of the four coordinates in pixels
     uint64 seed;

@@ -199,6 +199,9 @@ public:
     //! Undirected edges of the graph, each listed once, at most a constant times N. @return their
     //! number; `edges` points to them.
     virtual int edges(const Context& context, const Vec2i*& edges) = 0;
+    //! Upper bound of the number of edges of a point; -1, the default: unknown. If it is unknown,
+    //! the graph cut counts the edges of all points.
+    virtual int mostEdges() const;
 };
 
 //! Draws minimal samples (paper, section "Sampling").

@@ -64,11 +64,11 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     `minInliers`. With `ratios`, the confidence is met on average over these k pairs and one more
     pair, whose ratio is uniformly distributed between `inlierRatio` and the smallest of `ratios`.
     The additional pair has the weight 1 / (k + 1), which is the probability that a new pair has a
-    smaller ratio than k others. For E with the local optimization of `USACV20`, a sample counts as
-    up to four samples, because this optimization also succeeds from samples with one outlier. */
+    smaller ratio than k others. For E and F with the local optimization of `USACV20`, a sample
+    counts as up to four samples, because models are also found from samples with an outlier. */
     CV_WRAP double samples(const Params& params, int sampleSize, int matches) const;
-    //! Probability, 0..1, that at least one of the samples consists of inliers if the inlier ratio
-    //! is `inlierRatio`. The number of samples is samples(), but at most Params::maxIterations.
+    //! Probability, 0..1, that a pair is found if its inlier ratio is `inlierRatio`. The number of
+    //! samples is samples(), but at most Params::maxIterations.
     CV_WRAP double reached(const Params& params, int sampleSize, int matches) const;
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;

@@ -171,7 +171,7 @@ CHILD = """
 import signal, sys
 import numpy as np
 {module}
-signal.signal(signal.SIGINT, signal.default_int_handler)  # which a background job of a shell ignores
+signal.signal(signal.SIGINT, signal.default_int_handler)  # background jobs of a shell ignore SIGINT
 rng = np.random.RandomState(3)
 a, b = rng.uniform(0, 640, (2000, 2)), rng.uniform(0, 640, (2000, 2))
 params = usacv20.Params(maxIterations=2**31 - 1, termination=0)

@@ -72,7 +72,9 @@ class Label(enum.IntEnum):
 
     RANDOM = 0
     RIGHT = 1
-    COPY = 2  # to the same part of another window, with the same offset for a whole group
+    # A part of a window matched to the same part of another window. All copies of a pair of images
+    # have the same offset between the windows.
+    COPY = 2
     LOGO = 3
 
 

@@ -139,8 +139,8 @@ TEST(Usac_RigidLeastSquares, sameAsOpenCV)
         }
 }
 
-//! The error of the problem in three components, as a residual of the caller. There is no closed
-//! form for it.
+//! The error of the problem in three components, as a residual written by a caller. For such a
+//! residual, fits use Gauss-Newton steps and not the closed form.
 class OwnError : public Residual
 {
 public:

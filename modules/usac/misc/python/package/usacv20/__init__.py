@@ -107,7 +107,7 @@ __all__ += [
     "estimateFundamentals", "estimateHomographies", "estimateHomography", "estimateRigid3D", "estimateRigids3D",
     "estimateSimilarities2D", "estimateSimilarities3D", "estimateSimilarity2D", "estimateSimilarity3D",
     "estimateTranslation2D", "estimateTranslations2D"]
-# So far.
+# End of the names written by misc/python/make_names.py.
 
 if TYPE_CHECKING:
     class error(Exception):

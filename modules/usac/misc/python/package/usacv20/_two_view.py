@@ -63,13 +63,13 @@ class TwoViewRules:
         least minInliers. If `ratios` are given, the confidence is the mean over these k ratios and
         one further pair. That pair stands for pairs with a lower ratio than all others, which have
         a probability of 1 / (k + 1); its ratio is uniform between inlierRatio and the least of
-        `ratios`. For E a sample of USACV20 counts as up to four samples, as its local optimization
-        can also find a model from a sample with one outlier."""
+        `ratios`. For E and F a sample of USACV20 counts as up to four samples, because models are
+        also found from samples with an outlier."""
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
     def reached(self, params: Params, sampleSize: int, matches: int) -> float:
-        """Returns the probability, 0..1, that at least one of these samples, limited by
-        params.maxIterations, consists of inliers, if the inlier ratio is inlierRatio."""
+        """Returns the probability, 0..1, that a pair is found if its inlier ratio is inlierRatio. The
+        number of samples is samples(), but at most params.maxIterations."""
         return float(self._native.reached(optionsOf(params), sampleSize, matches))
 
     @property

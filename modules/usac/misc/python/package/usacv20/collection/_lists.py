@@ -101,7 +101,7 @@ class Folder:
     def __init__(self, path: str) -> None:
         self._path = path
         self._extension = ""
-        # One unsorted search; two different extensions are an error.
+        # All files are searched once, in any order; two different extensions are an error.
         for file in self._walk("", self._scanned):
             extension = os.path.splitext(file)[1]
             self._extension = self._extension or extension

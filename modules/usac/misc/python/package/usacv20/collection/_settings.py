@@ -15,8 +15,9 @@ from .._two_view import TwoViewRules
 from ._pair import CollectionError
 
 # USACV20_PARALLEL is excluded because the pairs are processed in parallel. USACV20_PROSAC is
-# excluded because matches of a collection are not sorted; all other methods use scores. With
-# USACV20_AUTO each pair has its own threshold.
+# excluded because it needs sorted matches, and those of a collection are not sorted. All other
+# methods use the scores of the matches, if there are any. With USACV20_AUTO each pair has its own
+# threshold.
 METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC)}
 
 
