@@ -380,7 +380,7 @@ class GeometryTest(unittest.TestCase):
         self.assertRegex(verifyPairs([unknown], Settings(threshold=2))[0].reason, r"all 10000 samples drawn, confidence 0\.6377 for F$")
         self.assertNotIn("confidence", verified(random, maxIterations=300000, **fast).reason)
         self.assertNotIn("confidence", verified(random, maxIterations=10250, **fast).reason)
-        self.assertRegex(verifyPairs([unknown], Settings(threshold=2, maxIterations=10250))[0].reason, r"confidence 0\.2291 for F$")
+        self.assertRegex(verifyPairs([unknown], Settings(threshold=2, maxIterations=10250))[0].reason, r"confidence 0\.6468 for F$")
         self.assertRegex(verified(Scene(3, wrong=1, count=75, known=False)).reason, "^F: .* confidence 0.6377 for F$")
         self.assertNotIn("confidence", verified(Scene(3, wrong=1, count=30)).reason)
 
