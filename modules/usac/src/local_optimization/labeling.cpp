@@ -56,23 +56,24 @@ void Labeling::labelWithoutCut(Arena& arena, const Vec2i* edges, int count, floa
     // bounds of `unary` plus the changes by the edges over all possible labels of the neighbors
     Arena::Scope scope(arena);
     float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
+    const float *const k = K, *const cost = unary;
+    int* const label = node;
     for (int i = 0; i < size; ++i)
-    {
-        node[i] = unary[i] + mostOfEdges < 0             ? INLIER
-                  : unary[i] >= mostOfEdges || K[i] == 0 ? OUTLIER
-                                                         : 0;
-        lowest[i] = highest[i] = unary[i];
-    }
+        label[i] = cost[i] + mostOfEdges < 0                ? INLIER
+                   : (cost[i] >= mostOfEdges) | (k[i] == 0) ? OUTLIER
+                                                            : 0;
+    std::copy(cost, cost + size, lowest);
+    std::copy(cost, cost + size, highest);
     for (int e = 0; e < count; ++e)
     {
         const int p = edges[e][0], q = edges[e][1];
-        if (node[p] < 0 && node[q] < 0)
+        if ((label[p] & label[q]) < 0)  // both have a label
             continue;
-        const float a = 0.5f * (K[p] + K[q]);
-        lowest[p] -= lambda * a;
-        lowest[q] -= lambda * a;
-        highest[p] += lambda * (1 - a);
-        highest[q] += lambda * (1 - a);
+        const float a = 0.5f * (k[p] + k[q]), least = lambda * a, most = lambda * (1 - a);
+        lowest[p] -= least;
+        lowest[q] -= least;
+        highest[p] += most;
+        highest[q] += most;
     }
     nodeCount = 0;
     for (int i = 0; i < size; ++i)
@@ -120,7 +121,7 @@ void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count, float lam
     for (int e = 0; e < count; ++e)
     {
         const int p = edges[e][0], q = edges[e][1];
-        if (node[p] < 0 && node[q] < 0)
+        if ((node[p] & node[q]) < 0)
             continue;
         const float a = 0.5f * (K[p] + K[q]);
         if (node[p] >= 0 && node[q] >= 0)

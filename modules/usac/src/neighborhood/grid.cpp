@@ -73,12 +73,7 @@ public:
         if (!links)
         {
             links = context.arena.take<Vec2i>((size_t)size * LINKS);
-            linkCount = 0;
-            for (int i = 0; i < size; ++i)
-                for (int k = i + 1;
-                     k <= i + LINKS && k < size && sortedCodes[i] >> axes == sortedCodes[k] >> axes;
-                     ++k)
-                    links[linkCount++] = Vec2i(sorted[i], sorted[k]);
+            linkCount = linkPoints(sorted, sortedCodes, size, axes, links);
         }
         edges = links;
         return linkCount;
@@ -88,6 +83,20 @@ public:
 
 private:
     static bool lessCode(ushort code, int value) { return code < value; }
+
+    //! Writes the edges. @param shift bits of the codes that the second layer ignores
+    //! @return number of edges
+    static int linkPoints(const int* points, const ushort* pointCodes, int count, int shift,
+                          Vec2i* edges)
+    {
+        int found = 0;
+        for (int i = 0; i < count; ++i)
+            for (int k = i + 1;
+                 k <= i + LINKS && k < count && pointCodes[i] >> shift == pointCodes[k] >> shift;
+                 ++k)
+                edges[found++] = Vec2i(points[i], points[k]);
+        return found;
+    }
 
     //! Moves bit k of v to bit k * step.
     static int spread(int v, int step)
