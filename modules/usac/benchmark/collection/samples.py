@@ -59,7 +59,7 @@ Floats = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
 # Limits of the number of samples, by the size of a sample.
-LIMITS = {5: (60, 125, 250, 500, 1000, 2000), 7: (125, 500, 2000, 10000)}
+LIMITS = {5: (125, 500, 2000, 10000), 7: (125, 500, 2000, 10000, 60000)}
 RANGES = ((15, 20), (20, 25), (25, 30), (30, 40), (40, 50), (50, 70), (70, 10**6))  # numbers of right matches
 LIKELY = 2  # values of c are in the range if their log-likelihood is less than this below the maximum
 

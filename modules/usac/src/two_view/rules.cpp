@@ -16,9 +16,9 @@ and parallax (F), and many samples are drawn from regions where right matches ar
 number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_OF_E)^2
 samples for E, at least 1 and at most MOST_OF_E, and as OF_F samples for F.
 doc/measurements/collections_tables.md has the measured numbers; these are near the lowest ones on
-photographs and in collections. This was not measured for H and for other presets; each of their
-samples counts as one. */
-constexpr double ONE_OF_E = 10, MOST_OF_E = 4, OF_F = 4;
+photographs and in collections, but above those of E if matches are scattered over both images. This
+was not measured for H and for other presets; each of their samples counts as one. */
+constexpr double ONE_OF_E = 11.5, MOST_OF_E = 4, OF_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.
 constexpr int TAIL = 8;

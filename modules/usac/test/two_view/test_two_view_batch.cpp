@@ -216,7 +216,7 @@ TEST(Usac_TwoViewRules, samples)
     usual.confidence = 0.999;
     EXPECT_NEAR(std::log(0.001) / std::log1p(-rightSamples(5, 200, 50)) / 4,
                 rules.samples(usual, 5, 200), 1);
-    EXPECT_NEAR(std::log(0.001) / std::log1p(-rightSamples(5, 60, 15)) / (1.5 * 1.5),
+    EXPECT_NEAR(std::log(0.001) / std::log1p(-rightSamples(5, 60, 15)) / std::pow(15 / 11.5, 2),
                 rules.samples(usual, 5, 60), 1);
     EXPECT_NEAR(std::log(0.001) / std::log1p(-rightSamples(7, 200, 50)) / 4,
                 rules.samples(usual, 7, 200), 1);

@@ -87,7 +87,7 @@ def rightSamples(sample, matches, right):
 def missedBySample(sample, matches, ratio):
     """Logarithm of the probability that a sample of E does not find the pair; a sample counts as
     more than one."""
-    counted = min(max((ratio * matches / 10)**2, 1), 4)
+    counted = min(max((ratio * matches / 11.5)**2, 1), 4)
     return counted * math.log1p(-rightSamples(sample, matches, math.ceil(ratio * matches - 1e-9)))
 
 
@@ -173,7 +173,7 @@ class GeometryTest(unittest.TestCase):
         settings = Settings(threshold=1)
         full = math.log(0.001) / math.log1p(-rightSamples(5, 200, 50))
         self.assertLess(settings.needed(5, 200), full / 3.9)
-        self.assertEqual(settings.needed(5, 60), math.ceil(math.log(0.001) / math.log1p(-rightSamples(5, 60, 15)) / 1.5**2))
+        self.assertEqual(settings.needed(5, 60), math.ceil(math.log(0.001) / math.log1p(-rightSamples(5, 60, 15)) / (15 / 11.5)**2))
         self.assertEqual(settings.needed(7, 200), math.ceil(math.log(0.001) / math.log1p(-rightSamples(7, 200, 50)) / 4))
         self.assertEqual(Settings(method="USACV20_FAST", threshold=1).needed(5, 200), math.ceil(full))
         pairs = []
