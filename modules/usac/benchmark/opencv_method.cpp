@@ -13,14 +13,14 @@ namespace benchmark {
 
 namespace {
 
-struct Flag
+struct OpenCVFlag
 {
     const char* name;
     int value;
     const char* problems;  //!< letters of the problems
 };
 
-const Flag FLAGS[] = {
+const OpenCVFlag OPENCV_FLAGS[] = {
     {"RANSAC", cv::RANSAC, "HFEAS"},
     {"LMEDS", cv::LMEDS, "HFEAS"},
     {"RHO", cv::RHO, "H"},
@@ -45,7 +45,7 @@ const Flag FLAGS[] = {
 OpenCVMethod::OpenCVMethod(const std::string& name, const std::string& flagName, bool scores)
     : Method(name), flag(-1), sortPoints(scores)
 {
-    for (const Flag& candidate : FLAGS)
+    for (const OpenCVFlag& candidate : OPENCV_FLAGS)
         if (flagName == candidate.name)
         {
             flag = candidate.value;
@@ -94,7 +94,7 @@ void OpenCVMethod::runSorted(const ImagePair& pair, Estimate& estimate) const
 std::string OpenCVMethod::names()
 {
     std::string result;
-    for (const Flag& candidate : FLAGS)
+    for (const OpenCVFlag& candidate : OPENCV_FLAGS)
         result += (result.empty() ? "cv:" : ", cv:") + std::string(candidate.name);
     return result;
 }

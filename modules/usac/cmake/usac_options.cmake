@@ -7,13 +7,18 @@
 option(USAC_WERROR "Warnings of the module's own targets are errors" OFF)
 set(USAC_SOURCE_FLAGS "" CACHE STRING "Compiler options of the module's own source files, after those of the build type")
 
-# Precompiled headers are parsed once per target, not per file; results have the same bits. Off by default with a compiler launcher
-# such as ccache, which needs CCACHE_SLOPPINESS=pch_defines,time_macros for them.
+# Both shorten a build from scratch, and results have the same bits. They are off by default with a compiler launcher such as ccache,
+# which serves rebuilds best from single files and needs CCACHE_SLOPPINESS=pch_defines,time_macros for precompiled headers.
 set(_precompile ON)
+set(_unite ON)
 if(CMAKE_VERSION VERSION_LESS 3.16 OR CMAKE_CXX_COMPILER_LAUNCHER)
   set(_precompile OFF)
 endif()
-option(USAC_PRECOMPILED_HEADERS "Precompile the headers, stand-alone" ${_precompile})
+if(CMAKE_VERSION VERSION_LESS 3.18 OR CMAKE_CXX_COMPILER_LAUNCHER)
+  set(_unite OFF)
+endif()
+option(USAC_PRECOMPILED_HEADERS "Parse the headers once per target, stand-alone" ${_precompile})
+option(USAC_UNITY_BUILD "Compile the files of a folder together, so that templates are instantiated once; needs CMake 3.18" ${_unite})
 
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
@@ -68,44 +73,78 @@ foreach(_set AVX2 AVX512)
   endif()
 endforeach()
 
-# Options of the module's source files. They are properties of files, because files in opencv_world have no target of their own.
+# Options of the module's source files. For opencv_world they are properties of the files, because the module has no target of its
+# own there; otherwise the target has them, and files only the options of their instruction set.
 function(usac_source_options)
   foreach(source ${ARGN})
-    set(options ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
-    if(source MATCHES "_avx2\\.cpp$" AND USAC_COMPILES_AVX2)
-      list(APPEND options ${USAC_AVX2_FLAGS})
-    elseif(source MATCHES "_avx512\\.cpp$" AND USAC_COMPILES_AVX512)
-      list(APPEND options ${USAC_AVX512_FLAGS})
-    endif()
     if(source MATCHES "\\.cpp$")
-      set_property(SOURCE "${source}" APPEND PROPERTY COMPILE_OPTIONS ${options})
+      set_property(SOURCE "${source}" APPEND PROPERTY COMPILE_OPTIONS ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
       set_property(SOURCE "${source}" APPEND PROPERTY COMPILE_DEFINITIONS ${USAC_DEFINITIONS})
       set_property(SOURCE "${source}" APPEND PROPERTY INCLUDE_DIRECTORIES "${USAC_MODULE_DIR}/src")
     endif()
   endforeach()
+  usac_instruction_sets(${ARGN})
 endfunction()
 
-# Precompiles headers of a target. All its files are compiled with the same options, except those of an instruction set, which do
-# not use precompiled headers. The target must have these options, too, because the compiler rejects precompiled headers with other options.
-function(usac_precompile target)
-  if(NOT USAC_PRECOMPILED_HEADERS)
-    return()
-  endif()
-  target_precompile_headers(${target} PRIVATE ${ARGN})
-  get_target_property(sources ${target} SOURCES)
-  foreach(source ${sources})
-    if(source MATCHES "_avx(2|512)\\.cpp$")
-      set_property(SOURCE "${source}" PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+function(usac_instruction_sets)
+  foreach(source ${ARGN})
+    if(source MATCHES "_avx2\\.cpp$" AND USAC_COMPILES_AVX2)
+      set_property(SOURCE "${source}" APPEND PROPERTY COMPILE_OPTIONS ${USAC_AVX2_FLAGS})
+    elseif(source MATCHES "_avx512\\.cpp$" AND USAC_COMPILES_AVX512)
+      set_property(SOURCE "${source}" APPEND PROPERTY COMPILE_OPTIONS ${USAC_AVX512_FLAGS})
     endif()
   endforeach()
 endfunction()
 
-# The same for a target that has all of the library's sources.
-function(usac_precompile_library target)
+# The same for a target with all of the library's sources.
+function(usac_library_options target)
   target_compile_options(${target} PRIVATE ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
   target_compile_definitions(${target} PRIVATE ${USAC_DEFINITIONS})
   target_include_directories(${target} PRIVATE "${USAC_MODULE_DIR}/src")
+  get_target_property(sources ${target} SOURCES)
+  usac_instruction_sets(${sources})
+  usac_unite(${target})
+endfunction()
+
+# Files of an instruction set neither use the precompiled headers, which the compiler rejects with other options, nor are they
+# compiled together with others.
+function(usac_alone target property)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    if(source MATCHES "_avx(2|512)\\.cpp$")
+      set_property(SOURCE "${source}" PROPERTY ${property} ON)
+    endif()
+  endforeach()
+endfunction()
+
+# Precompiles headers of a target.
+function(usac_precompile target)
+  if(USAC_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    usac_alone(${target} SKIP_PRECOMPILE_HEADERS)
+  endif()
+endfunction()
+
+function(usac_precompile_library target)
   usac_precompile(${target} "${USAC_MODULE_DIR}/src/precomp.hpp" <Eigen/Cholesky> <Eigen/Geometry> <Eigen/SVD>)
+endfunction()
+
+# Compiles the files of each folder of a target as one, so names of a folder must differ even in anonymous namespaces.
+function(usac_unite target)
+  if(NOT USAC_UNITY_BUILD)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    if(source MATCHES "\\.cpp$")
+      get_filename_component(folder "${source}" DIRECTORY)
+      string(REGEX REPLACE ".*/usac/" "" folder "${folder}")
+      string(MAKE_C_IDENTIFIER "${folder}" group)
+      set_property(SOURCE "${source}" PROPERTY UNITY_GROUP ${group})
+    endif()
+  endforeach()
+  usac_alone(${target} SKIP_UNITY_BUILD_INCLUSION)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
 # Makes warnings in a target of the module errors.

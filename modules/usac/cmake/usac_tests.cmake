@@ -39,6 +39,7 @@ function(usac_add_test_program name)
     USAC_SYSTEM_GTEST USAC_TEST_DATA_DIR="${USAC_PROJECT_DIR}/test_data" ${USAC_DEFINITIONS})
   target_include_directories(${name} PRIVATE "${USAC_MODULE_DIR}/include" "${USAC_MODULE_DIR}/src" "${USAC_MODULE_DIR}/test")
   target_include_directories(${name} SYSTEM PRIVATE $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
+  usac_unite(${name})
   target_link_libraries(${name} PRIVATE
     opencv_core opencv_${USAC_OPENCV_GEOMETRY} opencv_imgproc opencv_flann GTest::gtest Threads::Threads ${CMAKE_DL_LIBS})
 endfunction()

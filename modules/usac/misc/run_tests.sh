@@ -59,7 +59,7 @@ build_python_package()
     mkdir -p "$folder/source"
     /usr/bin/python3 -m build --no-isolation --sdist --outdir "$folder/dist" "$module" &&
     tar -xf "$folder"/dist/usacv20-*.tar.gz -C "$folder/source" --strip-components=1 &&
-    USACV20_BUILD_DIR="$folder/build" CMAKE_ARGS="-DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON" /usr/bin/python3 -m build --no-isolation --wheel \
+    USACV20_BUILD_DIR="$folder/build" CMAKE_ARGS="-DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON" /usr/bin/python3 -m build --no-isolation --wheel \
         --outdir "$folder/dist" "$folder/source" &&
     rm -r "$folder/source" &&
     /usr/bin/python3 -m venv --system-site-packages "$folder/venv" &&
@@ -130,7 +130,7 @@ installed_python()
 cpp_tests()
 {
     folder=$work/cpp-$(printf %s "$project ${USAC_CPP_OPTIONS:-}" | cksum | cut -d ' ' -f 1)
-    cmake -S "$project" -B "$folder" -DBUILD_TESTS=ON -DBUILD_SAMPLES=OFF -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON \
+    cmake -S "$project" -B "$folder" -DBUILD_TESTS=ON -DBUILD_SAMPLES=OFF -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON \
         ${USAC_CPP_OPTIONS:-} &&
     cmake --build "$folder" --target all opencv_test_usac &&
     cd "$folder" && in_shards ${USAC_CPP_RUNNER:-} bin/opencv_test_usac --gtest_filter="${USAC_CPP_FILTER:-*}"

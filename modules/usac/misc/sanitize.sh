@@ -48,7 +48,7 @@ build_with() # tool, target, compiler, flags of the library, more options for CM
     shift 4
     cmake -S "$project" -B "$tools/$tool" -DBUILD_TESTS=ON -DBUILD_SAMPLES=OFF -DUSAC_COUNT_ALLOCATIONS=OFF -DCMAKE_BUILD_TYPE=Release \
         -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_RELEASE=-g1 -DUSAC_SOURCE_FLAGS="$(echo $flags | tr ' ' ';')" \
-        -DCMAKE_EXE_LINKER_FLAGS="$flags" -DCMAKE_SHARED_LINKER_FLAGS="$flags" -DUSAC_PRECOMPILED_HEADERS=ON "$@" > "$tools/$tool.cmake.log" &&
+        -DCMAKE_EXE_LINKER_FLAGS="$flags" -DCMAKE_SHARED_LINKER_FLAGS="$flags" -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON "$@" > "$tools/$tool.cmake.log" &&
     cmake --build "$tools/$tool" -j "$jobs" --target "$target"
 }
 
@@ -126,7 +126,7 @@ run_python()
 # Each source file counts as one check for clang-tidy and one for cppcheck.
 run_lint()
 {
-    build_with lint help clang++ "-Wunused-member-function" -DUSAC_PRECOMPILED_HEADERS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON > /dev/null
+    build_with lint help clang++ "-Wunused-member-function" -DUSAC_PRECOMPILED_HEADERS=OFF -DUSAC_UNITY_BUILD=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON > /dev/null
     cd "$module"
     good=0 bad=0
     check() { if "$@"; then good=$((good + 1)); else bad=$((bad + 1)); echo "FAILED $*"; fi; }

@@ -51,7 +51,7 @@ build_library() # targets
 {
     rm -f "$work/build/CMakeCache.txt" "$work"/build/*.deb
     PATH="$work/other_python:$PATH" cmake -S "$project" -B "$work/build" -DUSAC_WERROR=ON -DCMAKE_INSTALL_PREFIX=/usr \
-        -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_PYTHON=ON -DUSAC_PRECOMPILED_HEADERS=ON ${USAC_CONSUMER_OPTIONS:-} &&
+        -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_PYTHON=ON -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON ${USAC_CONSUMER_OPTIONS:-} &&
     cmake --build "$work/build" -j "$(nproc)" --target "$@"
 }
 
@@ -149,7 +149,7 @@ parent() # name, option of CMake
 {
     rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
     rm -rf "$work/parent/_deps"  # FetchContent's own build, perhaps with another generator
-    cmake -S "$here/parent" -B "$work/parent" "$2" -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON &&
+    cmake -S "$here/parent" -B "$work/parent" "$2" -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON &&
     { [ -z "${USAC_CONSUMER_QUICK:-}" ] || return 0; } &&
     cmake --build "$work/parent" -j "$(nproc)" &&
     "$work/parent/parent" &&

@@ -3,12 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "numeric/decompositions.hpp"
 #include "optimization/any_parameterization.hpp"
 #include "problems/predictions.hpp"
 #include "problems/registry.hpp"
 #include "input/read_arrays.hpp"
-
-#include <Eigen/QR>
 
 namespace cv {
 namespace usacv20 {
@@ -85,7 +84,7 @@ public:
         AnyParameterization::Basis own(here.size(), dimension()), callers;
         if (!rule->tangent(here, own.data()) || !callerBasis(*rule, here, callers))
             return result;
-        return result * own.colPivHouseholderQr().solve(Eigen::MatrixXd(callers));
+        return result * solveLeastSquares(own, callers);
     }
 
     //! The derivatives only of those entries that Problem::toOutput() returns to the caller.
@@ -172,7 +171,7 @@ Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R, 
                                         : turnedAbout(across[k - 3], turn));
         byMotion.col(k) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(change.data());
     }
-    Numbers motion = byMotion.colPivHouseholderQr().solve(Eigen::MatrixXd(given.tangent()));
+    const Numbers motion = solveLeastSquares(byMotion, given.tangent());
     Numbers result(6, 5);
     result.topRows(3) = motion.topRows(3);
     result.bottomRows(3) = across[0] * motion.row(3) + across[1] * motion.row(4);

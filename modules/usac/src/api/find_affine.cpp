@@ -16,11 +16,11 @@ using usacv20::Params;
 
 // Argument names of calib3d's functions. For functions with a Params, the fields of Params keep
 // their names.
-static const ArgumentName NAMES[] = {{"points1", "from"},
-                                     {"points2", "to"},
-                                     {"threshold", "ransacReprojThreshold"},
-                                     {"maxIterations", "maxIters"},
-                                     {"polishingSteps", "refineIters"}};
+static const ArgumentName AFFINE_NAMES[] = {{"points1", "from"},
+                                            {"points2", "to"},
+                                            {"threshold", "ransacReprojThreshold"},
+                                            {"maxIterations", "maxIters"},
+                                            {"polishingSteps", "refineIters"}};
 static const ArgumentName ARRAYS_OF_PARAMS[] = {{"points1", "pts1"}, {"points2", "pts2"}};
 
 //! Converts a `size_t` argument of calib3d's functions to int. A number above INT_MAX raises
@@ -51,7 +51,8 @@ Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers, UsacV2
 {
     const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence,
                                    refineIters);
-    return calling(NAMES, [&] { return usacv20::estimateAffinity2D(from, to, params, inliers); });
+    return calling(AFFINE_NAMES,
+                   [&] { return usacv20::estimateAffinity2D(from, to, params, inliers); });
 }
 
 Mat estimateAffine2D(InputArray pts1, InputArray pts2, OutputArray inliers, const Params& params)
@@ -66,7 +67,8 @@ Mat estimateAffinePartial2D(InputArray from, InputArray to, OutputArray inliers,
 {
     const Params params = paramsOf(method, ransacReprojThreshold, maxIters, confidence,
                                    refineIters);
-    return calling(NAMES, [&] { return usacv20::estimateSimilarity2D(from, to, params, inliers); });
+    return calling(AFFINE_NAMES,
+                   [&] { return usacv20::estimateSimilarity2D(from, to, params, inliers); });
 }
 
 Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, OutputArray inliers,

@@ -11,8 +11,8 @@ namespace cv {
 using usacv20::Params;
 
 //! Argument names of calib3d's function, as far as they differ. The arrays have the same names.
-static const usacv20::ArgumentName NAMES[] = {{"threshold", "reprojectionError"},
-                                              {"maxIterations", "iterationsCount"}};
+static const usacv20::ArgumentName POSE_NAMES[] = {{"threshold", "reprojectionError"},
+                                                   {"maxIterations", "iterationsCount"}};
 
 //! Reads three numbers from a row, a column or a single element with three channels.
 static Vec3d readVector(InputArray array, const char* name)
@@ -79,7 +79,7 @@ bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints, InputArray 
                                       "flags");
     if (useExtrinsicGuess)
         setGuess(rvec, tvec, params);
-    return usacv20::calling(NAMES, [&] {
+    return usacv20::calling(POSE_NAMES, [&] {
         return solvePnPRansac(objectPoints, imagePoints, cameraMatrix, distCoeffs, rvec, tvec,
                               inliers, params);
     });

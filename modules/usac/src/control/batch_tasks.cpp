@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 //! Milliseconds between two calls of the progress functions, as in a single run, see watch.cpp.
-constexpr int PERIOD = 5;
+constexpr int CALL_PERIOD = 5;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ bool BatchProgress::goesOn()
 
 void BatchProgress::askNowAndThen()
 {
-    if ((getTickCount() - asked) / getTickFrequency() * 1e3 >= PERIOD)
+    if ((getTickCount() - asked) / getTickFrequency() * 1e3 >= CALL_PERIOD)
         ask(Report());
 }
 
@@ -80,8 +80,8 @@ bool BatchProgress::ask(const Report& report)
 void BatchProgress::waitForOthers()
 {
     std::unique_lock<std::mutex> lock(mutex);
-    while (
-        !changed.wait_for(lock, std::chrono::milliseconds(PERIOD), [this] { return working == 0; }))
+    while (!changed.wait_for(lock, std::chrono::milliseconds(CALL_PERIOD),
+                             [this] { return working == 0; }))
     {
         lock.unlock();
         askNowAndThen();

@@ -13,7 +13,7 @@ namespace {
 // Results without a time limit do not depend on these constants, see doc/constants.md.
 
 //! Milliseconds between two calls of the progress functions, a third of a frame of a 60-Hz display.
-constexpr double PERIOD = 5;
+constexpr double LOOK_PERIOD = 5;
 //! Milliseconds that a point test is assumed to take. If this is half or double the actual time, a
 //! run may end later or earlier by half the duration of a step that cannot be interrupted.
 constexpr double TEST = 2e-6;
@@ -34,7 +34,7 @@ constexpr double Watch::WORK;
 Watch::Watch(double maxTime, int64 spent)
     : active(maxTime > 0 || ProgressScope::current()), scopes(ProgressScope::current()),
       start(active ? getTickCount() - spent : 0),
-      deadline(maxTime > 0 ? start + ticks(maxTime) : INT64_MAX), next(start + ticks(PERIOD)),
+      deadline(maxTime > 0 ? start + ticks(maxTime) : INT64_MAX), next(start + ticks(LOOK_PERIOD)),
       done(0), reason(STOP_NOT_RUN), state(0), points(0)
 {}
 
@@ -64,7 +64,7 @@ bool Watch::look()
     {
         if (!scopes->ask(present(now)))
             reason = STOP_CANCELLED;
-        next = getTickCount() + ticks(PERIOD);
+        next = getTickCount() + ticks(LOOK_PERIOD);
     }
     if (reason == STOP_NOT_RUN && now >= deadline)
         reason = STOP_TIME;

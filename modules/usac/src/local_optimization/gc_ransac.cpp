@@ -14,7 +14,7 @@ namespace {
 
 //! Gauss-Newton steps of a fit, which starts from the model. They are enough for a sample of
 //! several times the minimal size. See doc/constants.md.
-constexpr int FIT_STEPS = 3;
+constexpr int GC_FIT_STEPS = 3;
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in the paper;
 GraphCutOptimizer is a faster variant.
@@ -46,7 +46,7 @@ public:
                       samples = inliers.size() > size ? params.localSamples : 1;
             for (int k = 0; k < samples && !context.stop(); ++k)
                 better |= inliers.improve(context, inliers.select(state.rng, size), model, quality,
-                                          FIT_STEPS);
+                                          GC_FIT_STEPS);
             improved |= better;
         }
         return improved;

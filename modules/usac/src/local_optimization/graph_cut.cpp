@@ -14,18 +14,18 @@ namespace {
 
 // doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Maximum number of points of a fit to the inliers (MAX_FIT), and of a fit to the points within a
-//! shrinking threshold (MAX_SHRINK). While the inliers still change, fits to more points are slower
-//! but not better.
-constexpr int MAX_FIT = 256, MAX_SHRINK = 64;
+//! Maximum number of points of a fit to the inliers (MAX_INNER_FIT), and of a fit to the points
+//! within a shrinking threshold (MAX_SHRINK). While the inliers still change, fits to more points
+//! are slower but not better.
+constexpr int MAX_INNER_FIT = 256, MAX_SHRINK = 64;
 //! Gauss-Newton steps of a fit from a model that does not yet fit the inliers well.
 constexpr int SHRINK_STEPS = 2;
 //! Gauss-Newton steps of a fit from a model that already fits the inliers.
-constexpr int FIT_STEPS = 1;
-//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
-constexpr int PART = 2;
+constexpr int INNER_FIT_STEPS = 1;
+//! An inner sample contains at most 1 / #LARGEST_PART of the inliers, as in @cite chum2003locally.
+constexpr int LARGEST_PART = 2;
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold.
-constexpr int WIDE = 3;
+constexpr int WIDEST = 3;
 //! An iteration is the last one unless it lowers the cost below this fraction of the previous cost.
 constexpr double WORTHWHILE = 0.97;
 //! Error, in thresholds, up to which a point without edges is labeled as an inlier. At this error,
@@ -42,9 +42,9 @@ model.
 
 Then each iteration finds the spatially coherent inliers of the model (Labeling) and runs an inner
 RANSAC over these inliers: models are fitted to random samples of Params::localSampleMultiple times
-the minimal size, and to all inliers (to #MAX_FIT random inliers if there are more). A better fit
-always replaces the model. The first iteration without a clear decrease of the cost is the last one,
-and Params::localIterations bounds the number of iterations. */
+the minimal size, and to all inliers (to #MAX_INNER_FIT random inliers if there are more). A better
+fit always replaces the model. The first iteration without a clear decrease of the cost is the last
+one, and Params::localIterations bounds the number of iterations. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -75,13 +75,13 @@ public:
     }
 
 private:
-    //! Fits the model to the points within #WIDE, ..., 2 and 1 thresholds. Each fit starts from the
-    //! previous one. @return true if the model was replaced
+    //! Fits the model to the points within #WIDEST, ..., 2 and 1 thresholds. Each fit starts from
+    //! the previous one. @return true if the model was replaced
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;
         bool improved = false;
-        for (int multiple = WIDE; multiple >= 1 && !context.stop(); --multiple)
+        for (int multiple = WIDEST; multiple >= 1 && !context.stop(); --multiple)
         {
             inliers.within(context, fitted, multiple);
             if (inliers.size() <= m ||
@@ -95,13 +95,13 @@ private:
     bool fitInliers(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         const int count = inliers.size();
-        const int small = std::max(m + 1,
-                                   std::min(m * context.params.localSampleMultiple, count / PART));
-        bool improved = inliers.improve(context, inliers.select(state.rng, MAX_FIT), model, quality,
-                                        FIT_STEPS);
+        const int small = std::max(
+            m + 1, std::min(m * context.params.localSampleMultiple, count / LARGEST_PART));
+        bool improved = inliers.improve(context, inliers.select(state.rng, MAX_INNER_FIT), model,
+                                        quality, INNER_FIT_STEPS);
         for (int i = 0; i < context.params.localSamples && small < count && !context.stop(); ++i)
             improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality,
-                                        FIT_STEPS);
+                                        INNER_FIT_STEPS);
         return improved;
     }
 

@@ -13,9 +13,9 @@ namespace {
 
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold. See
 //! doc/constants.md.
-constexpr int WIDE = 3;
-//! An inner sample contains at most 1 / #PART of the inliers, as in @cite chum2003locally.
-constexpr int PART = 2;
+constexpr int LO_WIDTH = 3;
+//! An inner sample contains at most 1 / #LO_PART of the inliers, as in @cite chum2003locally.
+constexpr int LO_PART = 2;
 //! Maximum number of points of a fit of FLO-RANSAC, in minimal sample sizes, as in
 //! @cite lebeda2012fixing.
 constexpr int FLO_FIT = 7;
@@ -23,12 +23,12 @@ constexpr int FLO_FIT = 7;
 /** @brief Local optimization of LO-RANSAC @cite chum2003locally, or its variant in "Fixing the
 locally optimized RANSAC" @cite lebeda2012fixing (FLO-RANSAC).
 
-The model is fitted to the points within #WIDE thresholds. Then an inner RANSAC draws
+The model is fitted to the points within #LO_WIDTH thresholds. Then an inner RANSAC draws
 Params::localSamples samples from the inliers of this fit. A sample has Params::localSampleMultiple
 times the minimal size, but contains at most half of these inliers. A model is fitted to each sample
-and then refined by least squares over the points within a threshold that shrinks from #WIDE times
-the threshold to the threshold itself in Params::localIterations steps. The best of all these fits
-replaces the model if it is better.
+and then refined by least squares over the points within a threshold that shrinks from #LO_WIDTH
+times the threshold to the threshold itself in Params::localIterations steps. The best of all these
+fits replaces the model if it is better.
 
 LO-RANSAC fits models to all selected points. FLO-RANSAC fits them to a random subset of at most
 #FLO_FIT times the minimal sample size. A fit then takes the same time for any number of points, and
@@ -47,12 +47,12 @@ public:
         base.allocate(scope, context.points.size);
         inliers.allocate(scope, context.points.size);
         Model start = model;
-        inliers.within(context, model, WIDE);
+        inliers.within(context, model, LO_WIDTH);
         if (inliers.size() <= m || !inliers.fit(context, inliers.select(state.rng, largest), start))
             return false;
         bool improved = keepBetter(context, start, model, quality);
         base.within(context, start, 1);
-        const int small = std::min(m * context.params.localSampleMultiple, base.size() / PART);
+        const int small = std::min(m * context.params.localSampleMultiple, base.size() / LO_PART);
         if (small <= m)
             return improved;
         for (int i = 0; i < context.params.localSamples && !context.stop(); ++i)
@@ -76,7 +76,7 @@ private:
         const int steps = context.params.localIterations;
         for (int step = 0; step < steps && !context.stop(); ++step)
         {
-            const double multiple = steps > 1 ? WIDE - (WIDE - 1.) * step / (steps - 1) : 1;
+            const double multiple = steps > 1 ? LO_WIDTH - (LO_WIDTH - 1.) * step / (steps - 1) : 1;
             inliers.within(context, fitted, multiple);
             if (inliers.size() <= m ||
                 !inliers.fit(context, inliers.select(state.rng, largest), fitted))

@@ -19,7 +19,7 @@ namespace {
 //! Maximum number of points that the guess uses.
 constexpr int POINTS = 512;
 //! Maximum number of samples of the guess, unless Params::maxIterations is smaller.
-constexpr int SAMPLES = 1000;
+constexpr int GUESS_SAMPLES = 1000;
 //! The guess ends if, with this probability, one of its samples has consisted only of inliers of
 //! the best model.
 constexpr double CONFIDENCE = 0.9;
@@ -27,13 +27,13 @@ constexpr double CONFIDENCE = 0.9;
 //! and for the final one (SOME).
 constexpr int FEW = 150, SOME = 300;
 //! Steps of polishing of the best model of the guess.
-constexpr int STEPS = 3;
+constexpr int GUESS_STEPS = 3;
 //! If the noise is unknown, the threshold is the widest threshold divided by this number.
 constexpr double UNKNOWN = 3;
-//! A core, see findCore(), has at least the fraction CORE of the inliers of the model with wide
-//! noise. If there is a core, findCore() draws an all-inlier sample of it with probability
+//! A core, see findCore(), has at least the fraction CORE_PART of the inliers of the model with
+//! wide noise. If there is a core, findCore() draws an all-inlier sample of it with probability
 //! CORE_FOUND.
-constexpr double CORE = 0.5, CORE_FOUND = 0.8;
+constexpr double CORE_PART = 0.5, CORE_FOUND = 0.8;
 //! The threshold of the search is wider than the estimated threshold by this many standard
 //! deviations of the estimate.
 constexpr double DEVIATIONS = 2;
@@ -71,8 +71,8 @@ Params paramsOfGuess(const Params& params)
     result.termination = 0;
     result.degeneracy = params.degeneracy & ~DEGENERACY_DEGENSAC;
     result.polishing = POLISHING_ROBUST;
-    result.polishingSteps = STEPS;
-    result.maxIterations = std::min(SAMPLES, params.maxIterations);
+    result.polishingSteps = GUESS_STEPS;
+    result.maxIterations = std::min(GUESS_SAMPLES, params.maxIterations);
     return result;
 }
 
@@ -207,8 +207,8 @@ bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
     if (count <= m)
         return false;
     listed->list(inliers, count);
-    coreParams.maxIterations = std::min(params.maxIterations,
-                                        samplesNeeded(std::pow(CORE, m), std::log(1 - CORE_FOUND)));
+    coreParams.maxIterations = std::min(
+        params.maxIterations, samplesNeeded(std::pow(CORE_PART, m), std::log(1 - CORE_FOUND)));
     const double narrow = widest / UNKNOWN;
     points.threshold = narrow * params.reach;
     const Context context(points, coreParts, coreParams, given.arena, given.watch);
@@ -222,7 +222,7 @@ bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
     int within = 0;
     for (int i = 0; i < points.size; ++i)
         within += errors[i] <= narrow * narrow;
-    if (within < CORE * count || errorsGoOn(context, core, narrow, SAME))
+    if (within < CORE_PART * count || errorsGoOn(context, core, narrow, SAME))
         return false;
     model = core;
     return true;

@@ -16,9 +16,9 @@ namespace {
 //! SAMPLES: number of samples whose models are compared by their errors. STARTS: number of the best
 //! of these models from which least-squares fits start.
 constexpr int SAMPLES = 64, STARTS = 4;
-//! PART: maximum number of points with which initial models are compared and fitted. STEPS: maximum
-//! number of steps of a fit; fits converge earlier.
-constexpr int PART = 500, STEPS = 100;
+//! PART: maximum number of points with which initial models are compared and fitted. MOST_STEPS:
+//! maximum number of steps of a fit; fits converge earlier.
+constexpr int PART = 500, MOST_STEPS = 100;
 
 //! Converts a list with one number for each point to CV_64F. An empty list gives an empty matrix.
 Mat readNumbers(InputArray given, int size, const char* name)
@@ -144,7 +144,7 @@ double GivenModels::lossOf(PointSubset& part, const Model& model) const
 bool GivenModels::leastSquares(int size, Model& model) const
 {
     const int m = context.components.minimalSolver->sampleSize();
-    return solver.fit(points, indices, size, weights, model, STEPS) ||
+    return solver.fit(points, indices, size, weights, model, MOST_STEPS) ||
            size == m;  // the minimal sample already determines the model
 }
 

@@ -15,7 +15,7 @@ namespace {
 //! neighbors stored per point, unless the caller asks for more. See doc/constants.md.
 constexpr int LAYERS = 4, WIDEST = 512;
 //! Maximum number of edges from a point to its neighbors. See doc/constants.md.
-constexpr int LINKS = 8;
+constexpr int TREE_LINKS = 8;
 
 //! Estimated work in point tests, the unit of Watch: to build the tree (per point), to sort the
 //! edges (per edge), and to find the neighbors of one point. The values affect only how late a run
@@ -80,8 +80,8 @@ have k, 2 k, 4 k and 8 k neighbors; for a radius r, they have the points within 
 P-NAPSAC needs growing layers because it asks for more and more members. The caller's k or r is that
 of the finest layer, which the graph cut uses; NAPSAC uses the coarsest layer. At most #WIDEST
 neighbors of a point are stored, or k if k is larger, so that memory is O(N) for any radius. Edges
-link each point to at most #LINKS nearest neighbors in the finest layer: with more edges, the graph
-cut would give the labels of neighbors more weight than the error of the point itself.
+link each point to at most #TREE_LINKS nearest neighbors in the finest layer: with more edges, the
+graph cut would give the labels of neighbors more weight than the error of the point itself.
 
 The tree is built at its first use in O(N log N). The neighbors of a point are searched at the first
 query for this point, in O(log N), because samplers use only some points. */
@@ -158,8 +158,9 @@ private:
     //! points, or no edges.
     void link(const Context& context)
     {
-        const Reach nearest = {std::min<int>(reach[0].neighbors, LINKS), reach[0].squaredRadius};
-        links = context.arena.take<Vec2i>((size_t)size * LINKS);
+        const Reach nearest = {std::min<int>(reach[0].neighbors, TREE_LINKS),
+                               reach[0].squaredRadius};
+        links = context.arena.take<Vec2i>((size_t)size * TREE_LINKS);
         Vec2i* end = links;
         for (int i = 0; i < size && !context.stop(FIND_WORK); ++i)
         {

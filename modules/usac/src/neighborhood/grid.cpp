@@ -18,7 +18,7 @@ constexpr int CODE_BITS = 16, MOST_BITS = 8;
 constexpr int BLOCK = 256;
 //! Maximum number of edges from a point to later points in its cell of the second layer. See
 //! doc/constants.md.
-constexpr int LINKS = 3;
+constexpr int CELL_LINKS = 3;
 
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
 barath2019progressive.
@@ -28,8 +28,8 @@ The bits of the four cell numbers are interleaved (Morton's code, 16 bits). Thus
 cell of any layer are contiguous in the sorted list of codes, and one sorted list serves all layers.
 With fewer axes there are more layers, because each axis gets more of the 16 bits. Points outside
 the range Correspondences::lower to upper belong to the outermost cells. The grid takes O(N) memory
-and time (radix sort), a query takes O(log N). Edges link each point to the next #LINKS points in
-its cell of the second layer. */
+and time (radix sort), a query takes O(log N). Edges link each point to the next #CELL_LINKS points
+in its cell of the second layer. */
 class GridNeighborhood : public Neighborhood
 {
 public:
@@ -72,14 +72,14 @@ public:
         build(context);
         if (!links)
         {
-            links = context.arena.take<Vec2i>((size_t)size * LINKS);
+            links = context.arena.take<Vec2i>((size_t)size * CELL_LINKS);
             linkCount = linkPoints(sorted, sortedCodes, size, axes, links);
         }
         edges = links;
         return linkCount;
     }
 
-    int mostEdges() const CV_OVERRIDE { return 2 * LINKS; }
+    int mostEdges() const CV_OVERRIDE { return 2 * CELL_LINKS; }
 
 private:
     static bool lessCode(ushort code, int value) { return code < value; }
@@ -91,8 +91,8 @@ private:
     {
         int found = 0;
         for (int i = 0; i < count; ++i)
-            for (int k = i + 1;
-                 k <= i + LINKS && k < count && pointCodes[i] >> shift == pointCodes[k] >> shift;
+            for (int k = i + 1; k <= i + CELL_LINKS && k < count &&
+                                pointCodes[i] >> shift == pointCodes[k] >> shift;
                  ++k)
                 edges[found++] = Vec2i(points[i], points[k]);
         return found;

@@ -4,7 +4,7 @@
 
 #include "precomp.hpp"
 #include "optimization/any_parameterization.hpp"
-#include <Eigen/QR>
+#include "numeric/decompositions.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -27,8 +27,7 @@ bool callerBasis(const Parameterization& rule, const Model& model,
         return false;
     if (rule.smooth() || !basis.allFinite())
         return basis.allFinite();
-    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ() *
-                              Eigen::MatrixXd::Identity(n, d);
+    const Eigen::MatrixXd Q = orthonormalBasis(basis);
     Eigen::MatrixXd rest = Q * Q.transpose();
     for (int k = 0; k < d; ++k)
     {

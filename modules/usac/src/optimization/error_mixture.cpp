@@ -20,8 +20,6 @@ constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
 //! largest possible quantile.
 constexpr int BISECTIONS = 30;
 
-int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
-
 }  // namespace
 
 double inlierPeak(double variance, int degrees)

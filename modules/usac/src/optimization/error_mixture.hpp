@@ -8,6 +8,12 @@
 namespace cv {
 namespace usacv20 {
 
+//! base^exponent for a small exponent of at least 1.
+inline double power(double base, int exponent)
+{
+    return exponent > 1 ? base * power(base, exponent - 1) : base;
+}
+
 //! Probability density of e^degrees at 0, where e is the length of the error of an inlier with
 //! `degrees` degrees of freedom, 1 to 3.
 //! @param variance variance of each component of the error

@@ -26,8 +26,6 @@ constexpr int STEPS = 4;
 //! on real image pairs by at most 1 %.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 
-int power(int base, int exponent) { return exponent > 1 ? base * power(base, exponent - 1) : base; }
-
 }  // namespace
 
 double NoiseScale::estimate(const float* squaredErrors, int count, double threshold, int degrees)

@@ -4,10 +4,9 @@
 
 #include "precomp.hpp"
 #include "opencv2/usac/problem.hpp"
+#include "numeric/decompositions.hpp"
 #include "optimization/any_parameterization.hpp"
 #include "optimization/least_squares.hpp"
-
-#include <Eigen/SVD>
 
 namespace cv {
 namespace usacv20 {
@@ -93,7 +92,7 @@ String checkParameterization(const Parameterization& rule, const Model& model)
     const String wrong = checkDerivative(rule, here, basis);
     if (!wrong.empty())
         return wrong;
-    const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(basis).singularValues();
+    const Eigen::VectorXd singular = singularValues(basis);
     const double ratio = singular[dimension - 1] / singular[0];
     if (!(ratio > DEPENDENT))
         return broken("tangent: the columns are linearly dependent", ratio);

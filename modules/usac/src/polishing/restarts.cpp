@@ -32,7 +32,7 @@ constexpr double CHANCE = 1e-6;
 //! hundred exceeds 8.
 constexpr double GROWN = 8;
 //! Number of points whose errors are computed together. It has no effect on the result.
-constexpr int BLOCK = 1024;
+constexpr int ERROR_BLOCK = 1024;
 
 }  // namespace
 
@@ -115,9 +115,9 @@ bool Restarts::look(const Model& model)
     int* const inliers = scope.take<int>(p.size);
     const bool wide = p.problem->randomInlierRatio(p) >= WIDE;
     count = outside = 0;
-    for (int begin = 0; begin < p.size && (wide || count <= MOST); begin += BLOCK)
+    for (int begin = 0; begin < p.size && (wide || count <= MOST); begin += ERROR_BLOCK)
     {
-        const int end = std::min<int>(begin + BLOCK, p.size);
+        const int end = std::min<int>(begin + ERROR_BLOCK, p.size);
         parts.residual->squaredErrors(p, model, begin, end, errors + begin);
         for (int i = begin; i < end; ++i)
             if (errors[i] <= limit)

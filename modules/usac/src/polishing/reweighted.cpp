@@ -13,7 +13,7 @@ namespace usacv20 {
 namespace {
 
 //! A fit that lowers the loss by less than this fraction is the last one.
-constexpr double SETTLED = 1e-5;
+constexpr double SETTLED_LOSS = 1e-5;
 
 /** Iteratively re-weighted least squares over all points within the threshold of the score, with
 the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted as long as they lower the loss
@@ -41,7 +41,7 @@ public:
             if (!(loss < before))
                 return;
             model = fitted;
-            if (before - loss < SETTLED * before)
+            if (before - loss < SETTLED_LOSS * before)
                 return;
         }
     }

@@ -22,10 +22,6 @@ namespace usacv20 {
 Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2,
                            InputArray distCoeffs1, InputArray distCoeffs2)
 {
-#undef USACV20_IMAGES
-#undef USACV20_SPACES
-#undef USACV20_CAMERAS
-#undef USACV20_POSE
 #define USACV20_IMAGES ()
 #define USACV20_SPACES ()
 #define USACV20_CAMERAS (cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)

@@ -7,6 +7,9 @@
 //
 //     USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS)
 //
+// and perhaps a macro USACV20_<ARGUMENTS> for each kind of arguments; all of these are undefined
+// here at the end.
+//
 // TYPE       its enumerator of ProblemType
 // NAME       estimate<NAME> is its public function, create<NAME>Problem() its factory
 // PLURAL     estimate<PLURAL> is its public function for many sets of points
@@ -27,3 +30,7 @@ USACV20_PROBLEM(SIMILARITY_3D, Similarity3D, Similarities3D, SPACES)
 USACV20_PROBLEM(TRANSLATION_2D, Translation2D, Translations2D, IMAGES)
 
 #undef USACV20_PROBLEM
+#undef USACV20_IMAGES
+#undef USACV20_SPACES
+#undef USACV20_CAMERAS
+#undef USACV20_POSE

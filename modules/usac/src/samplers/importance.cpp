@@ -12,7 +12,7 @@ namespace {
 
 //! Maximum number of attempts to draw a point that is not yet in the sample. If all fail, a pass
 //! over all weights finds the point.
-constexpr int TRIES = 64;
+constexpr int MOST_DRAWS = 64;
 
 /** @brief Draws points with probabilities proportional to their weights w_i (Params::scores).
 
@@ -26,8 +26,8 @@ The sampler uses Walker's alias method @cite walker1977efficient in the form of 
 @cite vose1991linear: each of n columns of equal probability belongs to one point up to a height and
 to another point above this height. The table is built once in O(N); a draw takes O(1) and has the
 resolution of 32 random bits. If the points already in the sample have nearly all of the weight,
-almost every draw repeats one of them: after #TRIES repetitions, an O(N) pass over the other weights
-finds the next point. */
+almost every draw repeats one of them: after #MOST_DRAWS repetitions, an O(N) pass over the other
+weights finds the next point. */
 class ImportanceSampler : public Sampler
 {
 public:
@@ -102,7 +102,7 @@ private:
     //! Draws a point that is not among the first `count` points of the sample.
     int draw(Rng& rng, const int* sample, int count) const
     {
-        for (int i = 0; i < TRIES; ++i)
+        for (int i = 0; i < MOST_DRAWS; ++i)
         {
             const int column = rng.uniform(positive);
             const int point = points[fraction(rng) < height[column] ? column : alias[column]];

@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 //! Maximum number of first points that are tried for a sample, see NapsacSampler.
-constexpr int TRIES = 100;
+constexpr int MOST_CENTERS = 100;
 
 /** @brief NAPSAC: a random point and some of its neighbors @cite nasuto2002napsac.
 
@@ -22,8 +22,8 @@ plane.
 
 A point with fewer neighbors than a sample needs is most likely an outlier. The paper discards the
 sample; here another first point is drawn, which has the same effect without a lost iteration. If
-#TRIES first points have too few neighbors, hardly any point has enough of them, and the sample is
-drawn uniformly from all points. */
+#MOST_CENTERS first points have too few neighbors, hardly any point has enough of them, and the
+sample is drawn uniformly from all points. */
 class NapsacSampler : public Sampler
 {
 public:
@@ -33,7 +33,7 @@ public:
         Neighborhood& neighborhood = context.neighborhood();
         if (!isOrdered(context, state, sample))
             return;
-        for (int i = 0; i < TRIES; ++i)
+        for (int i = 0; i < MOST_CENTERS; ++i)
         {
             sample[0] = state.rng.uniform(size);
             const int* members;

@@ -4,24 +4,23 @@
 
 #include "precomp.hpp"
 #include "numeric/chi_square.hpp"
+#include "numeric/decompositions.hpp"
 #include "optimization/any_parameterization.hpp"
 #include "optimization/error_mixture.hpp"
 #include "residual/kernels.hpp"
 #include "significance/model_covariance.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
 
-//! The noise is estimated from the errors up to WINDOW times the support, in at most STEPS steps,
-//! until its variance changes by less than the fraction SETTLED.
-constexpr double WINDOW = 2, SETTLED = 1e-3;
-constexpr int STEPS = 30;
+//! The noise is estimated from the errors up to NOISE_WINDOW times the support, in at most
+//! NOISE_STEPS steps, until its variance changes by less than the fraction SETTLED.
+constexpr double NOISE_WINDOW = 2, SETTLED = 1e-3;
+constexpr int NOISE_STEPS = 30;
 //! Number of rounds. Each round computes the leverages and then, from them, the probabilities.
 constexpr int ROUNDS = 3;
 //! The probability that a point is an inlier depends on the numbers of inliers and of outliers that
@@ -39,11 +38,6 @@ constexpr int CELLS = 64;
 //! Step of the finite differences for the derivative of the caller's parameters with respect to
 //! those of the search; the derivative has an error of about 1e-10.
 constexpr double STEP = 1e-6;
-
-double power(double base, int exponent)
-{
-    return exponent > 1 ? base * power(base, exponent - 1) : base;
-}
 
 //! Computes two expected values over the errors of inliers within the support. `slope`: of the
 //! derivative of weight times error, which for Gaussian noise is that of weight times squared error
@@ -113,10 +107,10 @@ bool ModelCovariance::findMembers(const Polisher& polisher, const Model& model)
 
 void ModelCovariance::estimateNoise()
 {
-    const double limit = WINDOW * WINDOW * support * support,
-                 outlier = 1 / power(WINDOW * support, degrees);
+    const double limit = NOISE_WINDOW * NOISE_WINDOW * support * support,
+                 outlier = 1 / power(NOISE_WINDOW * support, degrees);
     double variance = support * support / 16, part = 0.9;
-    for (int step = 0; step < STEPS; ++step)
+    for (int step = 0; step < NOISE_STEPS; ++step)
     {
         const double inside = chiSquareDistribution(limit / variance, degrees),
                      shrunk = chiSquareDistribution(limit / variance, degrees + 2);
@@ -145,11 +139,11 @@ void ModelCovariance::estimateNoise()
 }
 
 //! Number of wrong matches per unit of error^`degrees` near the model. It is computed from the
-//! wrong matches with errors up to #WINDOW times the support; as a prior, the number expected for
-//! uniformly distributed matches has the weight of one wrong match.
+//! wrong matches with errors up to #NOISE_WINDOW times the support; as a prior, the number expected
+//! for uniformly distributed matches has the weight of one wrong match.
 double ModelCovariance::chanceDensity() const
 {
-    const double window = WINDOW * support, limit = window * window;
+    const double window = NOISE_WINDOW * support, limit = window * window;
     int within = 0;
     for (int i = 0; i < looked; ++i)
         within += squared[i] < limit;
@@ -279,11 +273,7 @@ bool ModelCovariance::noiseInformation(Square& N)
             N += shares[i] * change.transpose() * change;
         }
     N *= noise * noise * count / most;
-    const Eigen::LLT<Square> llt(information);
-    const Square half = llt.matrixL().solve(N);
-    const Square ratio = llt.matrixL().solve(half.transpose().eval());
-    const Eigen::SelfAdjointEigenSolver<Square> eigen(ratio, Eigen::EigenvaluesOnly);
-    return eigen.eigenvalues()[dimension - 1] < NOISE_SHARE;
+    return Eigen::LLT<Square>(NOISE_SHARE * information - N).info() == Eigen::Success;
 }
 
 bool ModelCovariance::combine(const Polisher& polisher)
@@ -349,7 +339,7 @@ bool ModelCovariance::change(const Model& center, const Basis& basis, Square& T)
         x[k] = 0;
         derivative.col(k) = (sides[1] - sides[0]) / (2 * STEP);
     }
-    T = basis.colPivHouseholderQr().solve(derivative);
+    T = solveLeastSquares(basis, derivative);
     return true;
 }
 

@@ -13,12 +13,12 @@ namespace {
 /* A model is found more often than the fraction of all-inlier samples tells: local optimization
 also corrects models of samples that contain an outlier, degenerate samples lead to models by plane
 and parallax (F), and many samples are drawn from regions where right matches are dense. When the
-number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_OF_E)^2
-samples for E, at least 1 and at most MOST_OF_E, and as OF_F samples for F.
+number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_FOR_E)^2
+samples for E, at least 1 and at most MOST_FOR_E, and as SAMPLES_FOR_F samples for F.
 doc/measurements/collections_tables.md has the measured numbers; these are near the lowest ones on
 photographs and in collections, but above those of E if matches are scattered over both images. This
 was not measured for H and for other presets; each of their samples counts as one. */
-constexpr double ONE_OF_E = 11.5, MOST_OF_E = 4, OF_F = 4;
+constexpr double ONE_FOR_E = 11.5, MOST_FOR_E = 4, SAMPLES_FOR_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.
 constexpr int TAIL = 8;
@@ -54,9 +54,9 @@ double countedAs(const TwoViewRules& rules, bool measured, int sampleSize, int m
     if (!measured || (sampleSize != E_SAMPLE && sampleSize != F_SAMPLE))
         return 1;
     if (sampleSize == F_SAMPLE)
-        return OF_F;
-    const double inliers = std::max(ratio * matches, (double)rules.minInliers) / ONE_OF_E;
-    return std::min(std::max(inliers * inliers, 1.), MOST_OF_E);
+        return SAMPLES_FOR_F;
+    const double inliers = std::max(ratio * matches, (double)rules.minInliers) / ONE_FOR_E;
+    return std::min(std::max(inliers * inliers, 1.), MOST_FOR_E);
 }
 
 //! Logarithm of the probability that one sample does not lead to the model of a pair; -infinity if

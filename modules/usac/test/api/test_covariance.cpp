@@ -15,7 +15,7 @@ const ProblemType ALL[] = {HOMOGRAPHY, FUNDAMENTAL,   ESSENTIAL, AFFINITY,
                            SIMILARITY, ABSOLUTE_POSE, RIGID_3D,  SIMILARITY_3D};
 const int PARAMETERS[] = {8, 7, 5, 6, 4, 6, 6, 7};
 
-const Matx33d K(600, 0, 320, 0, 600, 240, 0, 0, 1);
+const Matx33d CAMERA(600, 0, 320, 0, 600, 240, 0, 0, 1);
 
 Matx33d rotationOf(const Vec3d& w)
 {
@@ -263,8 +263,9 @@ Mat predictionOf(ProblemType problem, const Mat& model, const Mat& first, const 
         Mat(first.row(i).t()).copyTo(x.rowRange(0, first.cols));
         if (problem == FUNDAMENTAL || problem == ESSENTIAL)
         {
-            const Mat F = problem == FUNDAMENTAL ? model
-                                                 : Mat(Mat(K.inv().t()) * model * Mat(K.inv()));
+            const Mat F = problem == FUNDAMENTAL
+                              ? model
+                              : Mat(Mat(CAMERA.inv().t()) * model * Mat(CAMERA.inv()));
             Mat x2 = Mat::ones(3, 1, CV_64F), line = F * x;
             Mat(second.row(i).t()).copyTo(x2.rowRange(0, 2));
             y = Mat(1, 1, CV_64F, Scalar(line.dot(x2) / cv::norm(line.rowRange(0, 2))));
@@ -273,7 +274,7 @@ Mat predictionOf(ProblemType problem, const Mat& model, const Mat& first, const 
         {
             y = model * x;
             if (problem == ABSOLUTE_POSE)
-                y = Mat(K) * y;
+                y = Mat(CAMERA) * y;
             if (problem == HOMOGRAPHY || problem == ABSOLUTE_POSE)
                 y = y.rowRange(0, 2) / y.at<double>(2);
         }
@@ -293,7 +294,7 @@ TEST(Usac_Covariance, points)
         RNG rng(11);
         rng.fill(first, RNG::UNIFORM, columns == 2 ? 100 : -1, columns == 2 ? 400 : 1);
         rng.fill(second, RNG::UNIFORM, 100, 400);
-        const Mat found = pointCovariance(problem, model, C, first, second, K);
+        const Mat found = pointCovariance(problem, model, C, first, second, CAMERA);
         ASSERT_EQ(4, found.rows);
         const int k = cvRound(std::sqrt((double)found.cols));
         ASSERT_EQ(problem == FUNDAMENTAL || problem == ESSENTIAL ? 1
@@ -324,12 +325,13 @@ TEST(Usac_Covariance, points_that_are_nowhere)
     const Mat center = -pose.colRange(0, 3).t() * pose.col(3);
     const Mat points(
         Matx23d(center.at<double>(0), center.at<double>(1), center.at<double>(2), NAN, 0, 0));
-    const Mat found = pointCovariance(ABSOLUTE_POSE, pose, C, points, noArray(), K);
+    const Mat found = pointCovariance(ABSOLUTE_POSE, pose, C, points, noArray(), CAMERA);
     for (int k = 0; k < 4; ++k)
         EXPECT_TRUE(cvIsNaN(found.at<double>(1, k)));
     const Mat unknown(6, 6, CV_64F, Scalar::all(NAN));
     EXPECT_TRUE(cvIsNaN(covarianceOfModel(ABSOLUTE_POSE, pose, unknown).at<double>(0, 0)));
-    EXPECT_TRUE(pointCovariance(ABSOLUTE_POSE, pose, C, Mat(0, 3, CV_64F), noArray(), K).empty());
+    EXPECT_TRUE(
+        pointCovariance(ABSOLUTE_POSE, pose, C, Mat(0, 3, CV_64F), noArray(), CAMERA).empty());
 }
 
 //! The message of the exception up to its first colon, which is the name of the argument.
@@ -364,8 +366,9 @@ TEST(Usac_Covariance, mistakes)
     EXPECT_EQ("t", blamed([&] { covarianceOfPose(E, D, ROTATION, Vec3d(0, 0, 0)); }));
     EXPECT_EQ("R and t", blamed([&] { covarianceOfPose(E, D, ROTATION, Vec3d(1, 0, 0)); }));
     EXPECT_EQ("points1", blamed([&] { pointCovariance(HOMOGRAPHY, H, C, Mat(5, 1, CV_64F)); }));
-    EXPECT_EQ("points1 and points2",
-              blamed([&] { pointCovariance(ESSENTIAL, E, D, points, points.rowRange(0, 2), K); }));
+    EXPECT_EQ("points1 and points2", blamed([&] {
+                  pointCovariance(ESSENTIAL, E, D, points, points.rowRange(0, 2), CAMERA);
+              }));
     EXPECT_EQ("cameraMatrix1", blamed([&] { pointCovariance(ESSENTIAL, E, D, points, points); }));
 }
 

@@ -10,8 +10,9 @@
 namespace opencv_test {
 namespace {
 
-const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
-                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
+const UsacV20Method AFFINE_FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
+                                      USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL,
+                                      USACV20_AUTO};
 
 //! The functions of one problem under common names. `calib3d` is OpenCV's function, selected by its
 //! type: the one that a call with an int reaches without this module.
@@ -35,7 +36,7 @@ Functions functionsOf(ProblemType problem)
 }
 
 //! Few inliers, so that each argument changes the result.
-Scene hardScene(ProblemType problem)
+Scene hardAffineScene(ProblemType problem)
 {
     SceneOptions options;
     options.inliers = 12;
@@ -72,9 +73,9 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_FindAffine, testing::Values((int)AFFINITY, (i
 
 TEST_P(Usac_FindAffine, eachArgument)
 {
-    const Scene s = hardScene(problem());
+    const Scene s = hardAffineScene(problem());
     const Functions call = functionsOf(problem());
-    for (UsacV20Method flag : FLAGS)
+    for (UsacV20Method flag : AFFINE_FLAGS)
     {
         SCOPED_TRACE(cv::format("flag %d", (int)flag));
         Mat mask;
@@ -100,9 +101,9 @@ TEST_P(Usac_FindAffine, eachArgument)
 //! model with at least one of the flags.
 TEST_P(Usac_FindAffine, argumentsMatter)
 {
-    const Scene s = hardScene(problem());
+    const Scene s = hardAffineScene(problem());
     bool matters[5] = {false};
-    for (UsacV20Method flag : FLAGS)
+    for (UsacV20Method flag : AFFINE_FLAGS)
     {
         const Mat model = estimate(s, paramsOf(flag, 2, 1000, 0.98, 10));
         const Params others[] = {paramsOf(flag, 1, 1000, 0.98, 10), paramsOf(flag, 2, 3, 0.98, 10),

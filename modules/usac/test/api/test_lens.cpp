@@ -10,7 +10,7 @@
 namespace opencv_test {
 namespace {
 
-const Matx33d K(800, 3, 410, 0, 790, 305, 0, 0, 1);
+const Matx33d LENS_CAMERA(800, 3, 410, 0, 790, 305, 0, 0, 1);
 
 Mat lens(int coefficients)
 {
@@ -26,14 +26,14 @@ void makePoints(const Mat& distortion, std::vector<Point2d>& ideal, std::vector<
     for (int y = 0; y <= 600; y += 60)
         for (int x = 0; x <= 800; x += 80)
         {
-            const Vec3d ray = K.inv() * Vec3d(x, y, 1);
+            const Vec3d ray = LENS_CAMERA.inv() * Vec3d(x, y, 1);
             rays.push_back(Point3d(ray[0], ray[1], 1));
             ideal.push_back(Point2d(x, y));
         }
     projectPoints(rays, Vec3d(), Vec3d(), Matx33d::eye(), distortion, taken);
-    for (Point2d& p : taken)  // cv::projectPoints ignores the skew, so K is applied here
+    for (Point2d& p : taken)  // cv::projectPoints ignores the skew, so LENS_CAMERA is applied here
     {
-        const Vec3d seen = K * Vec3d(p.x, p.y, 1);
+        const Vec3d seen = LENS_CAMERA * Vec3d(p.x, p.y, 1);
         p = Point2d(seen[0], seen[1]);
     }
 }
@@ -46,7 +46,7 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
         const Mat distortion = coefficients ? lens(coefficients) : Mat();
         std::vector<Point2d> ideal, taken;
         makePoints(distortion, ideal, taken);
-        const Mat found = removeDistortion(taken, K, distortion);
+        const Mat found = removeDistortion(taken, LENS_CAMERA, distortion);
         ASSERT_EQ(Size(2, (int)taken.size()), found.size());
         ASSERT_EQ(CV_64F, found.type());
         EXPECT_LT(cvtest::norm(found, column(ideal).reshape(1), NORM_INF), 1e-9) << coefficients;
@@ -67,8 +67,8 @@ TEST(Usac_Lens, oracle)
         int off = 0;
         for (size_t i = 0; i < taken.size(); ++i)
         {
-            const Vec3d seen = K.inv() * Vec3d(taken[i].x, taken[i].y, 1),
-                        right = K.inv() * Vec3d(ideal[i].x, ideal[i].y, 1);
+            const Vec3d seen = LENS_CAMERA.inv() * Vec3d(taken[i].x, taken[i].y, 1),
+                        right = LENS_CAMERA.inv() * Vec3d(ideal[i].x, ideal[i].y, 1);
             Bounded x(seen[0], 1e-15), y(seen[1], 1e-15);
             ASSERT_EQ(LensOracle::SEEN, oracle.invert(x, y)) << coefficients << " " << i;
             EXPECT_LE(std::abs((double)x.value - right[0]), (double)x.error);
@@ -89,19 +89,21 @@ TEST(Usac_Lens, layouts)
     const Mat distortion = lens(5);
     std::vector<Point2d> ideal, taken;
     makePoints(distortion, ideal, taken);
-    const Mat found = removeDistortion(taken, K, distortion), rows = column(taken).reshape(1);
-    EXPECT_TRUE(sameBits(found, removeDistortion(rows, Mat(K), distortion.t())));
-    EXPECT_TRUE(sameBits(found, removeDistortion(rows.t(), Mat(K) * 2, distortion)));
+    const Mat found = removeDistortion(taken, LENS_CAMERA, distortion),
+              rows = column(taken).reshape(1);
+    EXPECT_TRUE(sameBits(found, removeDistortion(rows, Mat(LENS_CAMERA), distortion.t())));
+    EXPECT_TRUE(sameBits(found, removeDistortion(rows.t(), Mat(LENS_CAMERA) * 2, distortion)));
     std::vector<Point3d> homogeneous;
     for (const Point2d& p : taken)
         homogeneous.push_back(Point3d(2 * p.x, 2 * p.y, 2));
-    EXPECT_TRUE(sameBits(found, removeDistortion(homogeneous, K, distortion)));
+    EXPECT_TRUE(sameBits(found, removeDistortion(homogeneous, LENS_CAMERA, distortion)));
     Mat single, changed = rows.clone();
     rows.convertTo(single, CV_32F);
-    EXPECT_LT(cvtest::norm(removeDistortion(single, K, distortion), found, NORM_INF), 1e-3);
-    removeDistortion(changed, K, distortion);
+    EXPECT_LT(cvtest::norm(removeDistortion(single, LENS_CAMERA, distortion), found, NORM_INF),
+              1e-3);
+    removeDistortion(changed, LENS_CAMERA, distortion);
     EXPECT_TRUE(sameBits(rows, changed));
-    EXPECT_EQ(0, removeDistortion(std::vector<Point2d>(), K, distortion).rows);
+    EXPECT_EQ(0, removeDistortion(std::vector<Point2d>(), LENS_CAMERA, distortion).rows);
 }
 
 //! r (1 - 0.25 r^2) has its maximum, 0.77, at r^2 = 4 / 3. Points with a larger distorted radius
@@ -127,10 +129,11 @@ TEST(Usac_Lens, what_is_not_seen_is_not_a_number)
 TEST(Usac_Lens, mistakes_are_named)
 {
     const std::vector<Point2d> points(3, Point2d(1, 2));
-    expectException([&]() { removeDistortion(Mat::zeros(1, 4, CV_64F), K, lens(4)); }, "points");
+    expectException([&]() { removeDistortion(Mat::zeros(1, 4, CV_64F), LENS_CAMERA, lens(4)); },
+                    "points");
     expectException([&]() { removeDistortion(points, Mat::zeros(3, 3, CV_64F), lens(4)); },
                     "cameraMatrix");
-    expectException([&]() { removeDistortion(points, K, Vec3d(1, 2, 3)); }, "distCoeffs");
+    expectException([&]() { removeDistortion(points, LENS_CAMERA, Vec3d(1, 2, 3)); }, "distCoeffs");
 }
 
 }

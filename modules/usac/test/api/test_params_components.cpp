@@ -15,22 +15,6 @@ namespace {
 typedef UsacProblem UsacComponents;
 INSTANTIATE_TEST_CASE_P(/**/, UsacComponents, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-Scene sceneOf(ProblemType problem, int inliers, int outliers)
-{
-    SceneOptions options;
-    options.inliers = inliers;
-    options.outliers = outliers;
-    options.seed = 3;
-    return makeScene(problem, options);
-}
-
-Report reportOf(const Scene& scene, const Params& params)
-{
-    Report report;
-    estimate(scene, params, noArray(), &report);
-    return report;
-}
-
 //! Counts the points whose errors are computed.
 class CountingResidual : public Residual
 {
@@ -74,7 +58,7 @@ int64 pointsTested(const Scene& scene, int verification)
 
 TEST_P(UsacComponents, verification)
 {
-    const Scene scene = sceneOf(problem(), 1000, 1000);
+    const Scene scene = makeScene(problem(), 1000, 1000, 3);
     const int64 all = pointsTested(scene, VERIFICATION_NONE),
                 sprt = pointsTested(scene, VERIFICATION_SPRT);
     EXPECT_GT(sprt, 0);
@@ -127,7 +111,7 @@ std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0
 
 TEST_P(UsacComponents, localOptimization)
 {
-    const Scene scene = sceneOf(problem(), 200, 200);
+    const Scene scene = makeScene(problem(), 200, 200, 3);
     Params params;
     Report with, without;
     EXPECT_FALSE(localFits(scene, params, &with).empty());
@@ -162,7 +146,7 @@ TEST_P(UsacComponents, localIterations)
 
 TEST_P(UsacComponents, localSamples)
 {
-    const Scene scene = sceneOf(problem(), 200, 200);
+    const Scene scene = makeScene(problem(), 200, 200, 3);
     Params params;
     params.localIterations = 1;
     params.localSampleMultiple = 9;
@@ -178,7 +162,7 @@ TEST_P(UsacComponents, localSamples)
 
 TEST_P(UsacComponents, localSampleMultiple)
 {
-    const Scene scene = sceneOf(problem(), 400, 100);
+    const Scene scene = makeScene(problem(), 400, 100, 3);
     const int multiples[] = {2, 7, 15};
     for (int i = 0; i < 3; ++i)
     {
@@ -199,7 +183,7 @@ TEST_P(UsacComponents, localSampleMultiple)
 
 TEST_P(UsacComponents, spatialWeight)
 {
-    const Scene scene = sceneOf(problem(), 200, 50);
+    const Scene scene = makeScene(problem(), 200, 50, 3);
     Params params;
     params.threshold = 0.5;  // about the noise, so that neighbors change the label of some points
     std::vector<int> before;
@@ -216,7 +200,7 @@ TEST_P(UsacComponents, spatialWeight)
 
 TEST_P(UsacComponents, termination)
 {
-    const Scene scene = sceneOf(problem(), 150, 150);
+    const Scene scene = makeScene(problem(), 150, 150, 3);
     Params params;
     params.termination = TERMINATION_STANDARD;
     EXPECT_EQ((int)STOP_STANDARD, reportOf(scene, params).stop);
@@ -242,7 +226,7 @@ TEST_P(UsacComponents, termination)
 
 TEST_P(UsacComponents, relaxation)
 {
-    const Scene scene = sceneOf(problem(), 100, 200);
+    const Scene scene = makeScene(problem(), 100, 200, 3);
     int before = INT_MAX;
     const double relaxations[] = {0, 0.2, 0.6};
     for (int i = 0; i < 3; ++i)
@@ -260,7 +244,7 @@ TEST_P(UsacComponents, relaxation)
 
 TEST_P(UsacComponents, degeneracy_orientation)
 {
-    const Scene scene = sceneOf(problem(), 100, 200);
+    const Scene scene = makeScene(problem(), 100, 200, 3);
     Params params;
     params.termination = 0;
     params.maxIterations = 300;
@@ -333,7 +317,7 @@ TEST_P(UsacComponents, polishing)
 //! requires, before it is multiplied by p, is about the same for each p.
 TEST_P(UsacComponents, persistence)
 {
-    const Scene scene = sceneOf(problem(), 150, 150);
+    const Scene scene = makeScene(problem(), 150, 150, 3);
     int iterations[3], several[] = {1, 2, 5};
     for (int i = 0; i < 3; ++i)
     {
@@ -357,7 +341,7 @@ TEST_P(UsacComponents, persistence)
 //! change the model.
 TEST_P(UsacComponents, polishingSteps)
 {
-    const Scene scene = sceneOf(problem(), 200, 100);
+    const Scene scene = makeScene(problem(), 200, 100, 3);
     const int types[] = {POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED, POLISHING_ROBUST};
     for (int i = 0; i < 3; ++i)
         for (int steps = 1; steps <= 65; steps *= 4)

@@ -19,22 +19,6 @@ namespace {
 typedef UsacProblem UsacEffects;
 INSTANTIATE_TEST_CASE_P(/**/, UsacEffects, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-Scene sceneOf(ProblemType problem, int inliers, int outliers)
-{
-    SceneOptions options;
-    options.inliers = inliers;
-    options.outliers = outliers;
-    options.seed = 3;
-    return makeScene(problem, options);
-}
-
-Report reportOf(const Scene& scene, const Params& params, OutputArray mask = noArray())
-{
-    Report report;
-    estimate(scene, params, mask, &report);
-    return report;
-}
-
 //! Parameters with uniform sampling, without local optimization, and with all `maxIterations`
 //! samples.
 Params plainParams()
@@ -48,7 +32,7 @@ Params plainParams()
 
 TEST_P(UsacEffects, threshold)
 {
-    const Scene scene = sceneOf(problem(), 200, 100);
+    const Scene scene = makeScene(problem(), 200, 100, 3);
     int before = 0;
     const double thresholds[] = {0.3, 0.6, 1.2, 2.4};
     for (int i = 0; i < 4; ++i)
@@ -67,7 +51,7 @@ TEST_P(UsacEffects, confidence)
 {
     // few samples suffice, so the inlier ratio is lower
     const bool single = sampleSizeOf(problem()) == 1;
-    const Scene scene = sceneOf(problem(), single ? 15 : 150, 150);
+    const Scene scene = makeScene(problem(), single ? 15 : 150, 150, 3);
     int before = 0;
     const double confidences[] = {0.1, 0.9, 0.999999};
     for (int i = 0; i < 3; ++i)
@@ -85,7 +69,7 @@ TEST_P(UsacEffects, confidence)
 
 TEST_P(UsacEffects, maxIterations)
 {
-    const Scene scene = sceneOf(problem(), 100, 200);
+    const Scene scene = makeScene(problem(), 100, 200, 3);
     const int limits[] = {1, 17, 100, 1000};
     for (int i = 0; i < 4; ++i)
     {
@@ -132,7 +116,7 @@ std::vector<int> samplesOf(const Scene& scene, Params params, int iterations = 1
 
 TEST_P(UsacEffects, seed)
 {
-    const Scene scene = sceneOf(problem(), 150, 150);
+    const Scene scene = makeScene(problem(), 150, 150, 3);
     Params params;
     params.scores.assign(scene.size(), 0.5f);
     params.scoreOrder = SCORES_HIGHER_IS_BETTER;  // required by SAMPLER_IMPORTANCE
@@ -196,7 +180,7 @@ TEST_P(UsacEffects, threads)
     const int before = getNumThreads();
     setNumThreads(4);
     const bool parallel = getNumThreads() > 1;
-    const Scene scene = sceneOf(problem(), 100, 100);
+    const Scene scene = makeScene(problem(), 100, 100, 3);
     const size_t one = threadsUsed(scene, 1), four = threadsUsed(scene, 4),
                  all = threadsUsed(scene, 0);
     setNumThreads(1);
@@ -245,7 +229,7 @@ double goodPart(const Scene& scene, const std::vector<int>& rows)
 
 TEST_P(UsacEffects, sampler)
 {
-    const Scene scene = sorted(sceneOf(problem(), 60, 240));
+    const Scene scene = sorted(makeScene(problem(), 60, 240, 3));
     Params params;
     params.orderedEvery = 1;
     params.ordering = ORDERING_INPUT_ORDER;
@@ -263,7 +247,7 @@ TEST_P(UsacEffects, sampler)
 
 TEST_P(UsacEffects, ordering)
 {
-    const Scene scene = sorted(sceneOf(problem(), 60, 240));
+    const Scene scene = sorted(makeScene(problem(), 60, 240, 3));
     for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
     {
         Params params;
@@ -284,7 +268,7 @@ TEST_P(UsacEffects, ordering)
 
 TEST_P(UsacEffects, scores_and_scoreOrder)
 {
-    const Scene scene = sceneOf(problem(), 60, 240);
+    const Scene scene = makeScene(problem(), 60, 240, 3);
     Params params, none;
     params.orderedEvery = none.orderedEvery = 1;
     params.sampler = none.sampler = SAMPLER_PROSAC;
@@ -311,7 +295,7 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
 //! ORDERING_INPUT_ORDER.
 TEST_P(UsacEffects, scores_beside_the_input_order)
 {
-    const Scene scene = sceneOf(problem(), 60, 240);
+    const Scene scene = makeScene(problem(), 60, 240, 3);
     const Params presets[] = {Params::sorted(), Params::prosac(), Params::usac2013(),
                               Params::fromMethod(USACV20_PROSAC)};
     for (const Params& preset : presets)
@@ -335,7 +319,7 @@ TEST_P(UsacEffects, scores_beside_the_input_order)
 //! samples unless all samples follow the order.
 TEST_P(UsacEffects, orderedEvery)
 {
-    const Scene scene = sorted(sceneOf(problem(), 60, 240));
+    const Scene scene = sorted(makeScene(problem(), 60, 240, 3));
     const int m = sampleSizeOf(problem());
     Params params;
     params.ordering = ORDERING_INPUT_ORDER;
@@ -355,7 +339,7 @@ TEST_P(UsacEffects, orderedEvery)
 
 TEST_P(UsacEffects, quality)
 {
-    const Scene scene = sceneOf(problem(), 150, 150);
+    const Scene scene = makeScene(problem(), 150, 150, 3);
     Params params = plainParams();
     Mat mask, model;
     Report report;
@@ -378,7 +362,7 @@ TEST_P(UsacEffects, quality)
 //! The mask must always use `threshold`, whatever the reach; the model must change with the reach.
 TEST_P(UsacEffects, reach)
 {
-    const Scene scene = sceneOf(problem(), 200, 100);
+    const Scene scene = makeScene(problem(), 200, 100, 3);
     Params params = Params::magsacPlusPlus();
     params.threshold = 1.3;  // not preserved by rounding if multiplied by 4 and divided again in
                              // some coordinates

@@ -175,7 +175,7 @@ public:
     }
 };
 
-const Vec4d TRUTH(0.48, -0.6, 0.64, -3);
+const Vec4d TRUE_PLANE(0.48, -0.6, 0.64, -3);
 
 std::vector<Point3d> scene(int inliers, int outliers, double noise)
 {
@@ -185,7 +185,8 @@ std::vector<Point3d> scene(int inliers, int outliers, double noise)
     {
         Point3d p = Point3d(uniformVector(rng, Vec3d(-5., -5., 0.), Vec3d(5., 5., 10.)));
         if (i < inliers)
-            p.z = (-TRUTH[3] - TRUTH[0] * p.x - TRUTH[1] * p.y) / TRUTH[2] + rng.gaussian(noise);
+            p.z = (-TRUE_PLANE[3] - TRUE_PLANE[0] * p.x - TRUE_PLANE[1] * p.y) / TRUE_PLANE[2] +
+                  rng.gaussian(noise);
         points.push_back(p);
     }
     return points;
@@ -194,7 +195,7 @@ std::vector<Point3d> scene(int inliers, int outliers, double noise)
 double errorOf(const Mat& plane)
 {
     const Vec4d found(plane.ptr<double>());
-    return std::min(cv::norm(found - TRUTH), cv::norm(found + TRUTH));
+    return std::min(cv::norm(found - TRUE_PLANE), cv::norm(found + TRUE_PLANE));
 }
 
 TEST(Usac_CustomPlane, everyPreset)
@@ -226,7 +227,7 @@ TEST(Usac_CustomPlane, everyPreset)
 TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
 {
     const PlaneParameterization planes;
-    EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(TRUTH.val))));
+    EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(TRUE_PLANE.val))));
     EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(3, 0.1, -0.2, 5))));
     const std::vector<Point3d> points = scene(300, 200, 0.01);
     for (const NamedPreset& preset : allPresets())

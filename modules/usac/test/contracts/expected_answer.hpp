@@ -55,6 +55,12 @@ inline Mat threeDimensional(const Mat& points, int first, int second)
     return points.clone().reshape(1, 3, sizes).clone();
 }
 
+//! The points as an Nx1x3 array, or as 1xNx3 if `across`.
+inline Mat solid(const Mat& points, bool across)
+{
+    return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
+}
+
 //! Every depth that can represent the integers 0 .. 127; OpenCV 5 has more of them than OpenCV 4.
 inline std::vector<int> depthsOfIntegers()
 {

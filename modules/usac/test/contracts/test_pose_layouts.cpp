@@ -61,12 +61,6 @@ PoseArrays arraysOf(const PoseScene& scene)
     return arrays;
 }
 
-//! The points as an Nx1x3 array, or as 1xNx3 if `across`.
-Mat solid(const Mat& points, bool across)
-{
-    return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
-}
-
 TEST(Usac_PoseLayouts, every_shape)
 {
     for (int coefficients : {0, 5})

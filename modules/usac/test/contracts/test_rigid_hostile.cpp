@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-const double FAR_AWAY = 1e300, TINY = 1e-310;
+const double FAR_AWAY = 1e300, DENORMAL = 1e-310;
 
 RigidSceneOptions optionsOf(ProblemType type)
 {
@@ -26,7 +26,7 @@ double& coordinateOf(RigidScene& scene, int row, int which)
 }
 
 //! The scene with `rows` additional rows, in which some coordinates are `value`.
-RigidScene withRows(ProblemType type, double value, int rows)
+RigidScene withRigidRows(ProblemType type, double value, int rows)
 {
     RigidScene scene = makeRigidScene(optionsOf(type));
     RNG rng(5);
@@ -51,13 +51,13 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_RigidHostile, testing::ValuesIn(SPACE_PROBLEM
 
 TEST_P(Usac_RigidHostile, some_rows_of_any_number)
 {
-    const double values[] = {NAN,   INFINITY, -INFINITY, 0,    TINY,     5e-324,
+    const double values[] = {NAN,   INFINITY, -INFINITY, 0,    DENORMAL, 5e-324,
                              1e-30, 1e10,     -1e18,     1e30, FAR_AWAY, -DBL_MAX};
     for (double value : values)
         for (int rows : {1, 30, 60})
         {
             SCOPED_TRACE(cv::format("%d rows of %g", rows, value));
-            const RigidScene scene = withRows(problem(), value, rows);
+            const RigidScene scene = withRigidRows(problem(), value, rows);
             Params params;
             params.threshold = scene.threshold;
             const Estimate found = checkedMotion(problem(), scene, params);
@@ -69,17 +69,17 @@ TEST_P(Usac_RigidHostile, some_rows_of_any_number)
 
 TEST_P(Usac_RigidHostile, some_rows_of_any_number_with_every_preset)
 {
-    for (double value : {(double)NAN, (double)INFINITY, 1e18, FAR_AWAY, TINY})
+    for (double value : {(double)NAN, (double)INFINITY, 1e18, FAR_AWAY, DENORMAL})
     {
         SCOPED_TRACE(value);
-        const RigidScene scene = withRows(problem(), value, 40);
+        const RigidScene scene = withRigidRows(problem(), value, 40);
         checkEveryWay(problem(), scene, scene.threshold);
     }
 }
 
 TEST_P(Usac_RigidHostile, all_rows_of_one_number)
 {
-    for (double value : {(double)NAN, (double)INFINITY, 0., TINY, 1., 1e18, FAR_AWAY})
+    for (double value : {(double)NAN, (double)INFINITY, 0., DENORMAL, 1., 1e18, FAR_AWAY})
         for (int which = 0; which < 6; ++which)
         {
             SCOPED_TRACE(cv::format("coordinate %d is %g", which, value));

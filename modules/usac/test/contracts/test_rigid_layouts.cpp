@@ -56,12 +56,6 @@ private:
     Mat motion, mask;
 };
 
-//! The points as an Nx1x3 array, or as 1xNx3 if `across`.
-Mat solid(const Mat& points, bool across)
-{
-    return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
-}
-
 template <class Point>
 std::vector<Point> vectorOf(const Mat& points)
 {

@@ -110,6 +110,12 @@ private:
     const uchar* end;
 };
 
+//! Coordinate 0, 1 or 2 of a point.
+inline double& coordinateOf(cv::Point3d& point, int which)
+{
+    return which == 0 ? point.x : which == 1 ? point.y : point.z;
+}
+
 }  // namespace opencv_test
 
 #endif

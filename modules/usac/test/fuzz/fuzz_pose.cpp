@@ -15,7 +15,7 @@ namespace opencv_test {
 namespace {
 
 //! Matches of a scene without lens distortion, true and wrong ones.
-void readScene(Bytes& bytes, FuzzInput& input)
+void readPoseScene(Bytes& bytes, FuzzInput& input)
 {
     PoseSceneOptions options;
     options.size = 4 + bytes.below(90);
@@ -31,11 +31,6 @@ void readScene(Bytes& bytes, FuzzInput& input)
     PoseScene scene = makePoseScene(options);
     input.object = scene.object;
     input.points2 = scene.image;
-}
-
-double& coordinateOf(Point3d& point, int which)
-{
-    return which == 0 ? point.x : which == 1 ? point.y : point.z;
 }
 
 //! One change of one row or of all rows.
@@ -84,7 +79,7 @@ void readPosePoints(Bytes& bytes, FuzzInput& input)
     const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
               most = bytes.below(120);
     if (kind > 3)
-        readScene(bytes, input);
+        readPoseScene(bytes, input);
     for (int i = 0; i < most && bytes.left() > 0; ++i)
     {
         const double x = bytes.coordinate(kind % 6), y = bytes.coordinate(kind % 6),

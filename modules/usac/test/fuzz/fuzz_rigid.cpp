@@ -13,7 +13,7 @@ namespace opencv_test {
 
 namespace {
 
-void readScene(Bytes& bytes, FuzzInput& input)
+void readRigidScene(Bytes& bytes, FuzzInput& input)
 {
     RigidSceneOptions options;
     options.size = 4 + bytes.below(90);
@@ -29,11 +29,6 @@ void readScene(Bytes& bytes, FuzzInput& input)
     const RigidScene scene = makeRigidScene(options);
     input.object = scene.points1;
     input.space2 = scene.points2;
-}
-
-double& coordinateOf(Point3d& point, int which)
-{
-    return which == 0 ? point.x : which == 1 ? point.y : point.z;
 }
 
 //! One change of one row or of all rows.
@@ -77,7 +72,7 @@ void readSpacePoints(Bytes& bytes, FuzzInput& input)
     const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
               most = bytes.below(120);
     if (kind > 3)
-        readScene(bytes, input);
+        readRigidScene(bytes, input);
     for (int i = 0; i < most && bytes.left() > 0; ++i)
     {
         double x[6];

@@ -24,15 +24,6 @@ public:
     }
 };
 
-Scene sceneOf(ProblemType problem, int inliers, int outliers, uint64 seed = 1)
-{
-    SceneOptions options;
-    options.inliers = inliers;
-    options.outliers = outliers;
-    options.seed = seed;
-    return makeScene(problem, options);
-}
-
 Report reportOf(const Scene& scene, const Params& params, const Ptr<Sampler>& sampler)
 {
     const Ptr<Usac> usac = createUsac(scene, params);
@@ -61,7 +52,7 @@ TEST(Usac_CountedSamples, the_others_do_not_end_the_search)
 {
     Params params;
     params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
-    const Scene scene = sceneOf(HOMOGRAPHY, 100, 150);
+    const Scene scene = makeScene(HOMOGRAPHY, 100, 150);
     const Report report = reportOf(scene, params, makePtr<HalfCounting>());
     EXPECT_EQ((int)STOP_STANDARD, report.stop);
     const double needed = wantedSamples(report.inliers, scene.size(), 4);
@@ -72,7 +63,7 @@ TEST(Usac_CountedSamples, all_count_where_one_model_has_most_points)
 {
     Params params;
     params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
-    const Scene scene = sceneOf(FUNDAMENTAL, 230, 130);
+    const Scene scene = makeScene(FUNDAMENTAL, 230, 130);
     const Report report = reportOf(scene, params, makePtr<HalfCounting>());
     EXPECT_EQ((int)STOP_STANDARD, report.stop);
     const double needed = wantedSamples(report.inliers, scene.size(), 7);
@@ -93,7 +84,7 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
     points2[5] = points2[0];  // two matches share a point of image 2
     const OwnPoints points(HOMOGRAPHY, points1, points2);
     Components parts;
-    parts.minimalSolver = createUsac(sceneOf(HOMOGRAPHY, 20, 5), Params())
+    parts.minimalSolver = createUsac(makeScene(HOMOGRAPHY, 20, 5), Params())
                               ->components()
                               .minimalSolver;
     const Params params;
@@ -117,7 +108,7 @@ TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
     {
-        const Scene scene = sceneOf((ProblemType)problem, 90, 60);
+        const Scene scene = makeScene((ProblemType)problem, 90, 60);
         const Params params;
         const Ptr<Usac> usac = createUsac(scene, params);
         Arena arena;
@@ -144,7 +135,7 @@ TEST(Usac_CountedSamples, one_match_many_times_is_one)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
     {
-        Scene scene = sceneOf(HOMOGRAPHY, 200, 100, seed);
+        Scene scene = makeScene(HOMOGRAPHY, 200, 100, seed);
         const Scene original = scene;
         scene.points1.insert(scene.points1.end(), 100, scene.points1[0]);
         scene.points2.insert(scene.points2.end(), 100, Point2d(scene.points2[0].x + 200, 20));

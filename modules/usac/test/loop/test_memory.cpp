@@ -106,7 +106,7 @@ std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& 
     return variants;
 }
 
-Scene sceneOf(ProblemType problem, int size, uint64 seed = 1)
+Scene planarScene(ProblemType problem, int size, uint64 seed = 1)
 {
     SceneOptions options;
     options.setSize(size, 0.6);
@@ -127,7 +127,7 @@ TEST_P(Usac_Memory, nothingButTheModel)
     const long model = allocationsOfModel();
     EXPECT_GT(model, 0);
     const ProblemType problem = (ProblemType)GetParam();
-    const Scene scene = sceneOf(problem, 400);
+    const Scene scene = planarScene(problem, 400);
     const std::vector<Variant> variants = allVariants(problem, scene.scores);
     EXPECT_GE(variants.size(), 85u);
     estimate(scene, Params());  // chooses the kernels once per process
@@ -161,13 +161,13 @@ TEST_P(Usac_Memory, otherPoints)
     Params params;
     params.spatialWeight = 0;
     params.threads = 1;
-    const Ptr<Usac> usac = createUsac(sceneOf(problem, 1000), params);
+    const Ptr<Usac> usac = createUsac(planarScene(problem, 1000), params);
     Mat mask(1000, 1, CV_8U);
     usac->run(mask);
     for (int size = 1000; size >= 10; size /= 2)
         for (int kind = 0; kind < 2; ++kind)
         {
-            const Scene scene = sceneOf(problem, size, size);
+            const Scene scene = planarScene(problem, size, size);
             const std::vector<Point2f> points1(scene.points1.begin(), scene.points1.end()),
                 points2(scene.points2.begin(), scene.points2.end());
             mask.create(size, 1, CV_8U);
@@ -191,7 +191,7 @@ TEST_P(Usac_Memory, nothingInTheLoop)
     if (!allocationsAreCounted())
         return;
     const ProblemType problem = (ProblemType)GetParam();
-    const Scene scene = sceneOf(problem, 300);
+    const Scene scene = planarScene(problem, 300);
     const std::vector<NamedPreset> presets = allPresets(problem);
     estimate(scene, Params());
     for (size_t p = 0; p < presets.size(); ++p)
@@ -225,7 +225,7 @@ TEST_P(Usac_Memory, ofOpenCV)
     if (!allocationsAreCounted())
         return;
     const long model = allocationsOfModel();
-    const Scene scene = sceneOf((ProblemType)GetParam(), 400);
+    const Scene scene = planarScene((ProblemType)GetParam(), 400);
     for (int neighborhood = 0; neighborhood < 3; ++neighborhood)
         for (int spatial = 0; spatial < 2; ++spatial)
         {

@@ -39,7 +39,7 @@ void expectSameBits(const Answer& a, const Answer& b)
     EXPECT_EQ(a.report.degenerate, b.report.degenerate);
 }
 
-Scene sceneOf(ProblemType problem, double inlierRatio, uint64 seed, int size = 400)
+Scene sceneWith(ProblemType problem, double inlierRatio, uint64 seed, int size = 400)
 {
     SceneOptions options;
     options.inliers = cvRound(inlierRatio * size);
@@ -73,7 +73,7 @@ TEST_P(Usac_Ransac, sameBitsWithAnyNumberOfThreads)
     for (size_t v = 0; v < all.size(); ++v)
         for (uint64 seed = 1; seed <= 4; ++seed)
         {
-            const Scene scene = sceneOf((ProblemType)GetParam(), 0.25 + 0.15 * seed, seed);
+            const Scene scene = sceneWith((ProblemType)GetParam(), 0.25 + 0.15 * seed, seed);
             Params params = all[v];
             params.seed = (int)seed;
             params.maxIterations = std::min(params.maxIterations, 1000);
@@ -92,11 +92,11 @@ TEST_P(Usac_Ransac, sameBitsWithAnyNumberOfThreads)
 //! OpenCV's global random generator must not change the result, but the seed must.
 TEST_P(Usac_Ransac, repeatable)
 {
-    const Scene scene = sceneOf((ProblemType)GetParam(), 0.4, 7);
+    const Scene scene = sceneWith((ProblemType)GetParam(), 0.4, 7);
     Params params;
     const Answer first = answer(scene, params);
     theRNG().next();
-    estimate(sceneOf(HOMOGRAPHY, 0.5, 3), params);
+    estimate(sceneWith(HOMOGRAPHY, 0.5, 3), params);
     expectSameBits(first, answer(scene, params));
     params.termination = 0;
     params.maxIterations = 20;
@@ -120,7 +120,7 @@ TEST_P(Usac_Ransac, reportIsConsistent)
         for (uint64 seed = 1; seed <= 5; ++seed)
         {
             SCOPED_TRACE(cv::format("variant %d seed %d", (int)v, (int)seed));
-            const Scene scene = sceneOf((ProblemType)GetParam(), 0.5, seed);
+            const Scene scene = sceneWith((ProblemType)GetParam(), 0.5, seed);
             Params params = all[v];
             params.maxIterations = std::min(params.maxIterations, 1000);
             const Answer found = answer(scene, params);
@@ -157,7 +157,7 @@ TEST_P(Usac_Ransac, maskBelongsToTheModel)
 {
     for (uint64 seed = 1; seed <= 20; ++seed)
     {
-        const Scene scene = sceneOf((ProblemType)GetParam(), 0.5, seed);
+        const Scene scene = sceneWith((ProblemType)GetParam(), 0.5, seed);
         Params params;
         params.threshold = 0.5 + 0.1 * seed;
         const Answer found = answer(scene, params);
@@ -186,7 +186,7 @@ TEST_P(Usac_Ransac, recoversTheModel)
         double inliersFound = 0, inliers = 0;
         for (uint64 seed = 1; seed <= SCENES; ++seed)
         {
-            const Scene scene = sceneOf(problem, ratios[k], seed);
+            const Scene scene = sceneWith(problem, ratios[k], seed);
             Params params;
             params.confidence = 0.999;
             params.maxIterations = 30000;
@@ -244,7 +244,7 @@ Params stopBy(int termination)
 
 TEST(Usac_Ransac_Stop, reasons)
 {
-    const Scene scene = sceneOf(HOMOGRAPHY, 0.6, 1);
+    const Scene scene = sceneWith(HOMOGRAPHY, 0.6, 1);
     EXPECT_EQ((int)STOP_STANDARD, answer(scene, stopBy(TERMINATION_STANDARD)).report.stop);
     EXPECT_EQ((int)STOP_SPRT, answer(scene, stopBy(TERMINATION_SPRT)).report.stop);
     EXPECT_EQ((int)STOP_P_NAPSAC, answer(scene, stopBy(TERMINATION_P_NAPSAC)).report.stop);
@@ -257,7 +257,7 @@ TEST(Usac_Ransac_Stop, reasons)
 
 TEST(Usac_Ransac_Stop, withoutAModel)
 {
-    Scene scene = sceneOf(FUNDAMENTAL, 0.6, 1, 20);
+    Scene scene = sceneWith(FUNDAMENTAL, 0.6, 1, 20);
     scene.points1.resize(6);
     scene.points2.resize(6);
     const Answer few = answer(scene, Params());
@@ -288,7 +288,7 @@ TEST(Usac_Ransac_Stop, standardNumberOfSamples)
         int exact = 0;
         for (uint64 seed = 1; seed <= 20; ++seed)
         {
-            const Scene scene = sceneOf(HOMOGRAPHY, 0.3, seed);
+            const Scene scene = sceneWith(HOMOGRAPHY, 0.3, seed);
             const Report report = answer(scene, params).report;
             EXPECT_EQ((int)STOP_STANDARD, report.stop);
             double good = 1;
@@ -334,7 +334,7 @@ TEST(Usac_Ransac_Report, nonRandomness)
 //! LMedS estimates its threshold, and the mask must use this threshold.
 TEST(Usac_Ransac_Report, thresholdOfLmeds)
 {
-    const Scene scene = sceneOf(HOMOGRAPHY, 0.7, 1);
+    const Scene scene = sceneWith(HOMOGRAPHY, 0.7, 1);
     Params params = Params::lmeds();
     params.threshold = 1e-3;
     const Answer found = answer(scene, params);
@@ -352,7 +352,7 @@ TEST(Usac_Ransac_Stop, firstOfTwo)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
     {
-        const Scene scene = sceneOf(FUNDAMENTAL, 0.5, seed);
+        const Scene scene = sceneWith(FUNDAMENTAL, 0.5, seed);
         const int both = answer(scene, stopBy(TERMINATION_SPRT | TERMINATION_P_NAPSAC))
                              .report.iterations;
         const int sprt = answer(scene, stopBy(TERMINATION_SPRT)).report.iterations;
@@ -373,7 +373,7 @@ private:
 
 TEST(Usac_Ransac_Stop, custom)
 {
-    const Scene scene = sceneOf(HOMOGRAPHY, 0.5, 1);
+    const Scene scene = sceneWith(HOMOGRAPHY, 0.5, 1);
     Params params = stopBy(0);
     params.runnersUp = 0;  // the search ends without optimizing runners-up
     Report report;
@@ -389,7 +389,7 @@ TEST(Usac_Ransac_Parts, withoutOptionalComponents)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
     {
-        const Scene scene = sceneOf((ProblemType)problem, 0.7, 2);
+        const Scene scene = sceneWith((ProblemType)problem, 0.7, 2);
         const Ptr<Usac> usac = createUsac(scene, stopBy(0));
         Components& parts = usac->components();
         parts.ordering.release();

@@ -3,10 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "support/eigenvalues.hpp"
 #include "numeric/polynomial.hpp"
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 namespace opencv_test {
 namespace {
@@ -189,21 +187,18 @@ TEST(Usac_Polynomial, noRoots)
 }
 
 //! Eigenvalues of the companion matrix.
-std::vector<std::complex<double>> companionRoots(const std::vector<double>& c)
+std::vector<std::complex<long double>> companionRoots(const std::vector<double>& c)
 {
     const int degree = (int)c.size() - 1;
-    Eigen::MatrixXd C = Eigen::MatrixXd::Zero(degree, degree);
+    MatrixXl C = MatrixXl::Zero(degree, degree);
     for (int i = 0; i < degree; ++i)
     {
         if (i > 0)
             C(i, i - 1) = 1;
         C(i, degree - 1) = -c[i] / c[degree];
     }
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(C, false);
-    std::vector<std::complex<double>> roots(degree);
-    for (int i = 0; i < degree; ++i)
-        roots[i] = solver.eigenvalues()[i];
-    return roots;
+    const MatrixXcl roots = eigenvaluesOf(C);
+    return std::vector<std::complex<long double>>(roots.data(), roots.data() + degree);
 }
 
 TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
@@ -216,13 +211,13 @@ TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
         std::vector<double> c(degree + 1), expected;
         for (int i = 0; i <= degree; ++i)
             c[i] = rng.gaussian(1) * std::pow(10., rng.uniform(-1., 1.));
-        const std::vector<std::complex<double>> all = companionRoots(c);
+        const std::vector<std::complex<long double>> all = companionRoots(c);
         bool clear = true;  // no roots so close that rounding decides if they are real
         for (size_t i = 0; i < all.size(); ++i)
         {
-            const double size = std::max(1e-3, std::abs(all[i]));
+            const double size = std::max(1e-3, (double)std::abs(all[i]));
             if (all[i].imag() == 0)
-                expected.push_back(all[i].real());
+                expected.push_back((double)all[i].real());
             else
                 clear = clear && std::abs(all[i].imag()) > 1e-5 * size;
             for (size_t j = 0; j < i; ++j)

@@ -4,9 +4,9 @@
 
 #include "test_precomp.hpp"
 #include "support/problem_objects.hpp"
+#include "numeric/decompositions.hpp"
 
 #include <numeric>
-#include <Eigen/SVD>
 
 // The tangents of a parameterization must be independent at the models of special motions, where
 // those of a parameterization by angles coincide.
@@ -43,8 +43,8 @@ Vec2d conditionOf(const Parameterization& here)
                    (2 * h);
     }
     EXPECT_LE((J - here.tangent()).norm(), 1e-8);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J);
-    return Vec2d(svd.singularValues()[here.dimension() - 1], svd.singularValues()[0]);
+    const Eigen::VectorXd values = singularValues(J);
+    return Vec2d(values[here.dimension() - 1], values[0]);
 }
 
 //! Parameters are a problem and a motion.

@@ -6,7 +6,6 @@
 #include "support/problem_objects.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/SVD>
 
 namespace opencv_test {
 namespace {
@@ -157,16 +156,25 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
 //! discriminant of the cubic. -1 if rounding could decide.
 int countFundamental(const Correspondences& p)
 {
-    Eigen::Matrix<double, 7, 9> A;
+    Matx<double, 7, 9> A;
     for (int i = 0; i < 7; ++i)
-        A.row(i) << p.exact[X2][i] * p.exact[X1][i], p.exact[X2][i] * p.exact[Y1][i],
-            p.exact[X2][i], p.exact[Y2][i] * p.exact[X1][i], p.exact[Y2][i] * p.exact[Y1][i],
-            p.exact[Y2][i], p.exact[X1][i], p.exact[Y1][i], 1;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullV);
+    {
+        const double row[] = {p.exact[X2][i] * p.exact[X1][i],
+                              p.exact[X2][i] * p.exact[Y1][i],
+                              p.exact[X2][i],
+                              p.exact[Y2][i] * p.exact[X1][i],
+                              p.exact[Y2][i] * p.exact[Y1][i],
+                              p.exact[Y2][i],
+                              p.exact[X1][i],
+                              p.exact[Y1][i],
+                              1};
+        std::copy(row, row + 9, A.val + 9 * i);
+    }
+    const SVD svd(A, SVD::FULL_UV);
     Matx33d F[2];
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 9; ++i)
-            F[k].val[i] = svd.matrixV()(i, 7 + k);
+            F[k].val[i] = svd.vt.at<double>(7 + k, i);
     // coefficients of det(x F0 + F1) from four of its values
     const double d = determinant(F[1]), plus = determinant(F[0] + F[1]),
                  minus = determinant(F[1] - F[0]);

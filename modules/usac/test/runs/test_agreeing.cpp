@@ -11,7 +11,7 @@ namespace opencv_test {
 namespace {
 
 //! Mean cost of the matches as with QUALITY_MSAC; 1 without a model.
-double costOf(const Scene& scene, const Mat& model, double threshold)
+double truncatedCost(const Scene& scene, const Mat& model, double threshold)
 {
     if (model.empty())
         return 1;
@@ -54,8 +54,8 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
         Params params = preset;
         params.maxIterations = 1000000;
         params.seed = seed;
-        const double truth = costOf(scene, Mat(scene.model), params.threshold);
-        result += costOf(scene, estimate(scene, params), params.threshold) >
+        const double truth = truncatedCost(scene, Mat(scene.model), params.threshold);
+        result += truncatedCost(scene, estimate(scene, params), params.threshold) >
                   truth + matches / scene.size();
     }
     return result;

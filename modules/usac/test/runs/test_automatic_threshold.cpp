@@ -153,9 +153,9 @@ TEST_P(UsacAutomaticThreshold, manyPoints)
 //! Random matches must give no model, whether they are uniform or in clusters.
 TEST_P(UsacAutomaticThreshold, randomMatches)
 {
-    const int SIZE = 300, RUNS = 10;
+    const int SIZE = 300, REPEATS = 10;
     for (int clusters = 0; clusters < 2; ++clusters)
-        for (int run = 0; run < RUNS; ++run)
+        for (int run = 0; run < REPEATS; ++run)
         {
             RNG rng(run + 1);
             std::vector<Point2d> points[2];

@@ -86,9 +86,9 @@ std::string describe(const Choice& choice)
 const double UNPOLISHED = 1.5;
 
 //! A real scene, its threshold, and the largest error of a correct model (both in pixels).
-struct Arena
+struct TestArena
 {
-    Arena(const char* name, double threshold_, double error_)
+    TestArena(const char* name, double threshold_, double error_)
         : set(RealSet(name).sorted(0.35)), threshold(threshold_), error(error_)
     {
         for (size_t i = 0; i < set.scores.size(); ++i)
@@ -126,13 +126,13 @@ struct Arena
     std::vector<float> probabilities;
 };
 
-Arena arenaOf(int problem)
+TestArena arenaOf(int problem)
 {
     // Measured errors in pixels, over choices that contain all pairs of option values: at most 2.1
     // (H), 1.6 (F) and 0.6 (E), with medians 0.9, 0.6 and 0.15.
-    return problem == HOMOGRAPHY    ? Arena("graf", 2, 3)
-           : problem == FUNDAMENTAL ? Arena("office01_F", 1, 2.4)
-                                    : Arena("office01_E", 1, 1.2);
+    return problem == HOMOGRAPHY    ? TestArena("graf", 2, 3)
+           : problem == FUNDAMENTAL ? TestArena("office01_F", 1, 2.4)
+                                    : TestArena("office01_E", 1, 1.2);
 }
 
 typedef std::pair<std::pair<int, int>, std::pair<int, int>> Pair;  //!< two pairs (option, value)
@@ -164,7 +164,7 @@ int uncovered(const Choice& choice, const std::set<Pair>& open)
 
 //! Draws random choices that contain `pair`. @return the possible choice with the most pairs of
 //! `open`, or an empty one if no choice is possible
-Choice bestChoice(const Arena& arena, const Pair& pair, const std::set<Pair>& open, RNG& rng)
+Choice bestChoice(const TestArena& arena, const Pair& pair, const std::set<Pair>& open, RNG& rng)
 {
     Choice best;
     int most = 0;
@@ -189,7 +189,7 @@ Choice bestChoice(const Arena& arena, const Pair& pair, const std::set<Pair>& op
 }
 
 //! Finds choices that together have all possible pairs. @return the impossible pairs
-std::set<Pair> coverPairs(const Arena& arena, std::vector<Choice>& choices)
+std::set<Pair> coverPairs(const TestArena& arena, std::vector<Choice>& choices)
 {
     std::set<Pair> open = allPairs(), impossible;
     RNG rng(1);
@@ -222,7 +222,7 @@ protected:
 
 TEST_P(UsacCombinations, each_pair_of_options)
 {
-    const Arena arena = arenaOf(GetParam());
+    const TestArena arena = arenaOf(GetParam());
     std::vector<Choice> choices;
     const std::set<Pair> impossible = coverPairs(arena, choices);
     EXPECT_GT(choices.size(), (size_t)30);  // two options with six values have 36 pairs
@@ -265,7 +265,7 @@ TEST_P(UsacCombinations, each_pair_of_options)
 TEST_P(UsacCombinations, all_combinations)
 {
     applyTestTag(CV_TEST_TAG_VERYLONG);
-    const Arena arena = arenaOf(GetParam());
+    const TestArena arena = arenaOf(GetParam());
     Choice choice(OPTION_COUNT, 0);
     for (int option = 0; option < OPTION_COUNT;)
     {

@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-const int RUNS = 1000;
+const int SEEDS = 1000;
 
 /** @brief Two homographies without noise, among wrong matches. The true one has a few more matches
 than the other, the decoy. A criterion that ends the search too early returns the decoy. The rows
@@ -87,13 +87,13 @@ Params plainParams(int termination, int verification = VERIFICATION_NONE)
     return params;
 }
 
-//! The results of RUNS runs with different seeds.
+//! The results of SEEDS runs with different seeds.
 struct Runs
 {
     Runs(const Rivals& rivals, Params params)
-        : wrong(0), inliers(RUNS), iterations(RUNS), stop(STOP_NOT_RUN)
+        : wrong(0), inliers(SEEDS), iterations(SEEDS), stop(STOP_NOT_RUN)
     {
-        for (params.seed = 0; params.seed < RUNS; ++params.seed)
+        for (params.seed = 0; params.seed < SEEDS; ++params.seed)
         {
             Report report;
             const Mat model = estimate(rivals.scene, params, noArray(), &report);
@@ -107,9 +107,9 @@ struct Runs
     //! There must be no more failures than promised, and about as many as expected in this scene.
     void check(double expected, int reason) const
     {
-        const double deviation = std::sqrt(0.1 * 0.9 * RUNS);
-        EXPECT_LE(wrong, 0.1 * RUNS + 3.5 * deviation);
-        EXPECT_NEAR(expected * RUNS, wrong, 4.5 * deviation);
+        const double deviation = std::sqrt(0.1 * 0.9 * SEEDS);
+        EXPECT_LE(wrong, 0.1 * SEEDS + 3.5 * deviation);
+        EXPECT_NEAR(expected * SEEDS, wrong, 4.5 * deviation);
         EXPECT_EQ(reason, stop) << "the same in all runs";
     }
 
@@ -164,7 +164,7 @@ TEST(Usac_Confidence, standard)
         const int n = rivals.size();
         const Runs runs(rivals, params);
         int asComputed = 0;
-        for (int i = 0; i < RUNS; ++i)
+        for (int i = 0; i < SEEDS; ++i)
         {
             const int I = runs.inliers[i];
             const double k = closedForm(exact ? subsets(I, n, 4) * subsets(I, n, d)
@@ -172,7 +172,7 @@ TEST(Usac_Confidence, standard)
             EXPECT_GE(runs.iterations[i], k) << kind;
             asComputed += runs.iterations[i] == k;  // otherwise the model was found later
         }
-        EXPECT_GT(asComputed, RUNS * 0.85) << kind;
+        EXPECT_GT(asComputed, SEEDS * 0.85) << kind;
         const int decoys = count(rivals.inliers(false, params.threshold));
         const double last = closedForm(exact ? subsets(decoys, n, 4) * subsets(decoys, n, d)
                                              : std::pow(decoys / (double)n, 4));
@@ -197,13 +197,13 @@ TEST(Usac_Confidence, pNapsac)
     const int n = rivals.size();
     const Runs runs(rivals, params);
     int asComputed = 0;
-    for (int i = 0; i < RUNS; ++i)
+    for (int i = 0; i < SEEDS; ++i)
     {
         const double k = closedForm(subsets(significant(runs.inliers[i], params.relaxation), n, 4));
         EXPECT_GE(runs.iterations[i], k);
         asComputed += runs.iterations[i] == k;
     }
-    EXPECT_GT(asComputed, RUNS * 0.7);
+    EXPECT_GT(asComputed, SEEDS * 0.7);
     const int decoys = count(rivals.inliers(false, params.threshold));
     runs.check(failureRate(rivals, params.threshold,
                            closedForm(subsets(significant(decoys, params.relaxation), n, 4))),
@@ -219,13 +219,13 @@ TEST(Usac_Confidence, sprt)
     const int n = rivals.size();
     const Runs runs(rivals, params);
     int asComputed = 0;
-    for (int i = 0; i < RUNS; ++i)
+    for (int i = 0; i < SEEDS; ++i)
     {
         const double k = closedForm(subsets(runs.inliers[i], n, 4));
         EXPECT_GE(runs.iterations[i], k);
         asComputed += runs.iterations[i] <= 1.1 * k + 1;
     }
-    EXPECT_GT(asComputed, RUNS * 0.8);
+    EXPECT_GT(asComputed, SEEDS * 0.8);
     const int decoys = count(rivals.inliers(false, params.threshold));
     runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys, n, 4))), STOP_SPRT);
 }
@@ -253,16 +253,16 @@ TEST(Usac_Confidence, prosac)
         }
         const Runs runs(rivals, params);
         int asComputed = 0;
-        for (int i = 0; i < RUNS; ++i)
+        for (int i = 0; i < SEEDS; ++i)
             asComputed += runs.iterations[i] == samples[0] || runs.iterations[i] == samples[1];
-        EXPECT_LE(runs.wrong, 0.1 * RUNS + 3.5 * std::sqrt(0.1 * 0.9 * RUNS));
+        EXPECT_LE(runs.wrong, 0.1 * SEEDS + 3.5 * std::sqrt(0.1 * 0.9 * SEEDS));
         // the local samples of P-NAPSAC find both models earlier than computed
         if (sampler == SAMPLER_PROSAC)
         {
-            EXPECT_GE(runs.wrong, 0.03 * RUNS);
+            EXPECT_GE(runs.wrong, 0.03 * SEEDS);
         }
         EXPECT_EQ((int)STOP_PROSAC, runs.stop);
-        EXPECT_GT(asComputed, RUNS * 0.8);
+        EXPECT_GT(asComputed, SEEDS * 0.8);
     }
 }
 

@@ -10,8 +10,9 @@
 namespace opencv_test {
 namespace {
 
-const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
-                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
+const UsacV20Method ALL_FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_ACCURATE,
+                                   USACV20_PROSAC, USACV20_MAGSAC, USACV20_PARALLEL,
+                                   USACV20_AUTO};
 
 //! Points without outliers, and the true model.
 struct FewPoints
@@ -133,15 +134,15 @@ Model modelOf(const Usac& usac, const std::vector<double>& output)
 //! model.
 void expectLeastSquares(const FewPoints& points, const String& name)
 {
-    for (size_t k = 0; k < sizeof(FLAGS) / sizeof(FLAGS[0]); ++k)
+    for (size_t k = 0; k < sizeof(ALL_FLAGS) / sizeof(ALL_FLAGS[0]); ++k)
     {
-        const Ptr<Usac> usac = points.create(FLAGS[k]);
+        const Ptr<Usac> usac = points.create(ALL_FLAGS[k]);
         Mat model = usac->run();
-        ASSERT_FALSE(model.empty()) << name << ", flag " << (int)FLAGS[k];
+        ASSERT_FALSE(model.empty()) << name << ", flag " << (int)ALL_FLAGS[k];
         const std::vector<double> output(model.ptr<double>(), model.ptr<double>() + model.total());
         const double best = errorOf(*usac, leastSquares(*usac, modelOf(*usac, points.truth)));
         EXPECT_LE(errorOf(*usac, modelOf(*usac, output)), 1.1 * best + 1e-9)
-            << name << ", flag " << (int)FLAGS[k];
+            << name << ", flag " << (int)ALL_FLAGS[k];
     }
 }
 
@@ -232,20 +233,20 @@ void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1,
 TEST(Usac_FewPoints, onBothSidesOfACamera)
 {
     const int counts[] = {6, 16}, behind[] = {3, 4};
-    for (size_t k = 0; k < sizeof(FLAGS) / sizeof(FLAGS[0]); ++k)
+    for (size_t k = 0; k < sizeof(ALL_FLAGS) / sizeof(ALL_FLAGS[0]); ++k)
         for (int n = 0; n < 2; ++n)
             for (int seed = 1; seed <= 20; ++seed)
             {
                 RNG rng(seed);
                 std::vector<Point2d> points1, points2;
                 bothSides(counts[n], behind[n], rng, points1, points2);
-                Params params = Params::fromMethod(FLAGS[k]);
+                Params params = Params::fromMethod(ALL_FLAGS[k]);
                 params.threshold = 1e-4;
                 params.maxIterations = 1000;
                 Mat mask;
                 Usac::create(ESSENTIAL, points1, points2, params, Matx33d::eye())->run(mask);
                 EXPECT_EQ(counts[n], countNonZero(mask))
-                    << "flag " << (int)FLAGS[k] << ", seed " << seed;
+                    << "flag " << (int)ALL_FLAGS[k] << ", seed " << seed;
             }
 }
 

@@ -14,7 +14,7 @@ namespace opencv_test {
 namespace {
 
 const int MANY = 80000;
-const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_MAGSAC};
+const UsacV20Method SOME_FLAGS[] = {USACV20, USACV20_FAST, USACV20_MAGSAC};
 
 //! Makes scenes with more points than a search uses.
 class UsacManyPoints : public testing::TestWithParam<int>
@@ -42,7 +42,7 @@ TEST_P(UsacManyPoints, asAccurateAsLeastSquares)
         least += modelError(scene, fitted);
         for (int k = 0; k < 3; ++k)
         {
-            params = Params::fromMethod(FLAGS[k]);
+            params = Params::fromMethod(SOME_FLAGS[k]);
             own[k] += modelError(scene, estimate(scene, params));
         }
     }

@@ -27,12 +27,10 @@ Scene rightScene(ProblemType problem, int size, double inlierRatio, uint64 seed)
     return makeScene(problem, options);
 }
 
-Report reportOf(const Scene& scene, Params params)
+Report significantReport(const Scene& scene, Params params)
 {
     params.significance = 1;
-    Report report;
-    estimate(scene, params, noArray(), &report);
-    return report;
+    return reportOf(scene, params);
 }
 
 //! The chance of random matches must be at most a with a probability of at most a. With F and E it
@@ -52,9 +50,9 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
                     {
                         Params params = presets[p];
                         params.maxIterations = iterations[i];
-                        const double chance = reportOf(randomScene((ProblemType)problem, sizes[s],
-                                                                   run + 1),
-                                                       params)
+                        const double chance = significantReport(randomScene((ProblemType)problem,
+                                                                            sizes[s], run + 1),
+                                                                params)
                                                   .chance;
                         half += chance <= 0.5;
                         for (int level = 0; level < 3; ++level)
@@ -169,7 +167,7 @@ TEST(Usac_Significance, rightModelsOfFewPoints)
         {
             const Scene scene = rightScene(cases[c].problem, cases[c].size, cases[c].inlierRatio,
                                            seed);
-            significant += reportOf(scene, Params()).chance < 1e-3;
+            significant += significantReport(scene, Params()).chance < 1e-3;
         }
         EXPECT_GE(significant, 19)
             << "problem " << (int)cases[c].problem << ", " << cases[c].size << " points";

@@ -17,13 +17,9 @@ namespace opencv_test {
 
 namespace {
 
-//! Bound of the relative rounding error of sums and products of some dozens of numbers.
-const double ROUNDING = 300 * DBL_EPSILON;
 //! Largest residual of Newton's method relative to the size of the point: twice the module's limit
 //! of 1e-11.
 const double LEFT = 2e-11;
-//! Relative distance in radius that a point must have from a fold of the lens for a decision.
-const double OFF_FOLD = 1e-3;
 const int STEPS = 2000;
 
 }  // namespace

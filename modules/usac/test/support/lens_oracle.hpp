@@ -5,10 +5,18 @@
 #ifndef OPENCV_USACV20_TEST_LENS_ORACLE_HPP
 #define OPENCV_USACV20_TEST_LENS_ORACLE_HPP
 
+#include <cfloat>
+
 #include "support/bounded.hpp"
 #include "opencv2/core.hpp"
 
 namespace opencv_test {
+
+//! Bound of the relative rounding error of sums and products of some dozens of numbers in any
+//! order, and of a pose whose rotation is made orthogonal once more.
+const double ROUNDING = 300 * DBL_EPSILON;
+//! Relative distance in radius that a point must have from a fold of the lens for a decision.
+const double OFF_FOLD = 1e-3;
 
 /** Inverts the lens distortion by cv::projectPoints alone. The undistorted point is found by
 Newton's method with the derivatives of that function; the remaining residual bounds its error.

@@ -8,6 +8,7 @@
 #include <cfloat>
 #include <cmath>
 #include "opencv2/usac/geometry.hpp"
+#include "support/lens_oracle.hpp"
 
 using cv::format;
 using cv::Mat;
@@ -20,12 +21,6 @@ using cv::Vec3d;
 namespace opencv_test {
 
 namespace {
-
-//! Bound of the relative rounding error of sums and products of some dozens of numbers in any
-//! order, and of a pose whose rotation is made orthogonal once more.
-const double ROUNDING = 300 * DBL_EPSILON;
-//! Relative distance in radius that a point must have from a fold of the lens for a decision.
-const double OFF_FOLD = 1e-3;
 
 enum Answer { NO, YES, UNDECIDED };
 

@@ -24,22 +24,16 @@ const int TWO_VIEW_PROBLEMS[] = {
 #define USACV20_SPACES(TYPE)
 #define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE)
 #include "problems/registry.inl.hpp"
-#undef USACV20_IMAGES
-#undef USACV20_CAMERAS
-#undef USACV20_SPACES
 };
 
 //! Problems of pairs of 3-D points.
 const int SPACE_PROBLEMS[] = {
 #define USACV20_IMAGES(TYPE)
 #define USACV20_CAMERAS(TYPE)
+#define USACV20_POSE(TYPE)
 #define USACV20_SPACES(TYPE) cv::usacv20::TYPE,
 #define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE)
 #include "problems/registry.inl.hpp"
-#undef USACV20_IMAGES
-#undef USACV20_CAMERAS
-#undef USACV20_POSE
-#undef USACV20_SPACES
 };
 
 //! Problems for which a function of OpenCV takes the module's flags.

@@ -15,7 +15,7 @@ using namespace cv::usacv20;
 
 namespace {
 
-const double WIDTH = SCENE_WIDTH, HEIGHT = SCENE_HEIGHT, FOCAL = 600, MARGIN = SCENE_MARGIN;
+const double FOCAL = 600;
 
 Matx33d crossMatrix(const Vec3d& v)
 {
@@ -80,7 +80,7 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
 Matx33d flattened(ProblemType problem, const Matx33d& H)
 {
     const double part = problem == TRANSLATION_2D ? 4 : 2;
-    const Vec3d middle(WIDTH / part, HEIGHT / part, 1), y = H * middle;
+    const Vec3d middle(SCENE_WIDTH / part, SCENE_HEIGHT / part, 1), y = H * middle;
     Matx22d J;
     for (int k = 0; k < 4; ++k)
         J.val[k] = (H(k / 2, k % 2) - y[k / 2] / y[2] * H(2, k % 2)) / y[2];
@@ -102,17 +102,19 @@ bool isAffine(ProblemType problem)
 
 bool inside(const Point2d& p)
 {
-    return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN;
+    return p.x > SCENE_MARGIN && p.x < SCENE_WIDTH - SCENE_MARGIN && p.y > SCENE_MARGIN &&
+           p.y < SCENE_HEIGHT - SCENE_MARGIN;
 }
 
 Point2d randomPixel(RNG& rng)
 {
-    return uniformPoint(rng, MARGIN, WIDTH - MARGIN, MARGIN, HEIGHT - MARGIN);
+    return uniformPoint(rng, SCENE_MARGIN, SCENE_WIDTH - SCENE_MARGIN, SCENE_MARGIN,
+                        SCENE_HEIGHT - SCENE_MARGIN);
 }
 
 Vec3d makeGeometry(Scene& scene, RNG& rng, const SceneOptions& options)
 {
-    scene.K = Matx33d(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
+    scene.K = Matx33d(FOCAL, 0, SCENE_WIDTH / 2, 0, FOCAL, SCENE_HEIGHT / 2, 0, 0, 1);
     makeMotion(scene, rng, options);
     const Matx33d Kinv = scene.K.inv();
     const Matx33d E = crossMatrix(scene.t) * scene.R;

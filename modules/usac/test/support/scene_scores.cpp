@@ -13,7 +13,7 @@ using namespace cv;
 namespace {
 
 //! Side of the square of SCORES_OF_PLACE in pixels.
-const double PATCH = 160;
+const double SCORED_PATCH = 160;
 
 //! Scores that do not depend only on whether a match is true, see ScoreModel. Except with
 //! SCORES_NEAR, preferred matches have scores between 0 and 1, the others between 1 and 2; lower is
@@ -30,7 +30,7 @@ std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& 
     for (int i = 0; i < size; ++i)
     {
         const Point2d offset = scene.points1[i] - place;
-        const bool near = std::max(std::abs(offset.x), std::abs(offset.y)) < PATCH / 2;
+        const bool near = std::max(std::abs(offset.x), std::abs(offset.y)) < SCORED_PATCH / 2;
         const double score = rng.uniform(0., 1.);
         if (options.scoreModel == SCORES_NEAR)
             result.push_back(

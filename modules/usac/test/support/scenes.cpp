@@ -16,7 +16,6 @@ using namespace cv::usacv20;
 
 namespace {
 
-const double WIDTH = SCENE_WIDTH, HEIGHT = SCENE_HEIGHT, MARGIN = SCENE_MARGIN;
 //! Displacement in pixels for OUTLIERS_LOCAL.
 const double MIN_SHIFT = 5, MAX_SHIFT = 50;
 //! Mean number of wrong matches that share a point for OUTLIERS_MANY_TO_ONE.
@@ -54,17 +53,18 @@ Point2d aboutCenter(RNG& rng)
     {
         const double x = std::tan(CV_PI * rng.uniform(-0.5, 0.5)),
                      y = std::tan(CV_PI * rng.uniform(-0.5, 0.5));
-        p = Point2d(WIDTH / 2 + HALF_WITHIN * x, HEIGHT / 2 + HALF_WITHIN * y);
+        p = Point2d(SCENE_WIDTH / 2 + HALF_WITHIN * x, SCENE_HEIGHT / 2 + HALF_WITHIN * y);
     } while (!inside(p));
     return p;
 }
 
 Point2d onBorder(RNG& rng)
 {
-    const double at = rng.uniform(0., 2 * (WIDTH + HEIGHT));
-    if (at < 2 * WIDTH)
-        return Point2d(std::fmod(at, WIDTH), at < WIDTH ? 0 : HEIGHT);
-    return Point2d(at < 2 * WIDTH + HEIGHT ? 0 : WIDTH, std::fmod(at - 2 * WIDTH, HEIGHT));
+    const double at = rng.uniform(0., 2. * (SCENE_WIDTH + SCENE_HEIGHT));
+    if (at < 2 * SCENE_WIDTH)
+        return Point2d(std::fmod(at, SCENE_WIDTH), at < SCENE_WIDTH ? 0 : SCENE_HEIGHT);
+    return Point2d(at < 2 * SCENE_WIDTH + SCENE_HEIGHT ? 0 : SCENE_WIDTH,
+                   std::fmod(at - 2 * SCENE_WIDTH, SCENE_HEIGHT));
 }
 
 //! What all wrong matches of a scene have in common if they follow a structured model: one of
@@ -79,15 +79,15 @@ struct OutlierStructure
         for (int k = 0; k < 2; ++k)
         {
             target[k] = randomPixel(rng);
-            corner[k] = uniformPoint(rng, MARGIN, WIDTH - MARGIN - PATCH, MARGIN,
-                                     HEIGHT - MARGIN - PATCH);
+            corner[k] = uniformPoint(rng, SCENE_MARGIN, SCENE_WIDTH - SCENE_MARGIN - PATCH,
+                                     SCENE_MARGIN, SCENE_HEIGHT - SCENE_MARGIN - PATCH);
         }
         const double direction = rng.uniform(0., 2 * CV_PI),
                      length = rng.uniform(LEAST_SHIFT, LARGEST_SHIFT);
         shift = Point2d(std::cos(direction), std::sin(direction)) * length;
         for (int k = 0; k < 2 * CLUSTERS; ++k)
-            small[k] = uniformPoint(rng, MARGIN, WIDTH - MARGIN - SMALL_CLUSTER, MARGIN,
-                                    HEIGHT - MARGIN - SMALL_CLUSTER);
+            small[k] = uniformPoint(rng, SCENE_MARGIN, SCENE_WIDTH - SCENE_MARGIN - SMALL_CLUSTER,
+                                    SCENE_MARGIN, SCENE_HEIGHT - SCENE_MARGIN - SMALL_CLUSTER);
     }
 
     //! Makes the i-th wrong match; returns false if it does not follow a structured model.
@@ -273,6 +273,15 @@ Scene makeScene(ProblemType problem, const SceneOptions& options)
     return scene;
 }
 
+Scene makeScene(ProblemType problem, int inliers, int outliers, uint64 seed)
+{
+    SceneOptions options;
+    options.inliers = inliers;
+    options.outliers = outliers;
+    options.seed = seed;
+    return makeScene(problem, options);
+}
+
 double pixelError(const Scene& scene, const Matx33d& model, const Point2d& p1, const Point2d& p2)
 {
     const Vec3d x1(p1.x, p1.y, 1), x2(p2.x, p2.y, 1);
@@ -318,6 +327,13 @@ Ptr<Usac> createUsac(const Scene& scene, const Params& params)
 Mat estimate(const Scene& scene, const Params& params, OutputArray mask, Report* report)
 {
     return createUsac(scene, params)->run(mask, report);
+}
+
+Report reportOf(const Scene& scene, const Params& params, OutputArray mask)
+{
+    Report report;
+    estimate(scene, params, mask, &report);
+    return report;
 }
 
 Matx33d toInternal(const Correspondences& points, const Matx33d& model)

@@ -131,6 +131,8 @@ struct Scene
 bool mapsPoints(cv::usacv20::ProblemType problem);
 
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());
+//! A scene with these numbers of matches and otherwise the default options.
+Scene makeScene(cv::usacv20::ProblemType problem, int inliers, int outliers, uint64 seed = 1);
 
 //! Scores of the matches of a scene, according to `options`.
 std::vector<float> makeScores(const Scene& scene, const SceneOptions& options);
@@ -163,6 +165,9 @@ cv::Ptr<cv::usacv20::Usac> createUsac(const Scene& scene, const cv::usacv20::Par
 //! Runs an estimator for the scene once and returns its model.
 cv::Mat estimate(const Scene& scene, const cv::usacv20::Params& params,
                  cv::OutputArray mask = cv::noArray(), cv::usacv20::Report* report = 0);
+//! The same; returns the report.
+cv::usacv20::Report reportOf(const Scene& scene, const cv::usacv20::Params& params,
+                             cv::OutputArray mask = cv::noArray());
 
 //! The model in the internal coordinates of `points`, with unit Frobenius norm.
 cv::Matx33d toInternal(const cv::usacv20::Correspondences& points, const cv::Matx33d& model);

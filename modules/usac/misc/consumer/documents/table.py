@@ -94,7 +94,7 @@ TABLE = [
     # Blocks of README. Most commands run in a scratch checkout; its folder build is the build of
     # check.sh.
     (README, "Two commands", "sh 1", Shell(
-        before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON" + LINKED),
+        before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON" + LINKED),
         elsewhere={"sh modules/usac/misc/run_tests.sh --installed":
                    Elsewhere(MATRIX, "run_suite", ("misc/run_tests.sh", "--installed"))},
         prints=("^== homography$", "^== walkthrough.py$", "^RANSAC", "^USAC_DEFAULT", "^USACV20 ", "^Pictures: "),
@@ -104,7 +104,7 @@ TABLE = [
     (README, "Building", "sh 1", Shell(names=PREFIX, leaves=("{work}/prefix/lib/pkgconfig/opencv_usac.pc",))),
     (README, "Building", "cmake 1", CMake(("-DCMAKE_PREFIX_PATH={work}/prefix",))),
     (README, "Python", "sh 1", Shell(before=VENV, path=("{checks}/other_python",), after=VENV_IS_RIGHT,
-                                     variables=dict(NATIVE, CMAKE_ARGS="-Dopencv_usac_DIR={build} -DUSAC_PRECOMPILED_HEADERS=ON"))),
+                                     variables=dict(NATIVE, CMAKE_ARGS="-Dopencv_usac_DIR={build} -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON"))),
     (README, "In a program", "python 1", Python(after="""
 require(near(H, TRUTH["H"]) and mask.sum() >= 80 and report.asDict())
 require(found and pose_near(rvec, tvec) and len(inliers) >= 230)

@@ -31,6 +31,12 @@ private:
     Mat matrix;
 };
 
+//! A copy of an array, for use without the interpreter's lock.
+inline Mat own(const py::handle& array, const char* name)
+{
+    return ArrayMat(py::reinterpret_borrow<py::object>(array), name).own();
+}
+
 //! A NumPy array with a copy of the matrix; None if it is empty.
 py::object arrayOf(const Mat& mat);
 

@@ -14,8 +14,6 @@ namespace python {
 
 namespace {
 
-Mat own(const py::object& array, const char* name) { return ArrayMat(array, name).own(); }
-
 //! Calls a function that writes a mask, without the interpreter's lock. @return its result and the
 //! mask
 template <class Function>

@@ -15,8 +15,6 @@ namespace python {
 
 namespace {
 
-Mat own(const py::object& array, const char* name) { return ArrayMat(array, name).own(); }
-
 //! Sets a flag during its lifetime. It must be destroyed with the interpreter's lock held.
 class Running
 {

@@ -12,11 +12,6 @@ namespace python {
 
 namespace {
 
-Mat own(const py::handle& array, const char* name)
-{
-    return ArrayMat(py::reinterpret_borrow<py::object>(array), name).own();
-}
-
 Size sizeOf(const py::handle& size)
 {
     if (size.is_none())

@@ -17,12 +17,12 @@ namespace {
 // different points of array 1 are matched. doc/constants.md lists the effects of halving and
 // doubling these constants.
 
-//! The first LOOKED_AT points, a random subset, are compared with each other. A point may belong to
-//! a place if at least SEEN others of them are near it.
-constexpr int LOOKED_AT = 64, SEEN = 3;
-//! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED of
-//! their coordinates.
-constexpr int TRIMMED = 32;
+//! The first FIRST_SEEN points, a random subset, are compared with each other. A point may belong
+//! to a place if at least SEEN others of them are near it.
+constexpr int FIRST_SEEN = 64, SEEN = 3;
+//! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED_PART
+//! of their coordinates.
+constexpr int TRIMMED_PART = 32;
 //! A place has at least 1 / TENTH of all points. Even if all points lie on an object whose image is
 //! only 16 pixels wide, a region of the size of a place contains a smaller fraction of them.
 constexpr int TENTH = 10;
@@ -101,8 +101,8 @@ public:
         places = 0;
         if (p.size <= SEEN || p.coordinates[1] == 0)
             return;
-        int seen[LOOKED_AT];
-        const int count = std::min<int>(p.size, LOOKED_AT);
+        int seen[FIRST_SEEN];
+        const int count = std::min<int>(p.size, FIRST_SEEN);
         const double threshold = context.inlierThreshold();
         look(p, (float)square(NEAR_THRESHOLDS * threshold), -1, count, seen);
         if (*std::max_element(seen, seen + count) < SEEN)
@@ -155,10 +155,10 @@ private:
     //! the box Correspondences::lower, upper covers only the place if nearly all points are there.
     static float extent(const float* column, int count)
     {
-        float values[LOOKED_AT];
+        float values[FIRST_SEEN];
         std::copy(column, column + count, values);
         std::sort(values, values + count);
-        return values[count - 1 - count / TRIMMED] - values[count / TRIMMED];
+        return values[count - 1 - count / TRIMMED_PART] - values[count / TRIMMED_PART];
     }
 
     //! Counts for each of the first `count` points how many others of them are within `near` in
@@ -169,7 +169,7 @@ private:
         std::fill(seen, seen + count, 0);
         for (int i = 1; i < count; ++i)
         {
-            float squares[LOOKED_AT] = {0};
+            float squares[FIRST_SEEN] = {0};
             for (int c = p.coordinates[0]; c < p.columns(); ++c)
             {
                 const float* const column = p.column[c];

@@ -13,9 +13,9 @@ namespace usacv20 {
 namespace {
 
 //! All occurrences of a match count as a single inlier if at least OFTEN of them are among the
-//! first FIRST_POINTS points, a random subset, and if they make up more than 1 / TENTH of all
+//! first FIRST_POINTS points, a random subset, and if they make up more than 1 / COMMON of all
 //! points. See doc/constants.md.
-constexpr int FIRST_POINTS = 64, OFTEN = 3, TENTH = 10;
+constexpr int FIRST_POINTS = 64, OFTEN = 3, COMMON = 10;
 
 /** @brief Rejects samples in which two matches share a point of array 1 or of array 2.
 
@@ -73,7 +73,7 @@ private:
         }
     }
 
-    //! Adds the repetitions of match `of` if they are more than 1 / TENTH of all points. No point
+    //! Adds the repetitions of match `of` if they are more than 1 / COMMON of all points. No point
     //! repeats two different matches, so that an array of the size of the points is large enough.
     void addRepetitions(const Context& context, int of)
     {
@@ -84,7 +84,7 @@ private:
         for (int i = 0; i < p.size; ++i)
             if (i != of && sameMatch(p, i, of))
                 repetitions[found++] = i;
-        if ((found - count + 1) * TENTH > p.size)
+        if ((found - count + 1) * COMMON > p.size)
             count = found;
     }
 

@@ -14,7 +14,7 @@
 namespace opencv_test {
 namespace {
 
-const int COEFFICIENTS[] = {4, 5, 8, 12, 14};
+const int LENS_COEFFICIENTS[] = {4, 5, 8, 12, 14};
 
 //! Coefficients of a typical lens.
 Mat lens(int coefficients)
@@ -38,7 +38,7 @@ std::vector<Vec2d> pointsWithin(double radius)
 
 TEST(Usac_Distortion, is_that_of_projectPoints_and_inverted)
 {
-    for (int coefficients : COEFFICIENTS)
+    for (int coefficients : LENS_COEFFICIENTS)
     {
         SCOPED_TRACE(coefficients);
         const Mat c = lens(coefficients);
@@ -152,7 +152,7 @@ void checkResidual(const Residual& residual, const Matx33d& camera)
 TEST(Usac_Distortion, errors_and_derivatives)
 {
     const Matx33d K(600, 5, 320, 0, 650, 240, 0, 0, 1);
-    for (int coefficients : COEFFICIENTS)
+    for (int coefficients : LENS_COEFFICIENTS)
     {
         const PoseCamera camera(K, lens(coefficients));
         checkResidual(LensResidual(camera), camera.matrix);

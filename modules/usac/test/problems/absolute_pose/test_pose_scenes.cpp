@@ -16,7 +16,7 @@ const PoseShape SHAPES[] = {POSE_CLOUD, POSE_PLANE,     POSE_NEAR_PLANE, POSE_TW
                             POSE_LINE,  POSE_NEAR_LINE, POSE_CLUSTER};
 const PoseOutliers OUTLIERS[] = {POSE_OUTLIERS_UNIFORM, POSE_OUTLIERS_CLUSTERED,
                                  POSE_OUTLIERS_SECOND_POSE};
-const int COEFFICIENTS[] = {0, 4, 5, 8, 12, 14};
+const int SCENE_COEFFICIENTS[] = {0, 4, 5, 8, 12, 14};
 
 int countTrue(const PoseScene& scene)
 {
@@ -63,7 +63,7 @@ TEST(Usac_PoseScenes, sizeAndInlierRatio)
 TEST(Usac_PoseScenes, poseIsExactForPointsWithoutNoise)
 {
     for (PoseShape shape : SHAPES)
-        for (int coefficients : COEFFICIENTS)
+        for (int coefficients : SCENE_COEFFICIENTS)
             for (PoseOutliers outliers : OUTLIERS)
             {
                 PoseSceneOptions options;
@@ -97,7 +97,7 @@ TEST(Usac_PoseScenes, poseIsExactForPointsWithoutNoise)
 //! it.
 TEST(Usac_PoseScenes, distortion)
 {
-    for (int coefficients : COEFFICIENTS)
+    for (int coefficients : SCENE_COEFFICIENTS)
     {
         PoseSceneOptions options;
         options.coefficients = coefficients;

@@ -3,10 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "support/eigenvalues.hpp"
 #include "support/problem_objects.hpp"
 
 #include <array>
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace opencv_test {
 namespace {
@@ -120,7 +121,6 @@ const int MONOMIALS[20][3] = {{3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1,
                               {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0}, {0, 1, 1},
                               {0, 0, 2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 typedef std::array<long double, 20> Cubic;
-typedef Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> MatrixXl;
 
 //! sum += factor * a * b, where the degree of the product must not exceed 3
 void addProduct(const Cubic& a, const Cubic& b, long double factor, Cubic& sum)
@@ -192,22 +192,21 @@ std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
     RNG rng(77);
     for (int i = 0; i < 16; ++i)
         G(i / 4, i % 4) = rng.gaussian(1);
-    const MatrixXl Q = Eigen::HouseholderQR<MatrixXl>(G).householderQ();
-    const MatrixXl N = Eigen::JacobiSVD<MatrixXl>(A, Eigen::ComputeFullV).matrixV().rightCols(4) *
-                       Q;
+    const MatrixXl N = A.fullPivLu().kernel() * G;
     const MatrixXl C = constraintsOn(N), S = C.leftCols(10).fullPivLu().solve(C.rightCols(10));
     // matrix of the multiplication by x in the basis x2 xy xz y2 yz z2 x y z 1
     MatrixXl action = MatrixXl::Zero(10, 10);
     action.topRows(6) = -S.topRows(6);
     action(6, 0) = action(7, 1) = action(8, 2) = action(9, 6) = 1;
-    const Eigen::EigenSolver<MatrixXl> eigen(action);
+    MatrixXcl vectors;
+    const MatrixXcl values = eigenvaluesOf(action, &vectors);
     std::vector<Matx33d> result;
     for (int i = 0; i < 10; ++i)
     {
-        const std::complex<long double> value = eigen.eigenvalues()[i];
+        const std::complex<long double> value = values(i);
         if (std::abs(value.imag()) > 1e-9L * (1 + std::abs(value.real())))
             continue;
-        const MatrixXl v = eigen.eigenvectors().col(i).real().bottomRows(4);
+        const MatrixXl v = vectors.col(i).real().bottomRows(4);
         const MatrixXl E = N * v;
         Matx33d model;
         for (int k = 0; k < 9; ++k)

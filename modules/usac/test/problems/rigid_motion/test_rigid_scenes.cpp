@@ -11,8 +11,8 @@
 namespace opencv_test {
 namespace {
 
-const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE,     RIGID_NEAR_PLANE,
-                             RIGID_LINE,  RIGID_NEAR_LINE, RIGID_CLUSTER};
+const RigidShape ALL_SHAPES[] = {RIGID_CLOUD, RIGID_PLANE,     RIGID_NEAR_PLANE,
+                                 RIGID_LINE,  RIGID_NEAR_LINE, RIGID_CLUSTER};
 const RigidOutliers OUTLIERS[] = {RIGID_OUTLIERS_UNIFORM, RIGID_OUTLIERS_CLUSTERED,
                                   RIGID_OUTLIERS_SECOND_MOTION};
 
@@ -61,7 +61,7 @@ TEST(Usac_RigidScenes, sizeAndInlierRatio)
 
 TEST(Usac_RigidScenes, motionIsExactForPointsWithoutNoise)
 {
-    for (RigidShape shape : SHAPES)
+    for (RigidShape shape : ALL_SHAPES)
         for (RigidOutliers outliers : OUTLIERS)
             for (double scale : {1., 0.2, 30.})
             {
@@ -97,7 +97,7 @@ TEST(Usac_RigidScenes, motionIsExactForPointsWithoutNoise)
 
 TEST(Usac_RigidScenes, shapes)
 {
-    for (RigidShape shape : SHAPES)
+    for (RigidShape shape : ALL_SHAPES)
         for (int seed = 1; seed <= 20; ++seed)
         {
             SCOPED_TRACE(cv::format("shape %d, seed %d", shape, seed));
