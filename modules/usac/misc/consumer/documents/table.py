@@ -244,7 +244,6 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "USAC_CPP_OPTIONS=-DCMAKE_CXX_STANDARD=20 sh modules/usac/misc/run_tests.sh --cpp":
             Elsewhere(MATRIX, "run_cpp", ("USAC_CPP_OPTIONS=", "misc/run_tests.sh", "--cpp"))})),
     (CONTRIBUTING, "The loop", "cmake --build build --target usac_docs", Elsewhere(CHECK, "documentation", ("--target usac_docs",))),
-    (CONTRIBUTING, "The loop", ".ci/run", GATE),
     (CONTRIBUTING, "What the gate checks", ".ci/run", GATE),
     (CONTRIBUTING, "What the gate checks", "sh modules/usac/misc/run_tests.sh", GATE),
     (CONTRIBUTING, "Reliability", "sh 1", Shell(elsewhere={
