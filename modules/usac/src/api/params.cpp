@@ -122,17 +122,39 @@ void checkScores(const Params& p, int count)
                        p.scores[i]));
 }
 
-//! Checks the number and the finiteness of the entries. Problem::fromOutput later checks whether
-//! they are a model of the problem.
-void checkInitialModel(const std::vector<double>& model)
+void checkFinite(const char* name, const std::vector<double>& numbers, int most)
 {
-    if ((int)model.size() > MAX_MODEL_SIZE)
-        CV_Error_(Error::StsOutOfRange, ("initialModel: at most %d numbers are expected, not %d",
-                                         (int)MAX_MODEL_SIZE, (int)model.size()));
-    for (size_t i = 0; i < model.size(); ++i)
-        if (!(std::abs(model[i]) <= DBL_MAX))
+    if ((int)numbers.size() > most)
+        CV_Error_(Error::StsOutOfRange,
+                  ("%s: at most %d numbers are expected, not %d", name, most, (int)numbers.size()));
+    for (size_t i = 0; i < numbers.size(); ++i)
+        if (!(std::abs(numbers[i]) <= DBL_MAX))
             CV_Error_(Error::StsOutOfRange,
-                      ("initialModel: finite numbers are expected, not %g", model[i]));
+                      ("%s: finite numbers are expected, not %g", name, numbers[i]));
+}
+
+//! Checks the number and the finiteness of the entries. The run checks whether they are a model of
+//! the problem and its covariance.
+void checkInitialModel(const Params& p)
+{
+    checkFinite("initialModel", p.initialModel, MAX_MODEL_SIZE);
+    checkFinite("initialCovariance", p.initialCovariance, MAX_MODEL_SIZE * MAX_MODEL_SIZE);
+    checkCombination(p.initialModel.empty() && !p.initialCovariance.empty(),
+                     "initialCovariance: it is that of initialModel, which is not given");
+}
+
+//! The entries of a matrix, row by row.
+std::vector<double> entriesOf(InputArray matrix, const char* name)
+{
+    const Mat given = matrix.getMat();
+    if (given.empty())
+        return std::vector<double>();
+    if (given.channels() != 1 || given.dims > 2)
+        CV_Error_(Error::StsBadArg, ("%s: a matrix is expected, not %d channels and %d dimensions",
+                                     name, given.channels(), given.dims));
+    Mat numbers;
+    given.convertTo(numbers, CV_64F);
+    return std::vector<double>(numbers.begin<double>(), numbers.end<double>());
 }
 
 }  // namespace
@@ -143,19 +165,10 @@ Params::Params()
     visitFields(initialize);
 }
 
-void Params::setInitialModel(InputArray model)
+void Params::setInitialModel(InputArray model, InputArray itsCovariance)
 {
-    const Mat given = model.getMat();
-    initialModel.clear();
-    if (given.empty())
-        return;
-    if (given.channels() != 1 || given.dims > 2)
-        CV_Error_(Error::StsBadArg,
-                  ("model: a matrix is expected, not %d channels and %d dimensions",
-                   given.channels(), given.dims));
-    Mat numbers;
-    given.convertTo(numbers, CV_64F);
-    initialModel.assign(numbers.begin<double>(), numbers.end<double>());
+    initialModel = entriesOf(model, "model");
+    initialCovariance = entriesOf(itsCovariance, "covariance");
 }
 
 void Params::check(int count) const
@@ -164,7 +177,7 @@ void Params::check(int count) const
     visitFields(checkField);
     checkCombinations(*this);
     checkScores(*this, count);
-    checkInitialModel(initialModel);
+    checkInitialModel(*this);
 }
 
 namespace {

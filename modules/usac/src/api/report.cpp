@@ -22,8 +22,8 @@ Report::Report()
     : stop(STOP_NOT_RUN), iterations(0), rejectedSamples(0), degenerateSamples(0), models(0),
       rejectedModels(0), refusedModels(0), droppedModels(0), localOptimizations(0),
       localImprovements(0), degenerate(false), inliers(0), inlierRatio(0), independentInliers(0),
-      chance(1), threshold(0), sigma(0), wideThreshold(false), cost(0), setupMs(0), searchMs(0),
-      localMs(0), polishMs(0)
+      chance(1), threshold(0), sigma(0), priorChance(0), wideThreshold(false), cost(0), setupMs(0),
+      searchMs(0), localMs(0), polishMs(0)
 {}
 
 String Report::describe() const

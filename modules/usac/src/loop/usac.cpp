@@ -184,6 +184,8 @@ private:
             CV_Error_(Error::StsBadArg,
                       ("initialModel: %d numbers, which are no model of the problem %s",
                        (int)params.initialModel.size(), problem->name().c_str()));
+        if (!params.initialCovariance.empty())
+            ModelCovariance::checkPrior(priorCovariance());
         ransac.begin(model);
     }
 
@@ -301,9 +303,21 @@ private:
     //! True if polishAsSeen() uses the original image points.
     bool seesImage() const { return imageFit && parts.nonMinimalSolver == made.nonMinimalSolver; }
 
+    //! Params::initialCovariance as a matrix.
+    Mat priorCovariance() const
+    {
+        const int d = problem->dimension(), count = (int)params.initialCovariance.size();
+        if (count != d * d)
+            CV_Error_(Error::StsBadArg, ("initialCovariance: %d x %d numbers are expected for the "
+                                         "problem %s, not %d",
+                                         d, d, problem->name().c_str(), count));
+        return Mat(params.initialCovariance, true).reshape(1, d);
+    }
+
     //! Computes Report::covariance of a polished model and, unless the threshold was estimated,
-    //! Report::sigma. To be called after polishAsSeen(), which sets imageParts.
-    void tellCertainty(const Context& context, const Model& model, Report& learned) const
+    //! Report::sigma. If there is a prior, the model becomes the mean of it and of the prior. To be
+    //! called after polishAsSeen(), which sets imageParts. @return score of the model
+    Quality tellCertainty(const Context& context, Model& model, Report& learned) const
     {
         const bool image = seesImage();
         const Correspondences points = image ? data.imagePoints() : context.points;
@@ -311,9 +325,19 @@ private:
                                 context.watch);
         ModelCovariance covariance(polishing);
         covariance.estimate(model);
-        learned.covariance = covariance.ofCaller();
+        if (!params.initialCovariance.empty())
+        {
+            Model prior;
+            problem->fromOutput(params.initialModel, context.points, prior);
+            learned.priorChance = covariance.weigh(prior, priorCovariance());
+            if (learned.priorChance >= ModelCovariance::LEAST_CHANCE)
+                model = problem->closest(covariance.model());
+        }
+        if (params.covariance)
+            learned.covariance = covariance.ofCaller();
         if (!automatic)
             learned.sigma = covariance.sigma() * (data.threshold() / data.maskThreshold());
+        return polishing.rate(model);
     }
 
     //! Writes the sample as row indices of the caller's points. Allocates only if the capacity of
@@ -356,6 +380,9 @@ private:
             else
                 data.setThreshold(parts.score->threshold(context, state.best));
             learned.cost = polishAsSeen(context, state).cost / context.points.size;
+            if (!params.initialCovariance.empty())
+                learned.cost = tellCertainty(context, state.best, learned).cost /
+                               context.points.size;
             Model model;
             if (problem->toInput(state.best, context.points, model))
             {
@@ -380,7 +407,9 @@ private:
             std::fill(inliers, inliers + rows, (uchar)0);
             result.release();
         }
-        if (report && params.covariance && !result.empty())
+        if (result.empty())
+            learned.covariance.release();
+        else if (report && params.covariance && params.initialCovariance.empty())
             tellCertainty(context, state.best, learned);
         if (mask.needed())
             Mat(rows, 1, CV_8U, inliers).copyTo(mask);

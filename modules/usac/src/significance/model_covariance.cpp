@@ -38,6 +38,13 @@ constexpr int CELLS = 64;
 //! Step of the finite differences for the derivative of the caller's parameters with respect to
 //! those of the search; the derivative has an error of about 1e-10.
 constexpr double STEP = 1e-6;
+//! Maximum number of Gauss-Newton steps to the parameters of a prior, and the rest, relative to the
+//! norm of the model, at which they have arrived. Convergence is quadratic.
+constexpr int STEPS_TO_PRIOR = 20;
+constexpr double REACHED = 1e-9;
+//! Largest difference between opposite entries of a prior's covariance, relative to its largest
+//! entry; more than the rounding of single precision.
+constexpr double ASYMMETRY = 1e-5;
 
 //! Computes two expected values over the errors of inliers within the support. `slope`: of the
 //! derivative of weight times error, which for Gaussian noise is that of weight times squared error
@@ -312,11 +319,18 @@ bool ModelCovariance::combine(const Polisher& polisher)
     return llt.info() == Eigen::Success && own.allFinite();
 }
 
-//! Computes the derivatives T of the caller's parameters with respect to those of the search. False
-//! if a model cannot be converted.
-bool ModelCovariance::change(const Model& center, const Basis& basis, Square& T) const
+//! Computes the derivatives T of the caller's parameters with respect to those of the search, at a
+//! model. False if a model cannot be converted.
+bool ModelCovariance::change(const Model& from, Square& T) const
 {
     const Problem& problem = *points.problem;
+    Model center;
+    Basis basis;
+    if (!problem.toInput(from, points, center))
+        return false;
+    center = rule->plus(center, Vector::Zero(dimension).eval().data());
+    if (!callerBasis(*rule, center, basis))
+        return false;
     const int n = center.size();
     const Eigen::Map<const Vector> middle(center.val, n);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, MAX_MODEL_SIZE, MAX_MODEL_SIZE>
@@ -329,7 +343,7 @@ bool ModelCovariance::change(const Model& center, const Basis& basis, Square& T)
         {
             x[k] = side ? STEP : -STEP;
             Model moved;
-            if (!problem.toInput(rule->plus(here, x.data()), points, moved))
+            if (!problem.toInput(rule->plus(from, x.data()), points, moved))
                 return false;
             moved = rule->plus(moved, Vector::Zero(dimension).eval().data());
             sides[side] = Eigen::Map<const Vector>(moved.val, n);
@@ -343,16 +357,69 @@ bool ModelCovariance::change(const Model& center, const Basis& basis, Square& T)
     return true;
 }
 
+//! Computes the parameters, at `here`, of another model by Gauss-Newton. False if the model cannot
+//! be reached.
+bool ModelCovariance::stepTo(const Model& model, Vector& step) const
+{
+    step = Vector::Zero(dimension);
+    Vector rest, wanted = Eigen::Map<const Vector>(model.val, model.size());
+    for (int i = 0; i < STEPS_TO_PRIOR; ++i)
+    {
+        const Model there = rule->plus(here, step.data());
+        const Eigen::Map<const Vector> reached(there.val, there.size());
+        if (reached.dot(wanted) < 0)  // a homogeneous model has an arbitrary sign
+            wanted = -wanted;
+        rest = wanted - reached;
+        if (rest.norm() <= REACHED * wanted.norm())
+            return true;
+        step += solveLeastSquares(tangent, rest);
+    }
+    return false;
+}
+
+void ModelCovariance::checkPrior(const Mat& covariance)
+{
+    const Eigen::Map<const Square> given(covariance.ptr<double>(), covariance.rows,
+                                         covariance.cols);
+    if ((given - given.transpose()).cwiseAbs().maxCoeff() >
+            ASYMMETRY * given.cwiseAbs().maxCoeff() ||
+        Eigen::LLT<Square>(given).info() != Eigen::Success)
+        CV_Error(Error::StsBadArg,
+                 "initialCovariance: a symmetric, positive definite matrix is expected");
+}
+
+double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
+{
+    const Eigen::Map<const Square> given(covariance.ptr<double>(), dimension, dimension);
+    const Model at = rule->plus(prior, Vector::Zero(dimension).eval().data());
+    Square T;
+    Basis there(at.size(), dimension);
+    Vector step;
+    if (!known || !change(at, T) || !rule->tangent(at, there.data()) || !stepTo(at, step))
+        return 0;
+    // from the caller's parameters at the prior to those of the search at `here`
+    const Square toHere = solveLeastSquares(tangent, there) *
+                          solveLeastSquares(T, Square::Identity(dimension, dimension));
+    const Eigen::LLT<Square> sum(own + toHere * given * toHere.transpose());
+    const double chance = 1 -
+                          chiSquareDistribution(sum.matrixL().solve(step).squaredNorm(), dimension);
+    if (sum.info() != Eigen::Success || !(chance >= LEAST_CHANCE))
+        return std::max(chance, 0.);
+    const Square half = sum.matrixL().solve(own);
+    const Vector shift = own * sum.solve(step);
+    const Basis before = tangent;
+    here = rule->plus(here, shift.data());
+    known = rule->tangent(here, tangent.data());
+    const Square moved = solveLeastSquares(tangent, before);
+    own = moved * (own - half.transpose() * half) * moved.transpose();
+    return chance;
+}
+
 Mat ModelCovariance::ofCaller() const
 {
     Mat result(dimension, dimension, CV_64F, Scalar::all(std::numeric_limits<double>::quiet_NaN()));
-    Model center;
-    Basis basis;
     Square T;
-    if (!known || !points.problem->toInput(here, points, center))
-        return result;
-    center = rule->plus(center, Vector::Zero(dimension).eval().data());
-    if (!callerBasis(*rule, center, basis) || !change(center, basis, T))
+    if (!known || !change(here, T))
         return result;
     const Square C = T * own * T.transpose();
     for (int i = 0; i < dimension; ++i)

@@ -42,6 +42,8 @@ class ModelCovariance
 public:
     //! Maximum numbers of points that are used: within the support, and outside of it.
     enum { MOST = 512, OTHERS = 128 };
+    //! A prior is not used if the probability that chance explains the difference is smaller.
+    static constexpr double LEAST_CHANCE = 0.001;
 
     //! @param context points, residual and polisher with which the model was polished
     explicit ModelCovariance(const Context& context);
@@ -49,6 +51,18 @@ public:
     //! Computes noise and covariance. @param model in the coordinates of the points
     void estimate(const Model& model);
 
+    /** @brief Replaces the model by the mean of it and of a prior, weighted by their covariances,
+    and the covariance by that of the mean.
+    @param prior in the coordinates of the points
+    @param covariance its covariance in the caller's coordinates, d x d, CV_64F
+    @return Report::priorChance; if it is below #LEAST_CHANCE, nothing is changed */
+    double weigh(const Model& prior, const Mat& covariance);
+
+    //! Raises a cv::Exception unless the matrix is symmetric and positive definite.
+    static void checkPrior(const Mat& covariance);
+
+    //! The model that was estimated or is the mean, in the coordinates of the points.
+    const Model& model() const { return here; }
     //! Standard deviation of the noise in each component, in the coordinates of the points; 0:
     //! unknown.
     double sigma() const { return noise; }
@@ -76,7 +90,8 @@ private:
     int leversOfOthers(const Eigen::LLT<Square>& information, double* levers);
     bool noiseInformation(Square& N);
     bool combine(const Polisher& polisher);
-    bool change(const Model& center, const Basis& basis, Square& T) const;
+    bool change(const Model& from, Square& T) const;
+    bool stepTo(const Model& model, Vector& step) const;
 
     const Context& context;
     const Correspondences& points;

@@ -121,6 +121,8 @@ FieldValues documentedValues(const std::string& comment, const Enumerations& enu
         result = FieldValues::scores();
     else if (comment.find("or no model;") != std::string::npos)
         result = FieldValues::model();
+    else if (comment.find("or no covariance;") != std::string::npos)
+        result = FieldValues::covariance();
     if (!std::regex_search(comment, match, initial))
     {
         ADD_FAILURE() << "no default: " << comment;

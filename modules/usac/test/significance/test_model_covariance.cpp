@@ -89,14 +89,17 @@ Case makeCase(ProblemType problem, int seed)
     return result;
 }
 
-//! The squared Mahalanobis distance of the true model from `model`.
-double squaredDistance(const Case& scene, const Mat& model, const Mat& covariance)
+//! The squared Mahalanobis distance of the true model from `model`. The covariance is that of
+//! another model, if one is given.
+double squaredDistance(const Case& scene, const Mat& model, const Mat& covariance,
+                       const Mat& other = Mat())
 {
     const int n = (int)model.total();
     Mat right = scene.truth.reshape(1, n).clone(), found = model.reshape(1, n), x, solved;
     if (scene.problem == FUNDAMENTAL || scene.problem == ESSENTIAL)
         right *= (right.dot(found) < 0 ? -1 : 1) / cv::norm(right);
-    cv::solve(tangentOfModel(scene.problem, model), right - found, x, DECOMP_QR);
+    cv::solve(tangentOfModel(scene.problem, other.empty() ? model : other), right - found, x,
+              DECOMP_QR);
     Mat scale(x.rows, x.rows, CV_64F, Scalar(0));
     for (int i = 0; i < x.rows; ++i)
         scale.at<double>(i, i) = 1 / std::sqrt(covariance.at<double>(i, i));
@@ -269,6 +272,110 @@ TEST(Usac_ModelCovariance_, essential_of_plane)
     Report report;
     twoViews(ESSENTIAL, options, 1).run(Params(), &report);
     EXPECT_FALSE(isNaN(report.covariance));
+}
+
+//! The scene with every second match, beginning with match `first`.
+Case halfOf(const Case& scene, int first)
+{
+    Case half = scene;
+    half.points1.release();
+    half.points2.release();
+    for (int i = first; i < scene.points1.rows; i += 2)
+    {
+        half.points1.push_back(scene.points1.row(i));
+        half.points2.push_back(scene.points2.row(i));
+    }
+    return half;
+}
+
+/** The model of one half of the matches is a prior for the other half. Distances from the
+truth must have the covariance of the result, and be about half of the squared distances
+without the prior, which are all measured by the covariance of the run without it. */
+TEST_P(Usac_ModelCovariance, prior)
+{
+    const int scenes = 150;
+    double sum = 0, with = 0, without = 0;
+    int used = 0, d = 0;
+    for (int seed = 1; seed <= scenes; ++seed)
+    {
+        const Case scene = makeCase(GetParam(), seed), second = halfOf(scene, 1);
+        Report before, alone, report;
+        const Mat prior = halfOf(scene, 0).run(Params(), &before),
+                  single = second.run(Params(), &alone);
+        ASSERT_FALSE(prior.empty() || single.empty()) << seed;
+        if (isNaN(before.covariance) || isNaN(alone.covariance))
+            continue;
+        EXPECT_EQ(0, alone.priorChance);
+        Params params;
+        params.setInitialModel(prior, before.covariance);
+        const Mat model = second.run(params, &report);
+        ASSERT_FALSE(model.empty()) << seed;
+        if (report.priorChance < 0.001)
+            continue;
+        d = report.covariance.rows;
+        ++used;
+        sum += squaredDistance(scene, model, report.covariance) / d;
+        with += squaredDistance(scene, model, alone.covariance, single) / d;
+        without += squaredDistance(scene, single, alone.covariance) / d;
+        EXPECT_LT(cv::trace(report.covariance)[0], cv::trace(alone.covariance)[0]) << seed;
+    }
+    EXPECT_GE(used, 0.96 * scenes);
+    EXPECT_GT(sum / used, 0.85);
+    EXPECT_LT(sum / used, 1.25);
+    EXPECT_LT(with, 0.65 * without);
+}
+
+//! A prior that contradicts the points must not change the result, whatever it claims.
+TEST_P(Usac_ModelCovariance, contradictingPrior)
+{
+    const Case scene = makeCase(GetParam(), 1);
+    Report other, started, report;
+    const Mat wrong = makeCase(GetParam(), 2).run(Params(), &other);
+    Params params;
+    params.setInitialModel(wrong);
+    const Mat expected = scene.run(params, &started);
+    params.setInitialModel(wrong, other.covariance);
+    EXPECT_EQ(0, cv::norm(expected, scene.run(params, &report)));
+    EXPECT_LT(report.priorChance, 0.001);
+    EXPECT_EQ(0, cv::norm(started.covariance, report.covariance));
+    // a prior of no weight
+    params.setInitialModel(expected, 1e12 * other.covariance);
+    EXPECT_LE(cv::norm(expected, scene.run(params, &report)), 1e-3 * cv::norm(expected));
+    EXPECT_GT(report.priorChance, 0.999);
+    // a certain prior
+    params.setInitialModel(expected, 1e-12 * started.covariance);
+    EXPECT_LE(cv::norm(expected, scene.run(params, &report)), 1e-6 * cv::norm(expected));
+    EXPECT_LE(cv::norm(report.covariance), 1e-6 * cv::norm(started.covariance));
+}
+
+TEST_P(Usac_ModelCovariance, invalidPrior)
+{
+    const Case scene = makeCase(GetParam(), 1);
+    Report report;
+    const Mat model = scene.run(Params(), &report), C = report.covariance;
+    const int d = C.rows;
+    const Mat zeros = Mat::zeros(d, d, CV_64F);
+    Mat oblique = C.clone(), unknown = C.clone();
+    oblique.at<double>(0, 1) += std::sqrt(C.at<double>(0, 0) * C.at<double>(1, 1));
+    unknown.at<double>(1, 1) = NAN;
+    for (const Mat& wrong : {Mat(-C), zeros, oblique, unknown, Mat(C.rowRange(1, d))})
+    {
+        Params params;
+        params.setInitialModel(model, wrong);
+        try
+        {
+            scene.run(params, &report);
+            ADD_FAILURE() << "no exception for " << wrong;
+        }
+        catch (const Exception& e)
+        {
+            EXPECT_NE(std::string::npos, e.msg.find("initialCovariance")) << e.msg;
+        }
+    }
+    Params params;
+    params.setInitialModel(noArray(), C);
+    EXPECT_THROW(params.check(), Exception);
+    EXPECT_THROW(params.setInitialModel(model, Mat(d, d, CV_64FC2, Scalar::all(1))), Exception);
 }
 
 }  // namespace

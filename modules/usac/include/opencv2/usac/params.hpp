@@ -242,8 +242,7 @@ enum PolishingType {
 /** @brief All options of the estimator.
 
 A default-constructed object is Params::usacV20. Invalid values raise a cv::Exception that names the
-field when the estimator is created.
-*/
+field when the estimator is created. */
 struct CV_EXPORTS_W_SIMPLE Params
 {
     CV_WRAP Params();
@@ -269,8 +268,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     exact, see there. No other option makes the result depend on the machine, see Report::stop and
     ProgressScope. Default 0. */
     CV_PROP_RW double maxTime;
-    //! Seed of the pseudo-random sequence; the same seed and input give bit-identical results.
-    //! Default 0.
+    //! Seed of the pseudo-random sequence; the same seed and input give the same bits. Default 0.
     CV_PROP_RW int seed;
     //! Number of threads that compute and score models; 0..1024, 0: cv::getNumThreads(). The result
     //! does not depend on it. Default 1.
@@ -286,11 +284,15 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Entries, row by row, of an initial model as the estimator returns it (for example that of
     the previous frame), or no model; see setInitialModel(). It is scored and optimized before the
     first sample, like a model of a sample; a better one replaces it. A wrong number of entries
-    raises a cv::Exception. It saves time if `maxIterations` is small: with 8, the poses of a smooth
-    sequence with 20 % inliers took 0.20 of the time with the defaults. This includes a second run
-    without an initial model for each frame with fewer than half as many inliers as the previous
-    frame. Default none. */
+    raises a cv::Exception. It saves time if `maxIterations` is small. Default none. */
     CV_PROP_RW std::vector<double> initialModel;
+    /** Entries, row by row, of the covariance of `initialModel`, or no covariance; d x d, symmetric
+    and positive definite, for the parameters of Report::covariance. With it, the initial model is a
+    prior: the result is the mean of it and of the model of the points, weighted by their
+    covariances @cite kalman1960filter, and Report::covariance that of this mean. If they contradict
+    each other (Report::priorChance below 0.001), the result is that of the points alone. Add what
+    may have changed since to the covariance of a previous frame. Default none. */
+    CV_PROP_RW std::vector<double> initialCovariance;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;
     //! @ref NeighborhoodType. Default #NEIGHBORHOOD_GRID.
@@ -410,8 +412,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params lmeds();
     /** @brief MLESAC: like ransac(), with the likelihood of a mixture of inliers and outliers
     @cite torr2000mlesac. As in ransac(), the last fit is least squares over the inliers; the paper
-    minimizes the negative log-likelihood of all points.
-    */
+    minimizes the negative log-likelihood of all points. */
     CV_WRAP static Params mlesac();
     /** @brief PROSAC: like ransac(), with PROSAC's samples (`orderedEvery` 1: all of them) and
     termination; the caller has sorted the points, best first @cite chum2005matching. Differences of
@@ -423,8 +424,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params loRansac();
     /** @brief FLO-RANSAC: like msac(), but each new best model is refined by inner samples and fits
     of bounded size @cite lebeda2012fixing. There are four inner samples, which is faster than the
-    paper's number; fits minimize the geometric error.
-    */
+    paper's number; fits minimize the geometric error. */
     CV_WRAP static Params floRansac();
     /** @brief GC-RANSAC: like msac(), but each new best model is refined alternately by graph cuts
     and by inner samples of seven times the minimal size, as long as it improves, at most ten times
@@ -459,11 +459,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! iterations and seed are copied.
     static Params fromUsacParams(const cv::UsacParams& params);
 
-    /** @brief Sets `initialModel`.
+    /** @brief Sets `initialModel` and `initialCovariance`.
     @param model 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for an absolute pose
     and 3-D motions, any depth; empty: none
-    */
-    CV_WRAP void setInitialModel(InputArray model);
+    @param covariance d x d, any depth, such as Report::covariance; empty: none */
+    CV_WRAP void setInitialModel(InputArray model, InputArray covariance = noArray());
 
     /** @brief Raises a cv::Exception that names the first field with an invalid value.
     @param count number of correspondences, -1 if unknown. */

@@ -26,11 +26,12 @@ enum FieldKind {
     FIELD_PIXELS,       //!< a positive and finite number of pixels
     FIELD_PROBABILITY,  //!< a number in the open interval (0, 1)
     FIELD_SCORES,       //!< one number for each correspondence
-    FIELD_MODEL         //!< the numbers of a model
+    FIELD_MODEL,        //!< the numbers of a model
+    FIELD_COVARIANCE    //!< the numbers of the covariance of a model
 };
 
 //! Default and range of a field of Params. Integer fields, too, are stored as `double`, which is
-//! exact. The three numbers are not used for FIELD_SCORES and FIELD_MODEL.
+//! exact. The three numbers are not used for FIELD_SCORES and the kinds after it.
 struct FieldValues
 {
     FieldKind kind;  //!< kind of value
@@ -38,11 +39,11 @@ struct FieldValues
     double low;      //!< lower bound; not itself valid for FIELD_PIXELS and FIELD_PROBABILITY
     double high;     //!< upper bound; not itself valid for FIELD_PROBABILITY
 
-    //! True if the value is in the range. Always true for FIELD_SCORES and FIELD_MODEL, whose valid
-    //! values depend on other fields and on the points.
+    //! True if the value is in the range. Always true for FIELD_SCORES and the kinds after it,
+    //! whose valid values depend on other fields and on the points.
     bool contain(double value) const
     {
-        if (kind == FIELD_SCORES || kind == FIELD_MODEL)
+        if (kind >= FIELD_SCORES)
             return true;
         const bool openBelow = kind == FIELD_PIXELS || kind == FIELD_PROBABILITY,
                    openAbove = kind == FIELD_PROBABILITY;
@@ -70,6 +71,8 @@ struct FieldValues
     static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
     //! The initial model.
     static FieldValues model() { return of(FIELD_MODEL, 0, 0, 0); }
+    //! The covariance of the initial model.
+    static FieldValues covariance() { return of(FIELD_COVARIANCE, 0, 0, 0); }
 
 private:
     static FieldValues of(FieldKind kind, double initial, double low, double high)
@@ -102,6 +105,7 @@ void visitFields(Visitor& visit)
     visit("ordering", &Params::ordering, V::option(ORDERING_AUTO, ORDERING_AUTO, ORDERING_NONE));
     visit("scores", &Params::scores, V::scores());
     visit("initialModel", &Params::initialModel, V::model());
+    visit("initialCovariance", &Params::initialCovariance, V::covariance());
     visit("scoreOrder", &Params::scoreOrder,
           V::option(SCORES_LOWER_IS_BETTER, SCORES_LOWER_IS_BETTER, SCORES_HIGHER_IS_BETTER));
     visit("neighborhood", &Params::neighborhood,

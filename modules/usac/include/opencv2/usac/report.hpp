@@ -129,6 +129,10 @@ struct CV_EXPORTS_W_SIMPLE Report
     matches wrong, forward motion or planes); for all models, if there are few matches with noise as
     wide as the threshold. See doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
+    //! Probability that the initial model and the model of the points differ by at least as much as
+    //! they do if Params::initialCovariance and `covariance` describe their errors, 0..1. Below
+    //! 0.001, the prior was not used. 0 also if there is no prior, or no covariance of the points.
+    CV_PROP_RW double priorChance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array. A model that maps all points to a single point then has all points as
     inliers, and the number of inliers means nothing. The threshold is probably in the wrong unit,

@@ -39,6 +39,7 @@ void addReport(py::module_& module)
             [](Report& report, const py::object& covariance) {
                 report.covariance = ArrayMat(covariance, "covariance").own();
             })
+        .def_readwrite("priorChance", &Report::priorChance)
         .def_readwrite("wideThreshold", &Report::wideThreshold)
         .def_readwrite("cost", &Report::cost)
         .def_readwrite("setupMs", &Report::setupMs)

@@ -21,9 +21,9 @@ class ParamsTest(unittest.TestCase):
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "ordering", "scores",
                               "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence",
                               "degeneracy", "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach",
-                              "significance", "covariance", "initialModel"}, set(fields(params)))
+                              "significance", "covariance", "initialModel", "initialCovariance"}, set(fields(params)))
         for name in fields(params):
-            if name in ("scores", "initialModel"):
+            if name in ("scores", "initialModel", "initialCovariance"):
                 continue
             value = getattr(params, name) + (0.25 if isinstance(getattr(params, name), float) else 1)
             setattr(params, name, value)

@@ -225,6 +225,25 @@ class BeginTest(unittest.TestCase):
         params.setInitialModel(np.empty((0, 0)))
         self.assertEqual(len(params.initialModel), 0)
 
+    def test_prior(self):
+        params = usac.Params()
+        params.threshold, params.covariance = THRESHOLD, 1
+        model, _, alone = pose(POSE, params)
+        self.assertEqual(alone.priorChance, 0)
+        params.setInitialModel(model, alone.covariance)
+        again, _, report = pose(POSE, params)  # the mean of twice the same
+        self.assertGreater(report.priorChance, 0.99)
+        np.testing.assert_allclose(report.covariance, alone.covariance / 2, atol=0.02 * np.abs(alone.covariance).max())
+        np.testing.assert_allclose(again, model, atol=1e-3)
+        for wrong in (-alone.covariance, np.eye(5), np.full((6, 6), np.nan)):
+            params.setInitialModel(model, wrong)
+            with self.assertRaises(usac.error) as context:
+                pose(POSE, params)
+            self.assertIn("initialCovariance", str(context.exception))
+        params.setInitialModel(model)
+        self.assertEqual(len(params.initialCovariance), 0)
+        self.assertRaises(usac.error, params.setInitialModel, model, np.zeros((6, 6, 2)))
+
     def test_initial_model_of_two_views(self):
         for problem, scene in (("Homography", PLANE), ("Affinity2D", MOVED), ("Similarity2D", MOVED)):
             params = usac.Params()

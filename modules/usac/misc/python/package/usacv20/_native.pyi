@@ -33,6 +33,7 @@ class Params(metaclass=_Class):
     ordering: int
     scores: npt.NDArray[np.float32]
     initialModel: npt.NDArray[np.float64]
+    initialCovariance: npt.NDArray[np.float64]
     scoreOrder: int
     neighborhood: int
     neighbors: int
@@ -119,6 +120,7 @@ class Report(metaclass=_Class):
     threshold: float
     sigma: float
     covariance: _Double
+    priorChance: float
     wideThreshold: bool
     cost: float
     setupMs: float

@@ -42,6 +42,13 @@ def _restored(type_: Type[P], values: Dict[str, Any]) -> P:
     return type_(**values)
 
 
+def _matrix(given: Optional[npt.ArrayLike], name: str) -> "npt.NDArray[Any]":
+    matrix = np.empty(0) if given is None else array(given, name)
+    if matrix.ndim > 2:
+        raise fail("{}: a matrix is expected, not {} dimensions".format(name, matrix.ndim))
+    return matrix
+
+
 class Params:
     """All options of the estimator.
 
@@ -54,7 +61,7 @@ class Params:
     shows the fields that differ from the default. Pixels are those of image 2; for motions of space
     read: the unit of the points of space 2."""
 
-    __slots__ = ("_native", "_scores", "_initialModel", "_filled", "_fixed")
+    __slots__ = ("_native", "_scores", "_initialModel", "_initialCovariance", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as of all that can change
 
     _native: Any
@@ -83,6 +90,10 @@ class Params:
     initialModel = Numbers(np.float64, """A model to begin with, that of the frame before, say: its numbers row by row,
         an array of float64, or of none; see setInitialModel(). It is rated and optimized before the first sample, as if
         it came from one. Default none.""")
+    initialCovariance = Numbers(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
+        Report.covariance, an array of float64, or of none. It makes the initial model a prior: the result is the mean of
+        it and of the model of the points, weighted by their covariances; that of the points alone if the two contradict
+        each other, see Report.priorChance. Default none.""")
     scoreOrder = Option(e.ScoreOrder, "ScoreOrder: which end of scores is the good one. Default SCORES_LOWER_IS_BETTER.")
     neighborhood = Option(e.NeighborhoodType, "NeighborhoodType: which points are neighbors. Default NEIGHBORHOOD_GRID.")
     neighbors = Integer("""Neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers, each of twice as
@@ -132,7 +143,8 @@ class Params:
                  threshold: Optional[float] = None, thresholdType: _Name = None, confidence: Optional[float] = None,
                  maxIterations: Optional[int] = None, maxTime: Optional[float] = None, seed: Optional[int] = None, threads: Optional[int] = None,
                  sampler: _Name = None, ordering: _Name = None, scores: Optional[npt.ArrayLike] = None,
-                 initialModel: Optional[npt.ArrayLike] = None, scoreOrder: _Name = None,
+                 initialModel: Optional[npt.ArrayLike] = None, initialCovariance: Optional[npt.ArrayLike] = None,
+                 scoreOrder: _Name = None,
                  neighborhood: _Name = None, neighbors: Optional[int] = None,
                  neighborRadius: Optional[float] = None, residual: _Name = None, quality: _Name = None,
                  reach: Optional[float] = None, widestReach: Optional[float] = None, verification: _Name = None,
@@ -155,6 +167,7 @@ class Params:
         self._filled = False
         self.scores = None
         self.initialModel = None
+        self.initialCovariance = None
 
     @classmethod
     def _of(cls: Type[P], options: Any) -> P:
@@ -179,6 +192,7 @@ class Params:
         """Makes all fields read-only."""
         self.scores.setflags(write=False)
         self.initialModel.setflags(write=False)
+        self.initialCovariance.setflags(write=False)
         self._fixed = True
         return self
 
@@ -200,12 +214,13 @@ class Params:
 
     def _prepared(self) -> Any:
         """Returns the options in the form of the compiled part, with the current contents of the
-        arrays `scores` and `initialModel`, which a program may have changed in place."""
+        arrays, which a program may have changed in place."""
         options = self._native
-        scores, model = self.scores, self.initialModel
-        if self._filled or scores.size or model.size:
-            options.scores, options.initialModel = scores, model
-            self._filled = bool(scores.size or model.size)
+        arrays = self.scores, self.initialModel, self.initialCovariance
+        filled = any(array.size for array in arrays)
+        if self._filled or filled:
+            options.scores, options.initialModel, options.initialCovariance = arrays
+            self._filled = filled
         return options
 
     def check(self, count: int = -1) -> None:
@@ -214,15 +229,14 @@ class Params:
         count -- number of correspondences, -1 if unknown"""
         self._prepared().check(integer(count, "count"))
 
-    def setInitialModel(self, model: Optional[npt.ArrayLike]) -> None:
-        """Sets initialModel.
+    def setInitialModel(self, model: Optional[npt.ArrayLike], covariance: Optional[npt.ArrayLike] = None) -> None:
+        """Sets initialModel and initialCovariance.
 
         model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for poses and motions of space, any type;
-            None or an empty array: none"""
-        given = np.empty(0) if model is None else array(model, "model")
-        if given.ndim > 2:
-            raise fail("model: a matrix is expected, not {} dimensions".format(given.ndim))
-        self.initialModel = given
+            None or an empty array: none
+        covariance -- d x d, such as Report.covariance, any type; None or an empty array: none"""
+        self.initialModel = _matrix(model, "model")
+        self.initialCovariance = _matrix(covariance, "covariance")
 
     def _items(self) -> typing.Iterator[Tuple[str, Any]]:
         return ((name, getattr(self, name)) for name in _FIELDS)

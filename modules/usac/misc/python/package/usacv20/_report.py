@@ -78,6 +78,9 @@ class Report:
         7: and the relative change of the scale; affinity 6: the entries, row by row; similarity 4: a, b, tx, ty of [a -b tx; b a ty];
         homography 8, F 7, E 5: see tangentOfModel. NaN: not determined (F and E of a plane, too few inliers, POLISHING_NONE).
         covarianceOfModel, covarianceOfPose and pointCovariance say what it means for the model and for points.""")
+    priorChance = Field[float]("""Probability that the initial model and the model of the points differ by at least as much as they do, if
+        Params.initialCovariance and the covariance of the points describe their errors, 0..1. Below 0.001 the prior was not used. 0
+        also if there is no prior, or the covariance of the points is not determined.""")
     wideThreshold = Field[bool]("""True if the threshold is at least half of the longest side of the box in which nearly all points
         of the second array lie: then a model that maps everything to one place has them all as inliers. It is probably in another
         unit: pixels, say, beside points of the normalized image plane.""")
