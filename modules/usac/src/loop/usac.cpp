@@ -128,6 +128,8 @@ public:
             state.report.sigma = automatic->settle(data);
         }
         polishAsSeen(context, state);
+        if (report && params.covariance)
+            tellCertainty(context, state.best, state.report);
         return given.give(state, mask, report);
     }
 
@@ -315,9 +317,11 @@ private:
     }
 
     //! Computes Report::covariance of a polished model and, unless the threshold was estimated,
-    //! Report::sigma. If there is a prior, the model becomes the mean of it and of the prior. To be
-    //! called after polishAsSeen(), which sets imageParts. @return score of the model
-    Quality tellCertainty(const Context& context, Model& model, Report& learned) const
+    //! Report::sigma. To be called after polishAsSeen(), which sets imageParts.
+    //! @param prior not null: the model becomes the mean of it and of this model
+    //! @return score of the model
+    Quality tellCertainty(const Context& context, Model& model, Report& learned,
+                          const Model* prior = 0) const
     {
         const bool image = seesImage();
         const Correspondences points = image ? data.imagePoints() : context.points;
@@ -325,11 +329,9 @@ private:
                                 context.watch);
         ModelCovariance covariance(polishing);
         covariance.estimate(model);
-        if (!params.initialCovariance.empty())
+        if (prior)
         {
-            Model prior;
-            problem->fromOutput(params.initialModel, context.points, prior);
-            learned.priorChance = covariance.weigh(prior, priorCovariance());
+            learned.priorChance = covariance.weigh(*prior, priorCovariance());
             if (learned.priorChance >= ModelCovariance::LEAST_CHANCE)
                 model = problem->closest(covariance.model());
         }
@@ -381,8 +383,12 @@ private:
                 data.setThreshold(parts.score->threshold(context, state.best));
             learned.cost = polishAsSeen(context, state).cost / context.points.size;
             if (!params.initialCovariance.empty())
-                learned.cost = tellCertainty(context, state.best, learned).cost /
+            {
+                Model prior;
+                problem->fromOutput(params.initialModel, context.points, prior);
+                learned.cost = tellCertainty(context, state.best, learned, &prior).cost /
                                context.points.size;
+            }
             Model model;
             if (problem->toInput(state.best, context.points, model))
             {

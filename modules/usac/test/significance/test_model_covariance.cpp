@@ -348,6 +348,25 @@ TEST_P(Usac_ModelCovariance, contradictingPrior)
     EXPECT_LE(cv::norm(report.covariance), 1e-6 * cv::norm(started.covariance));
 }
 
+TEST_P(Usac_ModelCovariance, refinedModel)
+{
+    const Case scene = makeCase(GetParam(), 1);
+    Report report, refined;
+    Params params;
+    const Mat model = scene.run(params, &report);
+    params.threshold = scene.threshold;
+    params.covariance = 1;
+    Mat mask;
+    refineModel(scene.problem, model, scene.points1, scene.points2, params, mask, refined,
+                noArray(), scene.camera);
+    EXPECT_LE(cv::norm(refined.covariance - report.covariance), 0.02 * cv::norm(report.covariance));
+    EXPECT_NEAR(report.sigma, refined.sigma, 0.01 * report.sigma);
+    params.covariance = 0;
+    refineModel(scene.problem, model, scene.points1, scene.points2, params, mask, refined,
+                noArray(), scene.camera);
+    EXPECT_TRUE(refined.covariance.empty());
+}
+
 TEST_P(Usac_ModelCovariance, invalidPrior)
 {
     const Case scene = makeCase(GetParam(), 1);

@@ -54,7 +54,8 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
-@param params options; `threshold`, `residual`, `polishing` and `polishingSteps` are used
+@param params options; `threshold`, `residual`, `polishing`, `polishingSteps` and, without a mask of
+the inliers, `covariance` are used
 @param mask, report as in #fitModel
 @param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares fit
 to these inliers is made, starting from the model. Empty: the model is polished as at the end of an
