@@ -319,18 +319,18 @@ bool ModelCovariance::combine(const Polisher& polisher)
     return llt.info() == Eigen::Success && own.allFinite();
 }
 
-//! Computes the derivatives T of the caller's parameters with respect to those of the search, at a
-//! model. False if a model cannot be converted.
-bool ModelCovariance::change(const Model& from, Square& T) const
+//! Returns the derivatives of the caller's parameters with respect to those of the search, at a
+//! model; an empty matrix if a model cannot be converted.
+Eigen::MatrixXd ModelCovariance::change(const Model& from) const
 {
     const Problem& problem = *points.problem;
     Model center;
     Basis basis;
     if (!problem.toInput(from, points, center))
-        return false;
+        return Eigen::MatrixXd();
     center = rule->plus(center, Vector::Zero(dimension).eval().data());
     if (!callerBasis(*rule, center, basis))
-        return false;
+        return Eigen::MatrixXd();
     const int n = center.size();
     const Eigen::Map<const Vector> middle(center.val, n);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, MAX_MODEL_SIZE, MAX_MODEL_SIZE>
@@ -344,7 +344,7 @@ bool ModelCovariance::change(const Model& from, Square& T) const
             x[k] = side ? STEP : -STEP;
             Model moved;
             if (!problem.toInput(rule->plus(from, x.data()), points, moved))
-                return false;
+                return Eigen::MatrixXd();
             moved = rule->plus(moved, Vector::Zero(dimension).eval().data());
             sides[side] = Eigen::Map<const Vector>(moved.val, n);
             if (sides[side].dot(middle) < 0)  // a homogeneous model has an arbitrary sign
@@ -353,8 +353,7 @@ bool ModelCovariance::change(const Model& from, Square& T) const
         x[k] = 0;
         derivative.col(k) = (sides[1] - sides[0]) / (2 * STEP);
     }
-    T = solveLeastSquares(basis, derivative);
-    return true;
+    return solveLeastSquares(basis, derivative);
 }
 
 //! Computes the parameters, at `here`, of another model by Gauss-Newton. False if the model cannot
@@ -362,14 +361,14 @@ bool ModelCovariance::change(const Model& from, Square& T) const
 bool ModelCovariance::stepTo(const Model& model, Vector& step) const
 {
     step = Vector::Zero(dimension);
-    Vector rest, wanted = Eigen::Map<const Vector>(model.val, model.size());
+    Eigen::VectorXd wanted = Eigen::Map<const Eigen::VectorXd>(model.val, model.size());
     for (int i = 0; i < STEPS_TO_PRIOR; ++i)
     {
         const Model there = rule->plus(here, step.data());
-        const Eigen::Map<const Vector> reached(there.val, there.size());
+        const Eigen::VectorXd reached = Eigen::Map<const Eigen::VectorXd>(there.val, there.size());
         if (reached.dot(wanted) < 0)  // a homogeneous model has an arbitrary sign
             wanted = -wanted;
-        rest = wanted - reached;
+        const Eigen::VectorXd rest = wanted - reached;
         if (rest.norm() <= REACHED * wanted.norm())
             return true;
         step += solveLeastSquares(tangent, rest);
@@ -392,10 +391,12 @@ double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
 {
     const Eigen::Map<const Square> given(covariance.ptr<double>(), dimension, dimension);
     const Model at = rule->plus(prior, Vector::Zero(dimension).eval().data());
-    Square T;
     Basis there(at.size(), dimension);
     Vector step;
-    if (!known || !change(at, T) || !rule->tangent(at, there.data()) || !stepTo(at, step))
+    if (!known || !rule->tangent(at, there.data()) || !stepTo(at, step))
+        return 0;
+    const Eigen::MatrixXd T = change(at);
+    if (T.size() == 0)
         return 0;
     // from the caller's parameters at the prior to those of the search at `here`
     const Square toHere = solveLeastSquares(tangent, there) *
@@ -418,8 +419,8 @@ double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
 Mat ModelCovariance::ofCaller() const
 {
     Mat result(dimension, dimension, CV_64F, Scalar::all(std::numeric_limits<double>::quiet_NaN()));
-    Square T;
-    if (!known || !change(here, T))
+    const Eigen::MatrixXd T = known ? change(here) : Eigen::MatrixXd();
+    if (T.size() == 0)
         return result;
     const Square C = T * own * T.transpose();
     for (int i = 0; i < dimension; ++i)

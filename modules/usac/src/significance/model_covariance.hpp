@@ -90,7 +90,7 @@ private:
     int leversOfOthers(const Eigen::LLT<Square>& information, double* levers);
     bool noiseInformation(Square& N);
     bool combine(const Polisher& polisher);
-    bool change(const Model& from, Square& T) const;
+    Eigen::MatrixXd change(const Model& from) const;
     bool stepTo(const Model& model, Vector& step) const;
 
     const Context& context;
