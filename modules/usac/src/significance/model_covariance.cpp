@@ -46,6 +46,13 @@ constexpr double REACHED = 1e-9;
 //! entry; more than the rounding of single precision.
 constexpr double ASYMMETRY = 1e-5;
 
+//! The covariance of A x if C is that of x.
+Eigen::MatrixXd carried(const Eigen::MatrixXd& A, const Eigen::MatrixXd& C)
+{
+    const Eigen::MatrixXd half = A * C;
+    return half * A.transpose();
+}
+
 //! Computes two expected values over the errors of inliers within the support. `slope`: of the
 //! derivative of weight times error, which for Gaussian noise is that of weight times squared error
 //! divided by the variance. `square`: of the square of a component of weight times error.
@@ -389,7 +396,8 @@ void ModelCovariance::checkPrior(const Mat& covariance)
 
 double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
 {
-    const Eigen::Map<const Square> given(covariance.ptr<double>(), dimension, dimension);
+    const Eigen::MatrixXd given = Eigen::Map<const Square>(covariance.ptr<double>(), dimension,
+                                                           dimension);
     const Model at = rule->plus(prior, Vector::Zero(dimension).eval().data());
     Basis there(at.size(), dimension);
     Vector step;
@@ -399,9 +407,9 @@ double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
     if (T.size() == 0)
         return 0;
     // from the caller's parameters at the prior to those of the search at `here`
-    const Square toHere = solveLeastSquares(tangent, there) *
-                          solveLeastSquares(T, Square::Identity(dimension, dimension));
-    const Eigen::LLT<Square> sum(own + toHere * given * toHere.transpose());
+    const Eigen::MatrixXd back = solveLeastSquares(T, Square::Identity(dimension, dimension)),
+                          toHere = solveLeastSquares(tangent, there) * back;
+    const Eigen::LLT<Square> sum(own + carried(toHere, given));
     const double chance = 1 -
                           chiSquareDistribution(sum.matrixL().solve(step).squaredNorm(), dimension);
     if (sum.info() != Eigen::Success || !(chance >= LEAST_CHANCE))
@@ -411,8 +419,7 @@ double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
     const Basis before = tangent;
     here = rule->plus(here, shift.data());
     known = rule->tangent(here, tangent.data());
-    const Square moved = solveLeastSquares(tangent, before);
-    own = moved * (own - half.transpose() * half) * moved.transpose();
+    own = carried(solveLeastSquares(tangent, before), own - half.transpose() * half);
     return chance;
 }
 
@@ -422,7 +429,7 @@ Mat ModelCovariance::ofCaller() const
     const Eigen::MatrixXd T = known ? change(here) : Eigen::MatrixXd();
     if (T.size() == 0)
         return result;
-    const Square C = T * own * T.transpose();
+    const Eigen::MatrixXd C = carried(T, own);
     for (int i = 0; i < dimension; ++i)
         for (int k = 0; k < dimension; ++k)
             result.at<double>(i, k) = (C(i, k) + C(k, i)) / 2;
