@@ -412,10 +412,12 @@ double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
     const Eigen::LLT<Square> sum(own + carried(toHere, given));
     const double chance = 1 -
                           chiSquareDistribution(sum.matrixL().solve(step).squaredNorm(), dimension);
-    if (sum.info() != Eigen::Success || !(chance >= LEAST_CHANCE))
-        return std::max(chance, 0.);
     const Square half = sum.matrixL().solve(own);
     const Vector shift = own * sum.solve(step);
+    if (sum.info() != Eigen::Success || !half.allFinite() || !shift.allFinite())
+        return 0;  // entries too large for their products
+    if (!(chance >= LEAST_CHANCE))
+        return std::max(0., chance);  // 0 for NaN
     const Basis before = tangent;
     here = rule->plus(here, shift.data());
     known = rule->tangent(here, tangent.data());

@@ -348,6 +348,25 @@ TEST_P(Usac_ModelCovariance, contradictingPrior)
     EXPECT_LE(cv::norm(report.covariance), 1e-6 * cv::norm(started.covariance));
 }
 
+TEST_P(Usac_ModelCovariance, priorsOfAnySize)
+{
+    const Case scene = makeCase(GetParam(), 1);
+    Report report;
+    const Mat model = scene.run(Params(), &report);
+    const int d = report.covariance.rows;
+    for (double factor : {1e-307, 1e-200, 1., 1e200, 1e307})
+    {
+        Params params;
+        params.setInitialModel(model, factor * Mat::eye(d, d, CV_64F));
+        const Mat result = scene.run(params, &report);
+        ASSERT_FALSE(result.empty()) << factor;
+        EXPECT_LE(cv::norm(result - model), 1e-2 * cv::norm(model)) << factor;
+        EXPECT_TRUE(cv::checkRange(report.covariance)) << factor;
+        EXPECT_GE(report.priorChance, 0) << factor;
+        EXPECT_LE(report.priorChance, 1) << factor;
+    }
+}
+
 TEST_P(Usac_ModelCovariance, refinedModel)
 {
     const Case scene = makeCase(GetParam(), 1);
