@@ -56,7 +56,7 @@ bool LensOracle::grows(double radius) const
 //! Start of Newton's method by the radial terms, from the center outwards in small steps.
 LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
 {
-    const double wanted = norm(seen);
+    const double wanted = cv::norm(seen);
     const bool onlyRadial = d[2] == 0 && d[3] == 0 && d[8] == 0 && d[9] == 0 && d[10] == 0 &&
                             d[11] == 0 && d[12] == 0 && d[13] == 0;
     double r = 0, before = 0;
@@ -95,7 +95,7 @@ Vec2d LensOracle::distort(const Vec2d& point, Matx22d& J, double& rounding) cons
 LensOracle::Answer LensOracle::invert(Bounded& x, Bounded& y) const
 {
     const Vec2d seen((double)x.value, (double)y.value);
-    if (!(norm(seen) < 1e6))
+    if (!(cv::norm(seen) < 1e6))
         return UNDECIDED;
     Vec2d point;
     const Answer start = startOf(seen, point);
@@ -109,13 +109,14 @@ LensOracle::Answer LensOracle::invert(Bounded& x, Bounded& y) const
         left = distort(point, J, rounding) - seen;
         if (!(std::abs(determinant(J)) > 1e-9))
             return UNDECIDED;
-        if (norm(left) > rounding)
+        if (cv::norm(left) > rounding)
             point -= J.inv() * left;
     }
-    if (!(norm(left) <= LEFT * (1 + norm(seen))) || !grows(norm(point) * (1 + OFF_FOLD)))
+    if (!(cv::norm(left) <= LEFT * (1 + cv::norm(seen))) ||
+        !grows(cv::norm(point) * (1 + OFF_FOLD)))
         return UNDECIDED;
-    const double bound = 2 * norm(J.inv()) *
-                         (LEFT * (1 + norm(seen)) + rounding + (double)(x.error + y.error));
+    const double bound = 2 * cv::norm(J.inv()) *
+                         (LEFT * (1 + cv::norm(seen)) + rounding + (double)(x.error + y.error));
     x = Bounded(point[0], bound);
     y = Bounded(point[1], bound);
     return SEEN;
