@@ -86,6 +86,7 @@ function(usac_source_options)
   usac_instruction_sets(${ARGN})
 endfunction()
 
+# The options of the files of an instruction set.
 function(usac_instruction_sets)
   foreach(source ${ARGN})
     if(source MATCHES "_avx2\\.cpp$" AND USAC_COMPILES_AVX2)
@@ -96,7 +97,7 @@ function(usac_instruction_sets)
   endforeach()
 endfunction()
 
-# The same for a target with all of the library's sources.
+# Options of a target with all of the library's sources.
 function(usac_library_options target)
   target_compile_options(${target} PRIVATE ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
   target_compile_definitions(${target} PRIVATE ${USAC_DEFINITIONS})
@@ -125,6 +126,7 @@ function(usac_precompile target)
   endif()
 endfunction()
 
+# The same for a target with all of the library's sources.
 function(usac_precompile_library target)
   usac_precompile(${target} "${USAC_MODULE_DIR}/src/precomp.hpp" <Eigen/Cholesky> <Eigen/Geometry> <Eigen/SVD>)
 endfunction()

@@ -167,8 +167,10 @@ Params::Params()
 
 void Params::setInitialModel(InputArray model, InputArray itsCovariance)
 {
-    initialModel = entriesOf(model, "model");
-    initialCovariance = entriesOf(itsCovariance, "covariance");
+    const std::vector<double> entries = entriesOf(model, "model");
+    initialCovariance = entriesOf(itsCovariance,
+                                  "covariance");  // if one raises, nothing is changed
+    initialModel = entries;
 }
 
 void Params::check(int count) const

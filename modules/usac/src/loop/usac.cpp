@@ -337,7 +337,7 @@ private:
         }
         if (params.covariance)
             learned.covariance = covariance.ofCaller();
-        if (!automatic)
+        if (!automatic && params.covariance)
             learned.sigma = covariance.sigma() * (data.threshold() / data.maskThreshold());
         return polishing.rate(model);
     }

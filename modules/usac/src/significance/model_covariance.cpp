@@ -396,12 +396,15 @@ void ModelCovariance::checkPrior(const Mat& covariance)
 
 double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
 {
+    if (!known)  // also without a parameterization
+        return 0;
+    CV_Assert(covariance.rows == dimension);
     const Eigen::MatrixXd given = Eigen::Map<const Square>(covariance.ptr<double>(), dimension,
                                                            dimension);
     const Model at = rule->plus(prior, Vector::Zero(dimension).eval().data());
     Basis there(at.size(), dimension);
     Vector step;
-    if (!known || !rule->tangent(at, there.data()) || !stepTo(at, step))
+    if (!rule->tangent(at, there.data()) || !stepTo(at, step))
         return 0;
     const Eigen::MatrixXd T = change(at);
     if (T.size() == 0)

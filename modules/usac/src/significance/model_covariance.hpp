@@ -42,7 +42,8 @@ class ModelCovariance
 public:
     //! Maximum numbers of points that are used: within the support, and outside of it.
     enum { MOST = 512, OTHERS = 128 };
-    //! A prior is not used if the probability that chance explains the difference is smaller.
+    //! A prior is not used if Report::priorChance is smaller: a prior with the right covariance is
+    //! refused with this probability.
     static constexpr double LEAST_CHANCE = 0.001;
 
     //! @param context points, residual and polisher with which the model was polished

@@ -75,6 +75,37 @@ TEST(Usac_CustomProblem, everyPreset)
     }
 }
 
+//! A problem without a parameterization, for which there is no covariance.
+class StartedAffineProblem : public custom::AffineProblem
+{
+public:
+    bool fromOutput(const std::vector<double>& output, const Correspondences& points,
+                    Model& model) const CV_OVERRIDE
+    {
+        Matx33d A = Matx33d::eye();
+        std::copy(output.begin(), output.end(), A.val);
+        A = points.frame[1].matrix() * A * points.frame[0].matrix().inv();
+        model = Matx23d(A.val);
+        return true;
+    }
+};
+
+TEST(Usac_CustomProblem, priorWithoutACovarianceOfThePoints)
+{
+    const AffineScene scene(100, 50, 0.5);
+    Params params;
+    params.threshold = 2;
+    params.setInitialModel(TRUTH);
+    Report report;
+    const Ptr<Problem> problem = makePtr<StartedAffineProblem>();
+    const Mat expected = Usac::create(problem, scene.points1, scene.points2, params)
+                             ->run(noArray(), &report);
+    params.setInitialModel(TRUTH, Mat::eye(6, 6, CV_64F));
+    EXPECT_EQ(0, cv::norm(expected, Usac::create(problem, scene.points1, scene.points2, params)
+                                        ->run(noArray(), &report)));
+    EXPECT_EQ(0, report.priorChance);
+}
+
 TEST(Usac_CustomProblem, anyNumberOfThreads)
 {
     const AffineScene scene(60, 240, 0.5);

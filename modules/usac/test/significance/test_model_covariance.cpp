@@ -46,14 +46,14 @@ Case twoViews(ProblemType problem, const SceneOptions& options, double threshold
     return result;
 }
 
-//! 100 matches with 90 % inliers and noise of about a third of the threshold.
-Case makeCase(ProblemType problem, int seed)
+//! Matches with 90 % inliers, and noise of `noise` times about a third of the threshold.
+Case makeCase(ProblemType problem, int seed, int size = 100, double noise = 1)
 {
     if (problem < ABSOLUTE_POSE)
     {
         SceneOptions options;
-        options.setSize(100, 0.9);
-        options.noise = 0.3;
+        options.setSize(size, 0.9);
+        options.noise = 0.3 * noise;
         options.seed = seed;
         return twoViews(problem, options, mapsPoints(problem) ? 1.3 : 0.9);
     }
@@ -62,30 +62,31 @@ Case makeCase(ProblemType problem, int seed)
     if (problem == ABSOLUTE_POSE)
     {
         PoseSceneOptions options;
-        options.size = 100;
+        options.size = size;
         options.inlierRatio = 0.9;
         options.seed = seed;
-        options.noise = 0.3;
+        options.noise = 0.3 * noise;
         const PoseScene scene = makePoseScene(options);
         result.points1 = column(scene.object).clone();
         result.points2 = column(scene.image).clone();
         result.camera = Mat(scene.K, true);
         result.truth = Mat(scene.pose, true);
-        result.noise = 0.3;
+        result.noise = options.noise;
         result.threshold = 1;
         return result;
     }
     RigidSceneOptions options;
-    options.size = 100;
+    options.size = size;
     options.inlierRatio = 0.9;
     options.seed = seed;
+    options.noise *= noise;
     options.modelScale = problem == SIMILARITY_3D ? 1.5 : 1;
     const RigidScene scene = makeRigidScene(options);
     result.points1 = column(scene.points1).clone();
     result.points2 = column(scene.points2).clone();
     result.truth = Mat(scene.motion, true);
     result.noise = options.noise * options.modelScale;
-    result.threshold = scene.threshold;
+    result.threshold = scene.threshold / noise;
     return result;
 }
 
@@ -293,36 +294,47 @@ truth must have the covariance of the result, and be about half of the squared d
 without the prior, which are all measured by the covariance of the run without it. */
 TEST_P(Usac_ModelCovariance, prior)
 {
-    const int scenes = 150;
-    double sum = 0, with = 0, without = 0;
-    int used = 0, d = 0;
-    for (int seed = 1; seed <= scenes; ++seed)
+    const struct
     {
-        const Case scene = makeCase(GetParam(), seed), second = halfOf(scene, 1);
-        Report before, alone, report;
-        const Mat prior = halfOf(scene, 0).run(Params(), &before),
-                  single = second.run(Params(), &alone);
-        ASSERT_FALSE(prior.empty() || single.empty()) << seed;
-        if (isNaN(before.covariance) || isNaN(alone.covariance))
-            continue;
-        EXPECT_EQ(0, alone.priorChance);
-        Params params;
-        params.setInitialModel(prior, before.covariance);
-        const Mat model = second.run(params, &report);
-        ASSERT_FALSE(model.empty()) << seed;
-        if (report.priorChance < 0.001)
-            continue;
-        d = report.covariance.rows;
-        ++used;
-        sum += squaredDistance(scene, model, report.covariance) / d;
-        with += squaredDistance(scene, model, alone.covariance, single) / d;
-        without += squaredDistance(scene, single, alone.covariance) / d;
-        EXPECT_LT(cv::trace(report.covariance)[0], cv::trace(alone.covariance)[0]) << seed;
+        int size;
+        double noise;
+    } kinds[] = {{100, 1}, {40, 1}, {100, 0.01}};
+    for (const auto& kind : kinds)
+    {
+        SCOPED_TRACE(testing::Message() << kind.size << " matches, noise " << kind.noise);
+        const int scenes = 120;
+        double sum = 0, with = 0, without = 0, shrunk = 0;
+        int used = 0;
+        for (int seed = 1; seed <= scenes; ++seed)
+        {
+            const Case scene = makeCase(GetParam(), seed, kind.size, kind.noise),
+                       second = halfOf(scene, 1);
+            Report before, alone, report;
+            const Mat prior = halfOf(scene, 0).run(Params(), &before),
+                      single = second.run(Params(), &alone);
+            ASSERT_FALSE(prior.empty() || single.empty()) << seed;
+            if (isNaN(before.covariance) || isNaN(alone.covariance))
+                continue;
+            EXPECT_EQ(0, alone.priorChance);
+            Params params;
+            params.setInitialModel(prior, before.covariance);
+            const Mat model = second.run(params, &report);
+            ASSERT_FALSE(model.empty()) << seed;
+            if (report.priorChance < 0.001)
+                continue;
+            const int d = report.covariance.rows;
+            ++used;
+            sum += squaredDistance(scene, model, report.covariance) / d;
+            with += squaredDistance(scene, model, alone.covariance, single) / d;
+            without += squaredDistance(scene, single, alone.covariance) / d;
+            shrunk += cv::trace(report.covariance)[0] / cv::trace(alone.covariance)[0];
+        }
+        EXPECT_GE(used, 0.96 * scenes);
+        EXPECT_GT(sum / used, 0.85);
+        EXPECT_LT(sum / used, 1.25);
+        EXPECT_LT(with, 0.65 * without);
+        EXPECT_LT(shrunk / used, 0.65);
     }
-    EXPECT_GE(used, 0.96 * scenes);
-    EXPECT_GT(sum / used, 0.85);
-    EXPECT_LT(sum / used, 1.25);
-    EXPECT_LT(with, 0.65 * without);
 }
 
 //! A prior that contradicts the points must not change the result, whatever it claims.
@@ -338,9 +350,11 @@ TEST_P(Usac_ModelCovariance, contradictingPrior)
     EXPECT_EQ(0, cv::norm(expected, scene.run(params, &report)));
     EXPECT_LT(report.priorChance, 0.001);
     EXPECT_EQ(0, cv::norm(started.covariance, report.covariance));
-    // a prior of no weight
+    // a prior of no weight, beside the same initial model without a covariance
+    params.setInitialModel(expected);
+    const Mat again = scene.run(params, &started);
     params.setInitialModel(expected, 1e12 * other.covariance);
-    EXPECT_LE(cv::norm(expected, scene.run(params, &report)), 1e-3 * cv::norm(expected));
+    EXPECT_LE(cv::norm(again, scene.run(params, &report)), 1e-6 * cv::norm(again));
     EXPECT_GT(report.priorChance, 0.999);
     // a certain prior
     params.setInitialModel(expected, 1e-12 * started.covariance);

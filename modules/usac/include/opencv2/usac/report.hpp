@@ -132,6 +132,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Probability that the initial model and the model of the points differ by at least as much as
     //! they do if Params::initialCovariance and `covariance` describe their errors, 0..1. Below
     //! 0.001, the prior was not used. 0 also if there is no prior, or no covariance of the points.
+    //! With up to 20 matches and noise as wide as the threshold, their covariance is too small (see
+    //! there): a fifth to a half of right priors are then refused.
     CV_PROP_RW double priorChance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array. A model that maps all points to a single point then has all points as

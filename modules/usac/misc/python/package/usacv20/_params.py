@@ -235,8 +235,8 @@ class Params:
         model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for poses and motions of space, any type;
             None or an empty array: none
         covariance -- d x d, such as Report.covariance, any type; None or an empty array: none"""
-        self.initialModel = _matrix(model, "model")
-        self.initialCovariance = _matrix(covariance, "covariance")
+        matrices = _matrix(model, "model"), _matrix(covariance, "covariance")
+        self.initialModel, self.initialCovariance = matrices
 
     def _items(self) -> typing.Iterator[Tuple[str, Any]]:
         return ((name, getattr(self, name)) for name in _FIELDS)
