@@ -145,7 +145,7 @@ run_coverage()
     build_with coverage opencv_test_usac g++ "--coverage -O0 -fprofile-update=atomic -fprofile-exclude-files=/usr/.*" || return 1
     cd "$tools/coverage"
     find . -name '*.gcda' -delete
-    bin/opencv_test_usac --gtest_filter="-$slow_tests" && rc=0 || rc=1
+    in_shards bin/opencv_test_usac --gtest_filter="-$slow_tests" && rc=0 || rc=1
     mkdir -p html &&
     gcovr --root "$module" --filter "$module/src/" --exclude-throw-branches --exclude-unreachable-branches \
         --txt - --html-details html/index.html --print-summary CMakeFiles/opencv_usac.dir && return $rc
@@ -178,9 +178,7 @@ while [ $# -gt 0 ]; do
     mode=$1
     shift
     case $mode in
-    coverage)
-        run "$mode" "$gtest_passed" "$gtest_failed" "run_$mode" ;;
-    asan | tsan | assertions | valgrind | lint | python)
+    asan | tsan | assertions | valgrind | lint | python | coverage)
         run "$mode" "$count_passed" "$count_failed" "run_$mode" ;;
     fuzz)
         seconds=60

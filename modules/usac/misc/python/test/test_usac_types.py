@@ -104,6 +104,22 @@ class TypedTest(unittest.TestCase):
         self.assertEqual(code, -211)
 
 
+# One set of options for all runs, so that they share mypy's cache. Versions of NumPy's stubs differ
+# in what must be ignored or cast, so these warnings are off.
+OPTIONS = """[mypy]
+strict = True
+warn_redundant_casts = False
+[mypy-usacv20.*]
+warn_unused_ignores = False
+[mypy-test_usac_types]
+allow_untyped_calls = True
+[mypy-usac_common,usac_camera]
+follow_imports = silent
+[mypy-cv2.*,matplotlib.*]
+ignore_missing_imports = True
+"""
+
+
 @once
 @package
 class ToolTest(unittest.TestCase):
@@ -114,43 +130,46 @@ class ToolTest(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.cache = tempfile.mkdtemp()
         cls.addClassCleanup(shutil.rmtree, cls.cache)
+        with open(os.path.join(cls.cache, "mypy.ini"), "w") as file:
+            file.write(OPTIONS)
 
-    def run_tool(self, *command: str, **environment: str) -> None:
-        run = subprocess.run([sys.executable, "-m", *command], cwd=self.cache, stdout=subprocess.PIPE,
+    def tool(self, name: str, *arguments: str) -> Tuple[int, str]:
+        run = subprocess.run([sys.executable, "-m", name, *arguments], cwd=self.cache, stdout=subprocess.PIPE,
                              stderr=subprocess.STDOUT, universal_newlines=True,
-                             env=dict(os.environ, MYPY_CACHE_DIR=self.cache, **environment))
-        self.assertEqual(run.returncode, 0, run.stdout)
+                             env=dict(os.environ, MYPY_CACHE_DIR=self.cache, MYPYPATH=self.path))
+        return run.returncode, run.stdout
+
+    def passes(self, name: str, *arguments: str) -> None:
+        code, output = self.tool(name, *arguments)
+        self.assertEqual(code, 0, output)
 
     def setUp(self) -> None:
         try:
             import mypy.version  # noqa: F401
         except ImportError:
             self.skipTest("mypy was not found")
+        # mypy searches the site-packages folder itself
         path = os.path.dirname(os.path.dirname(str(usacv20.__file__)))
-        self.path = "" if path.endswith("-packages") else path  # mypy searches the site-packages folder itself
+        self.path = os.pathsep.join(folder for folder in (path, SAMPLES, FOLDER) if not folder.endswith("-packages"))
 
     def test_package(self) -> None:
-        # Versions of NumPy's stubs differ in what must be ignored or cast, so these warnings are
-        # off.
-        self.run_tool("mypy", "--strict", "--no-warn-unused-ignores", "--no-warn-redundant-casts", "-p", "usacv20",
-                      MYPYPATH=self.path)
+        self.passes("mypy", "-p", "usacv20")
 
     def test_stubs(self) -> None:
         # A function with overloads has only one signature for inspect, so stubtest must skip it.
         # test_usac_newcomers.py tests these signatures.
         with open(os.path.join(self.cache, "allowed.txt"), "w") as file:
             file.write(r"usacv20(\._\w+)?\.({})".format("|".join(FUNCTIONS)))
-        self.run_tool("mypy.stubtest", "usacv20", "--allowlist", "allowed.txt", MYPYPATH=self.path)
+        self.passes("mypy.stubtest", "usacv20", "--allowlist", "allowed.txt")
 
     def test_this_file(self) -> None:
-        self.run_tool("mypy", "--strict", "--follow-imports=silent", "--allow-untyped-calls", os.path.abspath(__file__),
-                      MYPYPATH=self.path)
+        self.passes("mypy", os.path.abspath(__file__))
 
     def test_samples(self) -> None:
         files = sorted(glob.glob(os.path.join(SAMPLES, "*.py")))
         if not files:
             self.skipTest("the samples are not here")
-        self.run_tool("mypy", "--strict", "--ignore-missing-imports", *files, MYPYPATH=os.pathsep.join([self.path, SAMPLES]).strip(os.pathsep))
+        self.passes("mypy", *files)
 
     def test_mistakes_are_found(self) -> None:
         wrong = ("usacv20.findHomography([[1, 2]], [[1, 2]], '3')", "usacv20.Params().threshold = 'two'",
@@ -159,11 +178,9 @@ class ToolTest(unittest.TestCase):
                  "usacv20.Params(threshold='2')")
         with open(os.path.join(self.cache, "wrong.py"), "w") as file:
             file.write("import usacv20\n" + "\n".join(wrong) + "\n")
-        run = subprocess.run([sys.executable, "-m", "mypy", "--strict", "wrong.py"], cwd=self.cache,
-                             stdout=subprocess.PIPE, universal_newlines=True,
-                             env=dict(os.environ, MYPY_CACHE_DIR=self.cache, MYPYPATH=self.path))
-        lines = {int(line.split(":")[1]) for line in run.stdout.splitlines() if ": error: " in line}
-        self.assertEqual(lines, set(range(2, 2 + len(wrong))), run.stdout)
+        _, output = self.tool("mypy", "wrong.py")
+        lines = {int(line.split(":")[1]) for line in output.splitlines() if ": error: " in line}
+        self.assertEqual(lines, set(range(2, 2 + len(wrong))), output)
 
 
 if __name__ == "__main__":
