@@ -122,6 +122,21 @@ void checkScores(const Params& p, int count)
                        p.scores[i]));
 }
 
+//! Bounds of Params::sigmas, so that squares of their ratios are finite as float.
+constexpr float SMALLEST_SIGMA = 1e-6f, LARGEST_SIGMA = 1e6f;
+
+void checkSigmas(const Params& p, int count)
+{
+    if (count >= 0 && !p.sigmas.empty() && (int)p.sigmas.size() != count)
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("sigmas: one for each of the %d correspondences is expected, not %d", count,
+                   (int)p.sigmas.size()));
+    for (size_t i = 0; i < p.sigmas.size(); ++i)
+        if (!(p.sigmas[i] >= SMALLEST_SIGMA && p.sigmas[i] <= LARGEST_SIGMA))
+            CV_Error_(Error::StsOutOfRange, ("sigmas: numbers from %g to %g are expected, not %g",
+                                             SMALLEST_SIGMA, LARGEST_SIGMA, p.sigmas[i]));
+}
+
 void checkFinite(const char* name, const std::vector<double>& numbers, int most)
 {
     if ((int)numbers.size() > most)
@@ -179,6 +194,7 @@ void Params::check(int count) const
     visitFields(checkField);
     checkCombinations(*this);
     checkScores(*this, count);
+    checkSigmas(*this, count);
     checkInitialModel(*this);
 }
 

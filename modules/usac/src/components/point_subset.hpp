@@ -19,13 +19,13 @@ public:
     PointSubset(const Correspondences& points_, int capacity, Arena::Scope& scope)
         : points(points_), count(0), columns(), errors(scope.take<double>(capacity))
     {
-        for (int k = 0; k < points.columns(); ++k)
+        for (int k = 0; k < points.numbers(); ++k)
             columns[k] = scope.take<double>(capacity);
     }
 
     void add(int index)
     {
-        for (int k = 0; k < points.columns(); ++k)
+        for (int k = 0; k < points.numbers(); ++k)
             columns[k][count] = points.exact[k][index];
         ++count;
     }

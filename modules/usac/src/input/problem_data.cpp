@@ -90,7 +90,8 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
     pixelThreshold = params.threshold;
     if (image)
         keepImage(arena);
-    pixels = problem.toModelCoordinates(input, view.inputSize);
+    readSigmas(params, arena);
+    pixels = problem.toModelCoordinates(input, view.inputSize) / view.meanSigma;
     inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
     shuffle(params, arena);
     scale(params, arena);
@@ -146,6 +147,25 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
             for (int i = 0; i < count; ++i)
                 input[k][i] = from[(size_t)i * view.coordinates[array] + c];
         }
+}
+
+//! Stores the factors of the errors that follow from Params::sigmas, if there are any. With their
+//! mean as unit, the threshold of a problem with errors of d dimensions encloses the same volume,
+//! averaged over the matches, as with equal sigmas; Problem::randomInlierRatio then holds as it is.
+void ProblemData::readSigmas(const Params& params, Arena& arena)
+{
+    view.meanSigma = 1;
+    view.weighted = !params.sigmas.empty();
+    if (!view.weighted || view.inputSize == 0)
+        return;
+    const int degrees = view.problem->errorDimension(), count = view.inputSize;
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+        sum += std::pow((double)params.sigmas[i], degrees);
+    view.meanSigma = std::pow(sum / count, 1. / degrees);
+    double* const factors = input[view.columns()] = arena.take<double>(count);
+    for (int i = 0; i < count; ++i)
+        factors[i] = view.meanSigma / params.sigmas[i];
 }
 
 void ProblemData::keepImage(Arena& arena)
@@ -224,7 +244,7 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
         std::swap(indices[i], indices[rng.uniform(i + 1)]);
 
     const int padded = alignSize(std::max(size, 1), 16);
-    for (int k = 0; k < columns; ++k)
+    for (int k = 0; k < view.numbers(); ++k)
     {
         double* const shuffled = doubles[k] = arena.take<double>(padded);
         floats[k] = arena.take<float>(padded);
@@ -287,6 +307,8 @@ void ProblemData::scale(const Params& params, Arena& arena)
         view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
+    if (view.weighted)
+        scaleColumn(columns, 0, 1);
     view.unit = view.frame[1].scale / pixels;
     view.threshold = std::min(
         std::max(inputThreshold * params.reach * view.frame[1].scale, SMALLEST_THRESHOLD),
@@ -367,7 +389,7 @@ void ProblemData::errors(const Residual& residual, const Model& model, bool imag
                          double* errors) const
 {
     const double* columns[MAX_COLUMNS];
-    std::copy(input, input + view.columns(), columns);
+    std::copy(input, input + view.numbers(), columns);
     if (image)
         std::copy(seen, seen + view.coordinates[1], columns + view.coordinates[0]);
     residual.squaredErrors(model, columns, view.inputSize, errors);

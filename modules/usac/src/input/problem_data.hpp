@@ -83,6 +83,7 @@ private:
     int independentInliers(const uchar* mask, Arena& arena) const;
     void setSearchThreshold(double threshold) { view.threshold = part.threshold = threshold; }
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
+    void readSigmas(const Params& params, Arena& arena);
     bool finiteRow(int row) const;
     void scale(const Params& params, Arena& arena);
     void scaleColumn(int k, double shift, double factor);
@@ -93,9 +94,9 @@ private:
     Correspondences view, part;
     double givenThreshold[3];  //!< view.threshold, inputThreshold and pixelThreshold before the run
     double givenReach, currentReach;
-    double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
-    double pixelThreshold;         //!< the same in pixels
-    double pixels;                 //!< number of pixels per unit of `input`
+    double inputThreshold;  //!< threshold of the mask in the coordinates of `input`
+    double pixelThreshold;  //!< the same in pixels
+    double pixels;  //!< number of pixels (or of Correspondences::meanSigma) per unit of `input`
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];

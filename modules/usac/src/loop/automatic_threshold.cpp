@@ -177,6 +177,16 @@ bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& m
         return false;
     }
     model = state.best;
+    if (noise.threshold > widest / UNKNOWN)
+    {
+        const Model better = polished(context, model);
+        const InlierNoise narrower = roughNoise(context, better, widest, SOME, true);
+        if (narrower.sigma > 0 && narrower.threshold <= widest / UNKNOWN)
+        {
+            model = better;
+            noise = narrower;
+        }
+    }
     const bool core = noise.threshold > widest / UNKNOWN && findCore(given, points, noise, model);
     const double limit = core ? widest / UNKNOWN : widest;
     setThreshold(data, core ? limit : searchThreshold(noise));

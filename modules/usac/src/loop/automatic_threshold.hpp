@@ -22,10 +22,10 @@ The threshold that the caller has given is the widest threshold that is consider
    scale of the noise. The best model is polished, and its errors give the first threshold. If no
    model is better than chance, the first threshold is a third of the widest threshold.
 2. findCore(): a model between two motions, or between two planes, explains both of them with wide
-   noise. Therefore, if the threshold is more than a third of the widest one, samples of the inliers
-   are drawn to find a model of a core: it explains half of the inliers within a third of the widest
-   threshold. If there is such a model, and errorsGoOn() finds no more errors beyond this threshold,
-   the search begins with this model and threshold.
+   noise. Therefore, if the threshold is more than a third of the widest one, also after polishing,
+   samples of the inliers are drawn to find a model of a core: it explains half of the inliers
+   within a third of the widest threshold. If there is such a model, and errorsGoOn() finds no more
+errors beyond this threshold, the search begins with this model and threshold.
 3. The search begins with the model and the threshold of steps 1 and 2. Its threshold is wider than
    that of the mask by two standard deviations of the estimate, because with few inliers, models
    that fit some of them by chance would make the threshold too narrow.

@@ -8,6 +8,7 @@
 #include "neighborhood/neighborhood.hpp"
 #include "polishing/polishing.hpp"
 #include "ordering/ordering.hpp"
+#include "residual/weighted_residual.hpp"
 #include "samplers/samplers.hpp"
 #include "scoring/scores.hpp"
 #include "termination/termination.hpp"
@@ -122,7 +123,7 @@ Ptr<Polisher> createPolisher(int type)
 Components createComponents(const Problem& problem, const Params& params)
 {
     Components parts;
-    parts.residual = problem.createResidual(params.residual);
+    parts.residual = weightedResidual(problem.createResidual(params.residual), problem, params);
     parts.minimalSolver = problem.createMinimalSolver();
     parts.score = createScore(params, problem);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)

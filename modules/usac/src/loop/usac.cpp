@@ -8,6 +8,7 @@
 #include "loop/factory.hpp"
 #include "loop/given_models.hpp"
 #include "problems/registry.hpp"
+#include "residual/weighted_residual.hpp"
 #include "input/problem_data.hpp"
 #include "loop/ransac.hpp"
 #include "loop/reach.hpp"
@@ -153,7 +154,7 @@ private:
             fitted = parts.residual;
         }
         if (parts.residual != rated)
-            seeImage(parts.residual);
+            seeImage(rated = parts.residual);
         arena.clear();
     }
 
@@ -281,8 +282,9 @@ private:
     //! use it instead of the residual of the search.
     void seeImage(const Ptr<Residual>& residual)
     {
-        rated = residual;
-        imageResidual = keepsImage ? problem->createImageResidual(residual) : Ptr<Residual>();
+        imageResidual = keepsImage ? weightedResidual(problem->createImageResidual(residual),
+                                                      *problem, params)
+                                   : Ptr<Residual>();
         imageFit = imageResidual ? problem->createNonMinimalSolver(imageResidual)
                                  : Ptr<NonMinimalSolver>();
     }

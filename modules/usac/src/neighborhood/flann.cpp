@@ -184,7 +184,8 @@ private:
             return true;
         if (context.stopBefore(size * BUILD_WORK))
             return false;
-        const double unit2 = p.unit, unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
+        const double unit2 = p.unit / p.meanSigma,
+                     unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
         const double LARGEST = 1e18;  // its square fits into a float
         const int first = p.problem->commonUnit() || p.coordinates[1] == 0 ? 0 : p.coordinates[0];
         columns = p.columns() - first;

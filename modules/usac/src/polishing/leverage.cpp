@@ -264,7 +264,7 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
         derivative[Residual::MAX_COMPONENTS * ENTRIES];
     for (int k = 0; k < points.count; ++k)
     {
-        for (int c = 0; c < p.columns(); ++c)
+        for (int c = 0; c < p.numbers(); ++c)
             datum[c] = p.exact[c][points.indices[k]];
         parts.residual->linearize(model, datum, error, derivative);
         result[k] = inverse.lazyProduct(Eigen::Map<const Row>(derivative)).squaredNorm();

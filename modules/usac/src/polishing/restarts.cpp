@@ -215,7 +215,7 @@ double Restarts::lossOf(const Model& model, int size) const
     for (int k = 0; k < size; ++k)
     {
         const double* column[MAX_COLUMNS];
-        for (int c = 0; c < context.points.columns(); ++c)
+        for (int c = 0; c < context.points.numbers(); ++c)
             column[c] = context.points.exact[c] + members[k];
         double error;
         parts.residual->squaredErrors(model, column, 1, &error);

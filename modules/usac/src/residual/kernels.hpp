@@ -47,8 +47,8 @@ typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* mode
                            double (*sums)[SUMS_LANES]);
 
 /** The loops over points that the module compiles from the formula of an error, once for each
-instruction set. All versions return the same bits: they sum in the same lanes and order, and no
-multiplication is contracted with an addition. */
+instruction set. Entries may be null. All versions return the same bits: they sum in the same lanes
+and order, and no multiplication is contracted with an addition. */
 struct ResidualKernels
 {
     ErrorKernel errors;   //!< squared errors

@@ -11,15 +11,17 @@ namespace usacv20 {
 PointChunks::PointChunks(const Correspondences& points, const int* indices, int count,
                          const double* weights, Arena* arena)
     : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK), columns(points.columns()),
-      scope(arena ? *arena : own), rows(few)
+      stride(columns + (points.weighted ? 3 : 1)), scope(arena ? *arena : own), rows(few)
 {
     CV_DbgAssert(count > 0);
-    if (chunks * (columns + 1) > LOCAL_ROWS)
-        rows = scope.take<Row>((size_t)chunks * (columns + 1));
+    if (chunks * stride > LOCAL_ROWS)
+        rows = scope.take<Row>((size_t)chunks * stride);
     if (columns == TWO_VIEW_ROWS - 1)
         gather(points, indices, weights, std::integral_constant<int, TWO_VIEW_ROWS - 1>());
     else
         gather(points, indices, weights, columns);
+    if (points.weighted)
+        weigh(points.exact[columns], indices);
 }
 
 //! @param width number of columns; a std::integral_constant for two views, so that the compiler
@@ -30,7 +32,7 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
 {
     for (int c = 0; c < chunks; ++c)
     {
-        Row* const chunk = rows + c * (width + 1);
+        Row* const chunk = rows + c * stride;
         const int first = c * SUMS_CHUNK, here = std::min(size - first, SUMS_CHUNK);
         for (int k = 0; k < here; ++k)
         {
@@ -45,14 +47,34 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
     }
 }
 
+//! Replaces the weights by their products with the squared factors, and keeps factors and weights.
+void PointChunks::weigh(const double* factors, const int* indices)
+{
+    for (int c = 0; c < chunks; ++c)
+    {
+        double(*const weights)[SUMS_CHUNK] = rows + c * stride + columns;
+        const int first = c * SUMS_CHUNK, here = std::min(size - first, SUMS_CHUNK);
+        for (int k = 0; k < here; ++k)
+        {
+            const double factor = factors[indices[first + k]];
+            weights[1][k] = factor;
+            weights[2][k] = weights[0][k];
+            weights[0][k] *= factor * factor;
+        }
+    }
+}
+
 bool PointChunks::get(int index, double* datum, double& weight) const
 {
     if (index >= size)
         return false;
-    const Row* const chunk = rows + index / SUMS_CHUNK * (columns + 1);
-    for (int k = 0; k < columns; ++k)
-        datum[k] = chunk[k][index % SUMS_CHUNK];
-    weight = chunk[columns][index % SUMS_CHUNK];
+    const Row* const chunk = rows + index / SUMS_CHUNK * stride;
+    const int k = index % SUMS_CHUNK;
+    for (int column = 0; column < columns; ++column)
+        datum[column] = chunk[column][k];
+    if (stride > columns + 1)
+        datum[columns] = chunk[columns + 1][k];
+    weight = chunk[stride - 1][k];
     return true;
 }
 
@@ -63,7 +85,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, double*
     std::memcpy(lanes, zeros,
                 count * sizeof(lanes[0]));  // std::fill would compile to a slow instruction
     for (int c = 0; c < chunks; ++c)
-        kernel(rows + c * (columns + 1), model, lanes);
+        kernel(rows + c * stride, model, lanes);
     for (int i = 0; i < count; ++i)
     {
         double* l = lanes[i];

@@ -23,11 +23,12 @@ public:
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! Computes the first `count` sums of a kernel over all chunks.
+    //! Computes the first `count` sums of a kernel over all chunks. The factor of an error
+    //! (Correspondences::numbers) is part of the weight.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
-    //! Gets a point, at most #MAX_COLUMNS numbers, and its weight. @return false if `index` is
-    //! beyond the last point
+    //! Gets a point, Correspondences::numbers() numbers, and its weight. @return false if `index`
+    //! is beyond the last point
     bool get(int index, double* datum, double& weight) const;
 
 private:
@@ -37,11 +38,14 @@ private:
     template <class Width>
     void gather(const Correspondences& points, const int* indices, const double* weights,
                 Width width);
+    void weigh(const double* factors, const int* indices);
 
     const int size, chunks, columns;
-    Arena own;  //!< used if no arena was given
+    const int stride;  //!< rows of a chunk
+    Arena own;         //!< used if no arena was given
     Arena::Scope scope;
-    Row* rows;            //!< columns and weights of each chunk
+    Row* rows;  //!< each chunk: columns and weights; if there are factors, these and the weights
+                //!< without them, too
     Row few[LOCAL_ROWS];  //!< memory of `rows` if there are only a few points
 
     PointChunks(const PointChunks&);

@@ -14,6 +14,12 @@ namespace {
 //! Minimum number of wrong matches that are made with each point of array 1.
 constexpr int PARTNERS = 4;
 
+//! First column of array 2, or the last column of the only array.
+int firstOfPartner(const Correspondences& p)
+{
+    return p.coordinates[1] ? p.coordinates[0] : p.columns() - 1;
+}
+
 /** Makes wrong matches: pairs points of array 1 with points of other matches in array 2. T is float
 for built-in residuals and double for a custom residual. A custom residual may depend on the
 Correspondences of the run; therefore only columns are passed to it. */
@@ -23,10 +29,9 @@ class WrongPairs
 public:
     WrongPairs(const Residual& residual_, const Model& model_, const Correspondences& points_,
                const T* const* from, int count, double threshold, Arena::Scope& scope)
-        : residual(residual_), model(model_), points(points_), columns(points.columns()),
-          firstMoved(points.coordinates[1] ? points.coordinates[0] : columns - 1),
-          limit((T)(threshold * threshold)), size(count), stride(2 * count),
-          memory(scope.take<T>((columns + 1) * (size_t)stride))
+        : residual(residual_), model(model_), points(points_), columns(points.numbers()),
+          firstMoved(firstOfPartner(points)), limit((T)(threshold * threshold)), size(count),
+          stride(2 * count), memory(scope.take<T>((columns + 1) * (size_t)stride))
     {
         for (int k = 0; k < columns; ++k)
             std::copy(from[k], from[k] + count, row(k));
@@ -148,7 +153,7 @@ int wrongErrors(const Residual& residual, const Model& model, const Corresponden
 {
     Arena::Scope scope(arena);
     const bool custom = !residual.kernels();
-    const int columns = p.columns(), firstMoved = p.coordinates[1] ? p.coordinates[0] : columns - 1;
+    const int columns = p.numbers(), firstMoved = firstOfPartner(p);
     double* const exact = custom ? scope.take<double>(count) : 0;
     int done = 0;
     for (int partner = 1; partner <= WRONG_PARTNERS && partner < count; ++partner)

@@ -158,7 +158,7 @@ double degreesAt(const Context& context, const Model& model, int point, double s
     const Correspondences& p = context.points;
     const Residual& residual = *context.components.residual;
     double datum[MAX_COLUMNS], sides[2][Residual::MAX_COMPONENTS];
-    for (int c = 0; c < p.columns(); ++c)
+    for (int c = 0; c < p.numbers(); ++c)
         datum[c] = p.exact[c][point];
     Eigen::Matrix<double, Residual::MAX_COMPONENTS, MAX_COLUMNS> change;
     change.setZero();

@@ -171,7 +171,7 @@ double ModelCovariance::chanceDensity() const
 void ModelCovariance::linearize(int point, double* rows)
 {
     double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], derivative[MAX_DERIVATIVE];
-    for (int c = 0; c < points.columns(); ++c)
+    for (int c = 0; c < points.numbers(); ++c)
         datum[c] = points.exact[c][point];
     components = residual.linearize(here, datum, error, derivative);
     Eigen::Map<Rows>(rows, components, dimension) = Eigen::Map<const Rows>(derivative, components,
@@ -275,7 +275,7 @@ bool ModelCovariance::noiseInformation(Square& N)
     for (int i = 0; i < most; ++i)
         for (int c = 0; c < points.columns(); ++c)
         {
-            for (int k = 0; k < points.columns(); ++k)
+            for (int k = 0; k < points.numbers(); ++k)
                 datum[k] = points.exact[k][members[i]];
             datum[c] -= step;
             residual.linearize(here, datum, error, sides[0]);
@@ -284,7 +284,8 @@ bool ModelCovariance::noiseInformation(Square& N)
             const Eigen::Map<const FewRows> before(sides[0], components, here.size()),
                 after(sides[1], components, here.size());
             const FewRows change = (after - before) / (2 * step) * tangent * scale.asDiagonal();
-            N += shares[i] * change.transpose() * change;
+            const double factor = points.weighted ? datum[points.columns()] : 1;
+            N += shares[i] / (factor * factor) * change.transpose() * change;
         }
     N *= noise * noise * count / most;
     return Eigen::LLT<Square>(NOISE_SHARE * information - N).info() == Eigen::Success;

@@ -113,6 +113,8 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
                    (int)points1.size(), (int)points2.size()));
     checkTaken(pair.taken1, "taken1");
     checkTaken(pair.taken2, "taken2");
+    if (!params.sigmas.empty())
+        CV_Error(Error::StsBadArg, "sigmas: two-view geometry compares errors in pixels");
     if (scores.empty())
         scores = params.scores;
     if (!scores.empty() && scores.size() != points1.size())

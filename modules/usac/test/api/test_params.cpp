@@ -202,9 +202,10 @@ struct Changer
                                                  : 0;
         params.*member = (2 * values.initial + end) / 3;  // usually an infinite binary fraction
     }
-    void operator()(const char*, std::vector<float> Params::*member, const FieldValues&)
+    void operator()(const char*, std::vector<float> Params::*member, const FieldValues& values)
     {
-        params.*member = {0.1f, -1e-20f, 3e20f};
+        const bool positive = values.kind == FIELD_SIGMAS;
+        params.*member = {0.1f, positive ? 2e-6f : -1e-20f, positive ? 3e5f : 3e20f};
     }
     void operator()(const char*, std::vector<double> Params::*member, const FieldValues&)
     {

@@ -119,6 +119,8 @@ FieldValues documentedValues(const std::string& comment, const Enumerations& enu
     }
     else if (comment.find("or none;") != std::string::npos)
         result = FieldValues::scores();
+    else if (comment.find("or no sigmas;") != std::string::npos)
+        result = FieldValues::sigmas();
     else if (comment.find("or no model;") != std::string::npos)
         result = FieldValues::model();
     else if (comment.find("or no covariance;") != std::string::npos)

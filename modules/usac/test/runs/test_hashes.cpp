@@ -111,14 +111,14 @@ std::string kernelsInUse()
 std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = allPresets(problem);
-    const char* names[] = {"scores",     "seed", "knn",       "radius",    "napsac",
-                           "importance", "tdd",  "symmetric", "unpolished"};
-    for (int i = 0; i < 9; ++i)
+    const char* names[] = {"scores",     "seed", "knn",       "radius",     "napsac",
+                           "importance", "tdd",  "symmetric", "unpolished", "sigmas"};
+    for (int i = 0; i < 10; ++i)
     {
         const NamedPreset preset = {names[i], Params()};
         all.push_back(preset);
     }
-    NamedPreset* other = &all[all.size() - 9];
+    NamedPreset* other = &all[all.size() - 10];
     other[0].params.scores = scores;
     other[1].params.seed = 1;
     other[2].params.neighborhood = NEIGHBORHOOD_KNN;
@@ -132,6 +132,8 @@ std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<flo
     other[6].params.verification = VERIFICATION_TDD;
     other[7].params.residual = RESIDUAL_SYMMETRIC;
     other[8].params.polishing = POLISHING_NONE;
+    for (size_t i = 0; i < scores.size(); ++i)
+        other[9].params.sigmas.push_back(1 + 0.5f * (i % 4));
     return all;
 }
 

@@ -25,7 +25,7 @@ enum {
     MAX_SAMPLE_SIZE = 8,  //!< maximum number of points in a minimal sample
     MAX_MODELS = 10,      //!< maximum number of models from one minimal sample
     MAX_MODEL_SIZE = 12,  //!< maximum number of entries of a model
-    MAX_COLUMNS = 6       //!< maximum number of coordinates in a datum (one correspondence)
+    MAX_COLUMNS = 7       //!< maximum number of numbers in a datum (one correspondence)
 };
 //! Columns of Correspondences for problems of two views.
 enum TwoViewColumn {
@@ -104,22 +104,38 @@ coordinates[1] from the second. Each of these numbers has a column of `size` ele
 #X2, #Y2 for two views. For H and F, the points of each image are translated and scaled to about
 unit size (for F with the same scale in both images, so that errors are scaled by this factor, too).
 For E, they are on the normalized image plane. The order is pseudo-random and fixed, so that any
-consecutive points are a random sample. */
+consecutive points are a random sample.
+
+If there are Params::sigmas, another column follows, with the factor by which the residual
+multiplies the error of the point: meanSigma divided by the point's own value. */
 struct Correspondences
 {
-    //! Numbers per datum.
+    //! No correspondences.
+    Correspondences()
+        : problem(0), size(0), inputSize(0), coordinates(), weighted(false), meanSigma(1), column(),
+          exact(), inputIndex(0), scores(0), unit(1), threshold(0), lower(), upper()
+    {}
+
+    //! Coordinates per datum.
     int columns() const { return coordinates[0] + coordinates[1]; }
+    //! Numbers per datum, as a Residual expects them: the coordinates, and the factor of the error
+    //! if there is one.
+    int numbers() const { return columns() + (weighted ? 1 : 0); }
 
     const Problem* problem;  //!< kind of model that is estimated
     int size;                //!< number of correspondences whose coordinates are all finite
     int inputSize;           //!< number of rows in the caller's arrays
     int coordinates[2];      //!< numbers per point in each array; 0: there is no second array
+    bool weighted;           //!< true if there are Params::sigmas
+    //! Mean of Params::sigmas, (sum s^d / N)^(1/d) with d = Problem::errorDimension(); 1: there are
+    //! none.
+    double meanSigma;
     const float* column[MAX_COLUMNS];  //!< single precision for scoring, 64-byte aligned
     const double* exact[MAX_COLUMNS];  //!< double precision for solvers and fits
     const int* inputIndex;             //!< row of each point in the caller's arrays
     const float*
         scores;   //!< Params::scores in the order of the points, lower is better; null: no scores
-    double unit;  //!< length of one unit of Params::threshold (mostly a pixel) in the columns of
+    double unit;  //!< length of one unit of Params::threshold (meanSigma pixels) in the columns of
                   //!< array 2
     double threshold;  //!< Params::threshold times Params::reach, in the same coordinates, not
                        //!< squared

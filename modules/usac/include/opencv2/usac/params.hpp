@@ -106,12 +106,11 @@ enum ThresholdType {
 enum SamplerType {
     SAMPLER_UNIFORM = 0,  //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
-    //! P-NAPSAC: a point of PROSAC's set and other points from its growing neighborhood
+    //! P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
     //! @cite barath2019progressive. One in four of the non-uniform samples (Params::orderedEvery)
-    //! is drawn in this way, or one in two if the points are ordered by density; the others are
-    //! drawn as in PROSAC. The paper draws all samples in this way until the neighborhood contains
-    //! all points. The size of a neighborhood doubles when its point is chosen again; in the paper
-    //! it grows like PROSAC's set.
+    //! is drawn so, or one in two if the points are ordered by density, the others as in PROSAC;
+    //! the paper draws all so until the neighborhood contains all points. A neighborhood doubles
+    //! when its point is chosen again; in the paper it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC = 3,     //!< any point and its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
@@ -281,10 +280,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Score of each correspondence, N values or none; samplers use them to prefer points, and with
     //! `runnersUp` they choose between models of nearly equal cost. Default none.
     CV_PROP_RW std::vector<float> scores;
-    /** Entries, row by row, of an initial model as the estimator returns it (for example that of
-    the previous frame), or no model; see setInitialModel(). It is scored and optimized before the
-    first sample, like a model of a sample; a better one replaces it. A wrong number of entries
-    raises a cv::Exception. It saves time if `maxIterations` is small. Default none. */
+    /** Relative standard deviation of the error of each correspondence, such as the scale of its
+    key point; N values from 1e-6 to 1e6, or no sigmas; errors are divided by it in score, fits,
+    mask and covariance: `threshold`, Report::threshold, Report::sigma and Usac::errors are in this
+    unit. A replaced residual must do so itself (Correspondences). Default none: all are 1. */
+    CV_PROP_RW std::vector<float> sigmas;
+    /** Entries, row by row, of an initial model as the estimator returns it (such as that of the
+    previous frame), or no model; see setInitialModel(). It is scored and optimized before the first
+    sample, like a model of a sample. It saves time if `maxIterations` is small. Default none. */
     CV_PROP_RW std::vector<double> initialModel;
     /** Entries, row by row, of the covariance of `initialModel`, or no covariance; d x d, symmetric
     and positive definite, for the parameters of Report::covariance. With it, the initial model is a
@@ -402,8 +405,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     pixels. Preset of UsacV20Method::USACV20_AUTO. */
     CV_WRAP static Params automatic();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares
-    @cite fischler1981random. The number of samples, which that paper derives from a known inlier
-    ratio, follows from the inlier ratio of the best model so far, as has become customary. */
+    @cite fischler1981random. The number of samples follows from the inlier ratio of the best model
+    so far, as has become customary; that paper derives it from a known inlier ratio. */
     CV_WRAP static Params ransac();
     /** @brief MSAC: like ransac(), with truncated squared errors @cite torr2000mlesac. */
     CV_WRAP static Params msac();
@@ -422,14 +425,13 @@ struct CV_EXPORTS_W_SIMPLE Params
     @cite chum2003locally, each followed by four fits with a shrinking threshold. As in all
     presets, fits minimize the geometric error, not the algebraic one. */
     CV_WRAP static Params loRansac();
-    /** @brief FLO-RANSAC: like msac(), but each new best model is refined by inner samples and fits
-    of bounded size @cite lebeda2012fixing. There are four inner samples, which is faster than the
-    paper's number; fits minimize the geometric error. */
+    /** @brief FLO-RANSAC: like msac(), but each new best model is refined by inner samples (four,
+    fewer than in the paper) and fits of bounded size @cite lebeda2012fixing. */
     CV_WRAP static Params floRansac();
     /** @brief GC-RANSAC: like msac(), but each new best model is refined alternately by graph cuts
     and by inner samples of seven times the minimal size, as long as it improves, at most ten times
-    @cite barath2018graph; neighbors are the points within 20 pixels. Every new best model is
-    refined; the paper waits until enough samples have been drawn for the refinement to pay off. */
+    @cite barath2018graph; neighbors are the points within 20 pixels. The paper waits with the
+    refinement until enough samples have been drawn for it to pay off. */
     CV_WRAP static Params gcRansac();
     /** @brief USAC of 2013: PROSAC samples of sorted points (`orderedEvery` 1: all of them), SPRT,
     LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC
@@ -441,13 +443,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     `threshold` divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of
     freedom as a match has constraints, one for F and E and two for H; the paper uses four, the
     number of coordinates of a match. The fit divides the range of the noise scale into five parts.
-    If the data show more noise, the range grows (`widestReach`); the paper uses a very large upper
-    bound instead. */
+    If the data show more noise, the range grows (`widestReach`); the paper has a large bound. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits
-    (sigma-consensus++) @cite barath2020magsac. Preset of UsacV20Method::USACV20_MAGSAC. The range
-    of the noise scale is chosen as in magsac(), and so are the degrees of freedom. Termination,
-    runners-up and tests for degeneracy are those of usacV20(). */
+    (sigma-consensus++) @cite barath2020magsac. Preset of UsacV20Method::USACV20_MAGSAC. Noise scale
+    and degrees of freedom as in magsac(); termination, runners-up, degeneracy as in usacV20(). */
     CV_WRAP static Params magsacPlusPlus();
     //! The preset of a flag; an invalid value (from a cast) raises cv::Exception.
     static Params fromMethod(UsacV20Method method);

@@ -26,6 +26,7 @@ enum FieldKind {
     FIELD_PIXELS,       //!< a positive and finite number of pixels
     FIELD_PROBABILITY,  //!< a number in the open interval (0, 1)
     FIELD_SCORES,       //!< one number for each correspondence
+    FIELD_SIGMAS,       //!< one positive number for each correspondence
     FIELD_MODEL,        //!< the numbers of a model
     FIELD_COVARIANCE    //!< the numbers of the covariance of a model
 };
@@ -69,6 +70,8 @@ struct FieldValues
     static FieldValues probability(double initial) { return of(FIELD_PROBABILITY, initial, 0, 1); }
     //! Scores of the matches.
     static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
+    //! Standard deviations of the matches.
+    static FieldValues sigmas() { return of(FIELD_SIGMAS, 0, 0, 0); }
     //! The initial model.
     static FieldValues model() { return of(FIELD_MODEL, 0, 0, 0); }
     //! The covariance of the initial model.
@@ -104,6 +107,7 @@ void visitFields(Visitor& visit)
           V::option(SAMPLER_P_NAPSAC, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE));
     visit("ordering", &Params::ordering, V::option(ORDERING_AUTO, ORDERING_AUTO, ORDERING_NONE));
     visit("scores", &Params::scores, V::scores());
+    visit("sigmas", &Params::sigmas, V::sigmas());
     visit("initialModel", &Params::initialModel, V::model());
     visit("initialCovariance", &Params::initialCovariance, V::covariance());
     visit("scoreOrder", &Params::scoreOrder,

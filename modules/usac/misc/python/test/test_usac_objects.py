@@ -67,7 +67,7 @@ class ParamsTest(unittest.TestCase):
         default = native.Params()
         names = {name for name in dir(default) if name[0] != "_" and not callable(getattr(default, name))}
         self.assertEqual(set(fields(usac.Params())), names)
-        for name in names - {"scores", "initialModel", "initialCovariance"}:
+        for name in names - {"scores", "sigmas", "initialModel", "initialCovariance"}:
             self.assertEqual(getattr(usac.Params(), name), getattr(default, name), name)
 
     def test_construction_by_names(self):

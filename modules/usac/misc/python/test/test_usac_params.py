@@ -21,9 +21,9 @@ class ParamsTest(unittest.TestCase):
         self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "ordering", "scores",
                               "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence",
                               "degeneracy", "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach",
-                              "significance", "covariance", "initialModel", "initialCovariance"}, set(fields(params)))
+                              "significance", "covariance", "sigmas", "initialModel", "initialCovariance"}, set(fields(params)))
         for name in fields(params):
-            if name in ("scores", "initialModel", "initialCovariance"):
+            if name in ("scores", "sigmas", "initialModel", "initialCovariance"):
                 continue
             value = getattr(params, name) + (0.25 if isinstance(getattr(params, name), float) else 1)
             setattr(params, name, value)
@@ -44,6 +44,18 @@ class ParamsTest(unittest.TestCase):
             np.testing.assert_array_equal(params.scores, [3, 1, 2])
         for wrong in ("text", 3, np.zeros((3, 2))):
             self.assertRaises((TypeError, usac.error), setattr, params, "scores", wrong)
+
+    def test_sigmas(self):
+        params = usac.Params(threshold=3, sigmas=np.where(np.arange(len(PLANE.points1)) % 2, 4, 1))
+        model, mask, report = usac.estimateHomography(PLANE.points1, PLANE.points2, params)
+        mapped = np.c_[PLANE.points1, np.ones(len(PLANE.points1))] @ model.T
+        errors = np.linalg.norm(mapped[:, :2] / mapped[:, 2:] - PLANE.points2, axis=1) / params.sigmas
+        np.testing.assert_array_equal(mask.ravel() != 0, errors <= 3)
+        self.assertEqual(report.threshold, 3)
+        for wrong in ([1], np.zeros(len(PLANE.points1))):
+            params.sigmas = wrong
+            with self.assertRaisesRegex(usac.error, "sigmas"):
+                usac.estimateHomography(PLANE.points1, PLANE.points2, params)
 
     def test_scores_reach_the_estimator(self):
         good = PLANE.inliers.astype(np.float32)

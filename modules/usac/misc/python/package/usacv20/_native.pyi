@@ -32,6 +32,7 @@ class Params(metaclass=_Class):
     sampler: int
     ordering: int
     scores: npt.NDArray[np.float32]
+    sigmas: npt.NDArray[np.float32]
     initialModel: npt.NDArray[np.float64]
     initialCovariance: npt.NDArray[np.float64]
     scoreOrder: int

@@ -61,7 +61,7 @@ class Params:
     shows the fields that differ from the default. Pixels are those of image 2; for motions of space
     read: the unit of the points of space 2."""
 
-    __slots__ = ("_native", "_scores", "_initialModel", "_initialCovariance", "_filled", "_fixed")
+    __slots__ = ("_native", "_scores", "_sigmas", "_initialModel", "_initialCovariance", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as of all that can change
 
     _native: Any
@@ -87,6 +87,9 @@ class Params:
     scores = Scores(np.float32, """Score of each correspondence, an array of N float32, or of none. Any list of numbers
         can be written, N, N x 1 or 1 x N; it is copied, and what is written to the elements of the array counts. NaN is
         the worst score; SAMPLER_IMPORTANCE, which takes them as probabilities, refuses it. Default none.""")
+    sigmas = Scores(np.float32, """Relative standard deviation of the error of each correspondence, such as the scale of its
+        key point; N numbers, 1e-6..1e6, or none. Errors are divided by it in score, fits, mask and covariance: threshold,
+        Report.threshold, Report.sigma and Usac.errors are in this unit. Default none: all are 1.""")
     initialModel = Numbers(np.float64, """A model to begin with, that of the frame before, say: its numbers row by row,
         an array of float64, or of none; see setInitialModel(). It is rated and optimized before the first sample, as if
         it came from one. Default none.""")
@@ -143,8 +146,8 @@ class Params:
                  threshold: Optional[float] = None, thresholdType: _Name = None, confidence: Optional[float] = None,
                  maxIterations: Optional[int] = None, maxTime: Optional[float] = None, seed: Optional[int] = None, threads: Optional[int] = None,
                  sampler: _Name = None, ordering: _Name = None, scores: Optional[npt.ArrayLike] = None,
-                 initialModel: Optional[npt.ArrayLike] = None, initialCovariance: Optional[npt.ArrayLike] = None,
-                 scoreOrder: _Name = None,
+                 sigmas: Optional[npt.ArrayLike] = None, initialModel: Optional[npt.ArrayLike] = None,
+                 initialCovariance: Optional[npt.ArrayLike] = None, scoreOrder: _Name = None,
                  neighborhood: _Name = None, neighbors: Optional[int] = None,
                  neighborRadius: Optional[float] = None, residual: _Name = None, quality: _Name = None,
                  reach: Optional[float] = None, widestReach: Optional[float] = None, verification: _Name = None,
@@ -166,6 +169,7 @@ class Params:
         self._native = options
         self._filled = False
         self.scores = None
+        self.sigmas = None
         self.initialModel = None
         self.initialCovariance = None
 
@@ -191,6 +195,7 @@ class Params:
     def _fix(self: P) -> P:
         """Makes all fields read-only."""
         self.scores.setflags(write=False)
+        self.sigmas.setflags(write=False)
         self.initialModel.setflags(write=False)
         self.initialCovariance.setflags(write=False)
         self._fixed = True
@@ -216,10 +221,10 @@ class Params:
         """Returns the options in the form of the compiled part, with the current contents of the
         arrays, which a program may have changed in place."""
         options = self._native
-        arrays = self.scores, self.initialModel, self.initialCovariance
+        arrays = self.scores, self.sigmas, self.initialModel, self.initialCovariance
         filled = any(array.size for array in arrays)
         if self._filled or filled:
-            options.scores, options.initialModel, options.initialCovariance = arrays
+            options.scores, options.sigmas, options.initialModel, options.initialCovariance = arrays
             self._filled = filled
         return options
 
