@@ -23,7 +23,7 @@ const double QUANTILES[] = {3.8415, 5.9915, 7.8147, 9.4877, 11.0705, 12.5916, 14
 
 Calibration::Calibration()
     : scenes(0), none(0), wrong(0), unknown(0), determined(0), within(0), estimated(0), sum(0),
-      sigmas(0)
+      sigmas(0), compared(0), logs()
 {}
 
 void Calibration::add(const SceneCell& cell, int seed, const Params& params, double widening)
@@ -41,6 +41,8 @@ void Calibration::add(const SceneCell& cell, int seed, const Params& params, dou
         ++wrong;
         return;
     }
+    if (cell.spread != 1)
+        compare(scene, error, params, widening);
     const Report& report = scene.report();
     if (report.sigma > 0)
     {
@@ -59,6 +61,17 @@ void Calibration::add(const SceneCell& cell, int seed, const Params& params, dou
     within += square <= QUANTILES[d - 1];
 }
 
+void Calibration::compare(const KnownScene& scene, double error, const Params& params,
+                          double widening)
+{
+    const double without = scene.errorWithoutSigmas(params, widening), fit = scene.errorOfFit();
+    if (!(without <= WRONG * 1e3 && fit > 0))
+        return;
+    logs[0] += std::log(error / fit);
+    logs[1] += std::log(without / fit);
+    ++compared;
+}
+
 void Calibration::add(const Calibration& other)
 {
     scenes += other.scenes;
@@ -70,19 +83,29 @@ void Calibration::add(const Calibration& other)
     estimated += other.estimated;
     sum += other.sum;
     sigmas += other.sigmas;
+    compared += other.compared;
+    logs[0] += other.logs[0];
+    logs[1] += other.logs[1];
 }
 
-std::string Calibration::header()
+std::string Calibration::header(bool compared)
 {
+    const std::string more = compared ? " error | without sigmas |" : "",
+                      line = compared ? "---:|---:|" : "";
     return " scenes | no model, % | wrong, % | not determined, % | mean / d | within 95 % | noise "
-           "|\n|---|---|---:|---:|---:|---:|---:|---:|---:|";
+           "|" +
+           more + "\n|---|---|---:|---:|---:|---:|---:|---:|---:|" + line;
 }
 
 std::string Calibration::row() const
 {
     const double part = 100. / scenes;
+    const std::string more = compared ? cv::format(" %.3f | %.3f |", relativeError(),
+                                                   relativeErrorWithoutSigmas())
+                                      : std::string();
     return cv::format(" %d | %.1f | %.1f | %.1f | %.3f | %.1f | %.2f |", scenes, none * part,
-                      wrong * part, unknown * part, mean(), inside() * 100, sigma());
+                      wrong * part, unknown * part, mean(), inside() * 100, sigma()) +
+           more;
 }
 
 }  // namespace benchmark

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_BENCHMARK_CALIBRATION_HPP
 #define OPENCV_USACV20_BENCHMARK_CALIBRATION_HPP
 
+#include <cmath>
 #include <string>
 #include "known_scene.hpp"
 
@@ -27,14 +28,25 @@ public:
     double inside() const { return (double)within / determined; }
     //! Mean ratio of estimated to true noise over the scenes where the noise was estimated.
     double sigma() const { return sigmas / estimated; }
+    //! Geometric mean of the error over that of weighted least squares over the right matches; only
+    //! if SceneCell::spread is not 1, of the scenes with a model also without sigmas.
+    double relativeError() const { return std::exp(logs[0] / compared); }
+    //! The same without Params::sigmas.
+    double relativeErrorWithoutSigmas() const { return std::exp(logs[1] / compared); }
 
-    static std::string header();  //!< the header of a Markdown table after its first columns
+    static std::string header(
+        bool compared);  //!< the header of a Markdown table after its first columns
     std::string row() const;
 
 private:
+    void compare(const KnownScene& scene, double error, const cv::usacv20::Params& params,
+                 double widening);
+
     int scenes, none, wrong, unknown;
     int determined, within, estimated;
     double sum, sigmas;
+    int compared;
+    double logs[2];  //!< sums of logarithms
 };
 
 }  // namespace benchmark

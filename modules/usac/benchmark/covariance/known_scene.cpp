@@ -8,6 +8,8 @@
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "support/scenes.hpp"
 
+#include <limits>
+
 namespace benchmark {
 
 using namespace cv;
@@ -72,6 +74,8 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
         points2 = rowsOf(scene.points2, ALL);
         clean1 = rowsOf(scene.clean1, scene.truth);
         clean2 = rowsOf(scene.clean2, scene.truth);
+        inliers = scene.truth;
+        spreadNoise(rowsOf(scene.clean1, ALL), rowsOf(scene.clean2, ALL));
         K = Mat(scene.K, true);
         truth = Mat(scene.model, true);
         if (cell.problem == AFFINITY || cell.problem == SIMILARITY)
@@ -91,6 +95,8 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
         points2 = rowsOf(scene.image, ALL);
         clean1 = rowsOf(scene.object, scene.truth);
         clean2 = rowsOf(scene.clean, scene.truth);
+        inliers = scene.truth;
+        spreadNoise(points1, rowsOf(scene.clean, ALL));
         K = Mat(scene.K, true);
         truth = Mat(scene.pose, true);
         return;
@@ -106,17 +112,53 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
     points2 = rowsOf(scene.points2, ALL);
     clean1 = rowsOf(scene.points1, scene.truth);
     clean2 = rowsOf(scene.clean2, scene.truth);
+    inliers = scene.truth;
+    spreadNoise(points1, rowsOf(scene.clean2, ALL));
     truth = Mat(scene.motion, true);
+}
+
+//! Multiplies the noise of every second right match by SceneCell::spread. @param exact1, exact2 the
+//! points without noise
+void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2)
+{
+    if (cell.spread == 1)
+        return;
+    sigmas.assign(points1.rows, 1.f);
+    for (int i = 1; i < points1.rows; i += 2)
+    {
+        sigmas[i] = (float)cell.spread;
+        points1.row(i) = exact1.row(i) + cell.spread * (points1.row(i) - exact1.row(i));
+        points2.row(i) = exact2.row(i) + cell.spread * (points2.row(i) - exact2.row(i));
+    }
+}
+
+Ptr<Usac> KnownScene::create(const Params& options, double threshold) const
+{
+    Params params = options;
+    params.threshold = threshold;
+    params.covariance = 1;
+    return Usac::create(cell.problem, points1, points2, params, K);
 }
 
 bool KnownScene::run(const Params& options, double widening)
 {
     Params params = options;
-    params.threshold = cell.threshold * widening;
-    params.covariance = 1;
-    const Ptr<Usac> usac = Usac::create(cell.problem, points1, points2, params, K);
-    model = usac->run(noArray(), &learned);
+    params.sigmas = sigmas;
+    model = create(params, cell.threshold * widening)->run(noArray(), &learned);
     return !model.empty();
+}
+
+double KnownScene::errorWithoutSigmas(const Params& options, double widening) const
+{
+    return error(create(options, cell.threshold * widening * cell.spread)->run());
+}
+
+double KnownScene::errorOfFit() const
+{
+    Mat weights;
+    for (float sigma : sigmas)
+        weights.push_back(1. / (sigma * sigma));
+    return error(create(Params(), cell.threshold)->fit(weights, Mat(inliers)));
 }
 
 double KnownScene::squaredDistance() const
@@ -136,9 +178,11 @@ double KnownScene::squaredDistance() const
     return x.dot(inverse);
 }
 
-double KnownScene::error() const
+double KnownScene::error(const Mat& found) const
 {
-    const Mat errors = modelErrors(cell.problem, model, clean1, clean2, Params(), K);
+    if (found.empty())
+        return std::numeric_limits<double>::infinity();
+    const Mat errors = modelErrors(cell.problem, found, clean1, clean2, Params(), K);
     return norm(errors) / std::sqrt((double)errors.rows) / cell.threshold;
 }
 

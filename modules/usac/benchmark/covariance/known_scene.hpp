@@ -21,6 +21,8 @@ struct SceneCell
     double ratio;       //!< inlier ratio
     double noise;       //!< standard deviation of each component of the error, in thresholds
     double threshold;   //!< pixels; R, M: fraction of the object's size
+    double spread;      //!< noise of every second match, in units of that of the others; if it is
+                        //!< not 1, the estimator gets them as Params::sigmas
 };
 
 /** A synthetic scene with its true model, and an estimate that is compared with the true model. */
@@ -41,14 +43,25 @@ public:
     double squaredDistance() const;
     //! Root mean square distance of the noise-free true matches from the model, in thresholds of
     //! the cell. A large value shows that the estimated model is wrong.
-    double error() const;
+    double error() const { return error(model); }
+    //! error() of the estimator without Params::sigmas, with the threshold of the larger noise;
+    //! infinite if it finds no model.
+    double errorWithoutSigmas(const cv::usacv20::Params& options, double widening) const;
+    //! error() of least squares over the right matches, weighted by their true noise.
+    double errorOfFit() const;
 
     const cv::usacv20::Report& report() const { return learned; }
 
 private:
+    void spreadNoise(const cv::Mat& exact1, const cv::Mat& exact2);
+    cv::Ptr<cv::usacv20::Usac> create(const cv::usacv20::Params& options, double threshold) const;
+    double error(const cv::Mat& found) const;
+
     const SceneCell cell;
-    cv::Mat points1, points2;  //!< N x 2 or 3
-    cv::Mat clean1, clean2;    //!< the true matches, without noise
+    cv::Mat points1, points2;    //!< N x 2 or 3
+    cv::Mat clean1, clean2;      //!< the true matches, without noise
+    std::vector<uchar> inliers;  //!< 1 where a match is right
+    std::vector<float> sigmas;   //!< empty if all are equal
     cv::Mat K, truth, model;
     cv::usacv20::Report learned;
 };

@@ -30,6 +30,8 @@ const char
              "{ratios         |0.1,0.3,0.5,0.7,0.95| parts of right matches }"
              "{noises         |0.1,0.3,1| standard deviation of each component of the error, in "
              "thresholds }"
+             "{spread         |1| noise of every second match, in units of that of the others; if "
+             "not 1, the estimator gets it as Params::sigmas, and its error is compared }"
              "{least          |6| least number of right matches beyond a sample; cells with less, "
              "and F and E "
              "with less than 0.3 of them right, are left out }"
@@ -46,6 +48,7 @@ struct Options
     std::vector<int> sizes;
     std::vector<double> ratios, noises;
     int least, scenes, seed;
+    double spread;
     double widening;  //!< ratio of the estimator's threshold to that of the cell
     Params params;
 };
@@ -94,6 +97,7 @@ bool parse(int argc, char** argv, Options& options)
         options.sizes.push_back((int)size);
     options.ratios = numbers(parser, arguments, "ratios", 1);
     options.noises = numbers(parser, arguments, "noises", 10);
+    options.spread = numbers(parser, arguments, "spread", 1000)[0];
     options.least = integerOf(parser, "least");
     options.scenes = integerOf(parser, "scenes");
     options.seed = integerOf(parser, "seed");
@@ -130,8 +134,8 @@ std::vector<SceneCell> cellsOf(const Options& options, ProblemType problem)
                     if (!KnownScene::has(problem, shape) || (epipolar && ratio < 0.3) ||
                         cvRound(size * ratio) < sampleSizeOf(problem) + options.least)
                         continue;
-                    const SceneCell cell = {problem, shape, size,
-                                            ratio,   noise, thresholdOf(problem)};
+                    const SceneCell cell = {
+                        problem, shape, size, ratio, noise, thresholdOf(problem), options.spread};
                     cells.push_back(cell);
                 }
     return cells;
@@ -190,7 +194,8 @@ int program(int argc, char** argv)
     }
     for (const Table& table : tables)
     {
-        std::cout << "\n| problem | scenes of |" << Calibration::header() << "\n";
+        std::cout << "\n| problem | scenes of |" << Calibration::header(options.spread != 1)
+                  << "\n";
         for (const std::pair<std::string, Calibration>& row : table)
             std::cout << row.first << " |" << row.second.row() << "\n";
     }

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+# This file is part of OpenCV project.
+# It is subject to the license terms in the LICENSE file found in the top-level directory
+# of this distribution and at http://opencv.org/license.html.
+
+"""Tests of the program that measures how well covariances describe errors, and what the noise of
+each match gains.
+
+USAC_BENCHMARK is the path of the program usac_benchmark; usac_covariance is taken from the same
+folder."""
+
+import os
+import unittest
+
+from test_problems import ProgramTest, program
+
+
+@unittest.skipUnless(os.path.isfile(program("usac_covariance")), "there is no usac_covariance beside USAC_BENCHMARK")
+class CovarianceTest(ProgramTest):
+
+    def table(self, *options):
+        """Runs the program for one table; returns its rows by problem, as numbers by column."""
+        done = self.call("usac_covariance", "--sizes=100", "--ratios=0.7", "--noises=0.3", "--by=problem", *options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in done.stdout.splitlines() if line]
+        self.assertEqual({len(line) for line in lines}, {len(lines[0])})
+        return {line[0]: dict(zip(lines[0][2:], map(float, line[2:]))) for line in lines[2:]}
+
+    def test_calibration(self):
+        rows = self.table("--problems=H,P", "--scenes=200")
+        for row in rows.values():
+            self.assertEqual(row["scenes"], 200)
+            self.assertNotIn("without sigmas", row)
+            self.assertAlmostEqual(row["mean / d"], 1, delta=0.25)
+            self.assertAlmostEqual(row["noise"], 1, delta=0.05)
+
+    def test_noise_of_each_match(self):
+        rows = self.table("--problems=H,A,P,R", "--scenes=100", "--spread=5")
+        self.assertEqual(set(rows), set("HAPR"))
+        for row in rows.values():
+            self.assertLess(row["error"], 1.1)
+            self.assertGreater(row["without sigmas"], 1.5)
+            self.assertAlmostEqual(row["mean / d"], 1, delta=0.35)
+
+    def test_wrong_options(self):
+        for option in ("--spread=0", "--spread=x", "--by=color", "--preset=none", "--problems=X", "--noises=-1"):
+            done = self.call("usac_covariance", "--scenes=1", option)
+            self.assertNotEqual(done.returncode, 0, option)
+            self.assertIn(option.split("=")[0], done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
