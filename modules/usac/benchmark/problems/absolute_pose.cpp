@@ -2,13 +2,37 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "absolute_pose.hpp"
+#include "motion_kind.hpp"
 
 #include "opencv2/usac/geometry.hpp"
 #include "squared_errors.hpp"
 #include "view_files.hpp"
 
 namespace benchmark {
+
+namespace {
+
+//! P, the pose [R t] of a camera from object points and their images, x ~ R X + t. The error of the
+//! camera center is in percent of the depth of the scene.
+class AbsolutePose : public MotionKind
+{
+public:
+    AbsolutePose();
+
+    bool hasCamera2() const CV_OVERRIDE { return true; }
+    void read(const std::string& path, ImagePair& pair) const CV_OVERRIDE;
+    double modelError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
+    double modelCost(const ImagePair& pair, const cv::Mat& model,
+                     double threshold) const CV_OVERRIDE;
+    double centerError(const ImagePair& pair, const cv::Mat& model) const CV_OVERRIDE;
+
+    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
+                                         const cv::usacv20::Params& params) const CV_OVERRIDE;
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
+};
 
 AbsolutePose::AbsolutePose() : MotionKind(cv::usacv20::ABSOLUTE_POSE, 'P', 4, 1000) {}
 
@@ -85,6 +109,14 @@ void AbsolutePose::callOpenCV(const ImagePair& pair, int flag, const Settings& s
     estimate.mask = cv::Mat::zeros(pair.size(), 1, CV_8U);
     for (int inlier : inliers)
         estimate.mask.at<uchar>(inlier) = 1;
+}
+
+}  // namespace
+
+const ProblemKind& kindOfAbsolutePose()
+{
+    static const AbsolutePose kind;
+    return kind;
 }
 
 }  // namespace benchmark

@@ -2,11 +2,25 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "affinity.hpp"
+#include "plane_map.hpp"
 
 #include "opencv2/usac/geometry.hpp"
 
 namespace benchmark {
+
+namespace {
+
+//! A, an affine map of image 1 to image 2. The default settings are those of calib3d's function.
+class Affinity : public PlaneMap
+{
+public:
+    Affinity();
+
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
+};
 
 Affinity::Affinity() : PlaneMap(cv::usacv20::AFFINITY, 'A', cv::Size(3, 2), 3, 2000) {}
 
@@ -22,6 +36,14 @@ void Affinity::callOpenCV(const ImagePair& pair, int flag, const Settings& setti
     estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, flag,
                                           settings.threshold, (size_t)settings.maxIterations,
                                           settings.confidence);
+}
+
+}  // namespace
+
+const ProblemKind& kindOfAffinity2D()
+{
+    static const Affinity kind;
+    return kind;
 }
 
 }  // namespace benchmark

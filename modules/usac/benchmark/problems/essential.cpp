@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "essential.hpp"
+#include "epipolar.hpp"
 
 #include "opencv2/usac/geometry.hpp"
 #include "opencv2/imgproc.hpp"
@@ -10,6 +10,27 @@
 namespace benchmark {
 
 namespace {
+
+//! E, the essential matrix; the pair must have both camera matrices.
+class Essential : public Epipolar
+{
+public:
+    Essential();
+
+    bool hasCamera1() const CV_OVERRIDE { return true; }
+    bool hasCamera2() const CV_OVERRIDE { return true; }
+    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
+                                         const cv::usacv20::Params& params) const CV_OVERRIDE;
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
+
+protected:
+    void checkTruth(const TruthReader& in, const ImagePair& pair) const CV_OVERRIDE;
+    cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
+    cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
+};
 
 const int ITERATIONS_OF_TWO_CAMERAS = 1000;
 
@@ -44,8 +65,6 @@ cv::Mat toCamera(const std::vector<cv::Point2f>& points, const cv::Matx33d& K,
     cv::undistortPoints(points, result, K, cv::noArray(), cv::noArray(), mean);
     return result;
 }
-
-}  // namespace
 
 Essential::Essential() : Epipolar(cv::usacv20::ESSENTIAL, 'E', cv::Size(3, 3), 1, 1000) {}
 
@@ -96,6 +115,14 @@ cv::Matx33d Essential::toFundamental(const ImagePair& pair, const cv::Matx33d& m
 cv::Matx33d Essential::toEssential(const ImagePair&, const cv::Matx33d& model) const
 {
     return model;
+}
+
+}  // namespace
+
+const ProblemKind& kindOfEssential()
+{
+    static const Essential kind;
+    return kind;
 }
 
 }  // namespace benchmark

@@ -2,11 +2,29 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "fundamental.hpp"
+#include "epipolar.hpp"
 
 #include "opencv2/usac/geometry.hpp"
 
 namespace benchmark {
+
+namespace {
+
+//! F, the fundamental matrix.
+class Fundamental : public Epipolar
+{
+public:
+    Fundamental();
+
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
+
+protected:
+    cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
+    cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
+};
 
 Fundamental::Fundamental() : Epipolar(cv::usacv20::FUNDAMENTAL, 'F', cv::Size(3, 3), 1, 1000) {}
 
@@ -32,6 +50,14 @@ cv::Matx33d Fundamental::toFundamental(const ImagePair&, const cv::Matx33d& mode
 cv::Matx33d Fundamental::toEssential(const ImagePair& pair, const cv::Matx33d& model) const
 {
     return pair.K2.t() * model * pair.K1;
+}
+
+}  // namespace
+
+const ProblemKind& kindOfFundamental()
+{
+    static const Fundamental kind;
+    return kind;
 }
 
 }  // namespace benchmark

@@ -2,11 +2,25 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "homography.hpp"
+#include "plane_map.hpp"
 
 #include "opencv2/usac/geometry.hpp"
 
 namespace benchmark {
+
+namespace {
+
+//! H, the homography of image 1 to image 2.
+class Homography : public PlaneMap
+{
+public:
+    Homography();
+
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
+};
 
 Homography::Homography() : PlaneMap(cv::usacv20::HOMOGRAPHY, 'H', cv::Size(3, 3), 2, 10000) {}
 
@@ -21,6 +35,14 @@ void Homography::callOpenCV(const ImagePair& pair, int flag, const Settings& set
 {
     estimate.model = cv::findHomography(pair.points1, pair.points2, flag, settings.threshold,
                                         estimate.mask, settings.maxIterations, settings.confidence);
+}
+
+}  // namespace
+
+const ProblemKind& kindOfHomography()
+{
+    static const Homography kind;
+    return kind;
 }
 
 }  // namespace benchmark

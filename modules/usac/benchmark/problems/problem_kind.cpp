@@ -4,14 +4,6 @@
 
 #include "problem_kind.hpp"
 
-#include "absolute_pose.hpp"
-#include "affinity.hpp"
-#include "essential.hpp"
-#include "fundamental.hpp"
-#include "homography.hpp"
-#include "rigid_motion.hpp"
-#include "similarity.hpp"
-#include "translation.hpp"
 #include "two_view_files.hpp"
 
 namespace benchmark {
@@ -21,17 +13,10 @@ namespace {
 //! The objects of all problems in the order of cv::usacv20::ProblemType.
 const std::vector<const ProblemKind*>& kinds()
 {
-    static const Homography homography;
-    static const Fundamental fundamental;
-    static const Essential essential;
-    static const Affinity affinity;
-    static const Similarity similarity;
-    static const AbsolutePose absolutePose;
-    static const RigidMotion rigid(false), scaled(true);
-    static const Translation translation;
-    static const std::vector<const ProblemKind*> all = {&homography, &fundamental, &essential,
-                                                        &affinity,   &similarity,  &absolutePose,
-                                                        &rigid,      &scaled,      &translation};
+    static const std::vector<const ProblemKind*> all = {
+#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) &kindOf##NAME(),
+#include "../../src/problems/registry.inl.hpp"
+    };
     return all;
 }
 

@@ -71,6 +71,11 @@ protected:
     virtual void checkTruth(const TruthReader& in, const ImagePair& pair) const;
 };
 
+//! kindOf<NAME>() for each row of the table of problems, defined in the file of the problem: the
+//! only object of its kind.
+#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) const ProblemKind& kindOf##NAME();
+#include "../../src/problems/registry.inl.hpp"
+
 //! The object that describes a problem.
 const ProblemKind& kindOf(ProblemType problem);
 

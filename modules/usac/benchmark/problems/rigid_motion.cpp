@@ -121,4 +121,16 @@ void RigidMotion::refit(const ImagePair& pair, Estimate& estimate) const
         estimate.model.colRange(0, 3) *= scale;
 }
 
+const ProblemKind& kindOfRigid3D()
+{
+    static const RigidMotion kind(false);
+    return kind;
+}
+
+const ProblemKind& kindOfSimilarity3D()
+{
+    static const RigidMotion kind(true);
+    return kind;
+}
+
 }  // namespace benchmark

@@ -2,11 +2,26 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "similarity.hpp"
+#include "plane_map.hpp"
 
 #include "opencv2/usac/geometry.hpp"
 
 namespace benchmark {
+
+namespace {
+
+//! S: rotation, uniform scale and translation of image 1 to image 2. The default settings are those
+//! of calib3d's function.
+class Similarity : public PlaneMap
+{
+public:
+    Similarity();
+
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
+};
 
 Similarity::Similarity() : PlaneMap(cv::usacv20::SIMILARITY, 'S', cv::Size(3, 2), 3, 2000) {}
 
@@ -22,6 +37,14 @@ void Similarity::callOpenCV(const ImagePair& pair, int flag, const Settings& set
     estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, flag,
                                                  settings.threshold, (size_t)settings.maxIterations,
                                                  settings.confidence);
+}
+
+}  // namespace
+
+const ProblemKind& kindOfSimilarity2D()
+{
+    static const Similarity kind;
+    return kind;
 }
 
 }  // namespace benchmark

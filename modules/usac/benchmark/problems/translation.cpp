@@ -2,9 +2,24 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "translation.hpp"
+#include "plane_map.hpp"
 
 namespace benchmark {
+
+namespace {
+
+//! T, translation of image 1 to image 2. OpenCV 4 has no function for it; the default settings are
+//! those of S.
+class Translation : public PlaneMap
+{
+public:
+    Translation();
+
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE;
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE;
+};
 
 Translation::Translation() : PlaneMap(cv::usacv20::TRANSLATION_2D, 'T', cv::Size(3, 2), 3, 2000) {}
 
@@ -18,6 +33,14 @@ void Translation::callModule(const ImagePair& pair, const cv::usacv20::Params& p
 void Translation::callOpenCV(const ImagePair&, int, const Settings&, Estimate&) const
 {
     throw std::runtime_error("T: calib3d estimates no translations");
+}
+
+}  // namespace
+
+const ProblemKind& kindOfTranslation2D()
+{
+    static const Translation kind;
+    return kind;
 }
 
 }  // namespace benchmark
