@@ -156,6 +156,9 @@ REQUIRE(frame::near(cv::usacv20::estimateHomography(points1, points2, params, ma
     (THRESHOLD, "A flag", "cpp 1", Cpp(after="REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);")),
     (THRESHOLD, "A flag", "cpp 2", Cpp(before=MASK, after="REQUIRE(report.sigma > 0 && report.threshold < 10 && cv::countNonZero(mask) >= 80);")),
     (THRESHOLD, "A flag", "python 1", Python(before="import usacv20", after="require(0 < report.sigma < report.threshold < 10)")),
+    (THRESHOLD, "Matches of different noise", "python 1", Python(
+        before="import usacv20\nsizes1, sizes2 = np.random.RandomState(1).uniform(2, 6, (2, len(points1)))",
+        after="require(0 < report.sigma < report.threshold < 10 and mask.sum() >= 80)")),
     (COVARIANCE, "To ask for it", "cpp 1", Cpp(before=NOISE, after="""
 REQUIRE(frame::near(H, truth::H, 0.05)); REQUIRE(report.sigma > 0.2 && report.sigma < 1.5); REQUIRE(report.covariance.rows == 8);""")),
     (COVARIANCE, "To ask for it", "python 1", Python(before=NOISE_PYTHON, after="""
