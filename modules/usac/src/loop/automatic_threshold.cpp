@@ -106,7 +106,7 @@ private:
 
 AutomaticThreshold::AutomaticThreshold(const Problem& problem, const Params& given)
     : params(paramsOfGuess(given)), coreParams(params), parts(createComponents(problem, params)),
-      listed(makePtr<ListedSampler>()), widest(0), latest(), drawn(0), computed(0)
+      listed(makePtr<ListedSampler>()), widest(0), latest(), drawn(0), computed(0), uniform(0)
 {
     parts.score = createLogarithmicScore();
     coreParts = parts;
@@ -124,7 +124,7 @@ void AutomaticThreshold::begin(const Context& context)
     }
     widest = context.points.threshold / params.reach;
     latest = InlierNoise();
-    drawn = computed = 0;
+    drawn = computed = uniform = 0;
 }
 
 void AutomaticThreshold::setThreshold(ProblemData& data, double threshold) const
@@ -168,6 +168,7 @@ bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& m
         ransac.begin(initial);
     ransac.run();
     account(state);
+    uniform = state.iteration;
     InlierNoise noise = InlierNoise();
     if (state.bestQuality.cost <= DBL_MAX)
         noise = roughNoise(context, state.best, widest, SOME, true);

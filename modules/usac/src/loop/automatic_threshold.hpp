@@ -26,9 +26,10 @@ The threshold that the caller has given is the widest threshold that is consider
    samples of the inliers are drawn to find a model of a core: it explains half of the inliers
    within a third of the widest threshold. If there is such a model, and errorsGoOn() finds no more
 errors beyond this threshold, the search begins with this model and threshold.
-3. The search begins with the model and the threshold of steps 1 and 2. Its threshold is wider than
-   that of the mask by two standard deviations of the estimate, because with few inliers, models
-   that fit some of them by chance would make the threshold too narrow.
+3. The search begins with the model and the threshold of steps 1 and 2, and its criteria count the
+   samples of step 1, which contained an all-inlier sample if they were enough. Its threshold is
+wider than that of the mask by two standard deviations of the estimate, because with few inliers,
+models that fit some of them by chance would make the threshold too narrow.
 4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
    model. If it differs much, the search continues with the new threshold, and all samples are drawn
    anew. The threshold becomes wider only if errorsGoOn() finds errors beyond the present threshold,
@@ -55,6 +56,8 @@ public:
     //! Numbers of samples and of valid models of guess().
     int samples() const { return drawn; }
     int models() const { return computed; }
+    //! Number of samples of guess() that are uniform among all its points.
+    int uniformSamples() const { return uniform; }
 
 private:
     void begin(const Context& context);
@@ -72,12 +75,12 @@ private:
                   Model& model);
     void account(const State& state);
 
-    Params params, coreParams;    //!< options of guess() and of findCore()
-    Components parts, coreParts;  //!< components of guess() and of findCore()
-    Ptr<ListedSampler> listed;    //!< sampler of findCore()
-    double widest;                //!< threshold of the mask at the beginning of the run
-    InlierNoise latest;           //!< latest estimate of the noise of the best model
-    int drawn, computed;          //!< results of samples() and models()
+    Params params, coreParams;     //!< options of guess() and of findCore()
+    Components parts, coreParts;   //!< components of guess() and of findCore()
+    Ptr<ListedSampler> listed;     //!< sampler of findCore()
+    double widest;                 //!< threshold of the mask at the beginning of the run
+    InlierNoise latest;            //!< latest estimate of the noise of the best model
+    int drawn, computed, uniform;  //!< results of samples(), models() and uniformSamples()
 };
 
 }  // namespace usacv20

@@ -145,7 +145,7 @@ bool Ransac::run(int pause)
 //! State::sampleQuality, with which models of samples are compared, is not set: hardly any model of
 //! a sample has as good a score as an optimized model, and the initial model may be that of another
 //! motion.
-void Ransac::begin(const Model& initial)
+void Ransac::begin(const Model& initial, int drawn)
 {
     Model model = initial;
     Quality quality = context.rate(model);
@@ -156,6 +156,8 @@ void Ransac::begin(const Model& initial)
         optimize(0, model, quality);
     if (quality.betterThan(state.bestQuality))
         setBest(model, quality, 0);
+    state.countedSamples = drawn;
+    forgotten = -drawn;
 }
 
 void Ransac::thresholdChanged()

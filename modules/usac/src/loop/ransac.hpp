@@ -49,7 +49,9 @@ public:
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
     //! To be called before run(): scores and optimizes an initial model, as if from a sample.
-    void begin(const Model& initial);
+    //! @param drawn number of uniform samples of which `initial` is the best model; they count for
+    //! the confidence
+    void begin(const Model& initial, int drawn = 0);
     /** Searches until a criterion ends the search, or until `pause` samples have been drawn. The
     result is State::best; State::bestQuality stays infinite if no model is found. @return false if
     the search was paused; another call then continues it. */
@@ -148,8 +150,10 @@ private:
     RunnersUp runnersUp;
     Alternatives alternatives;
     Sample sampleOfBest;
-    bool sampled;            //!< true if the best model comes from `sampleOfBest`
-    int forgotten;           //!< number of samples that do not count, see forgetSamples()
+    bool sampled;  //!< true if the best model comes from `sampleOfBest`
+    //! Number of samples that do not count, see forgetSamples(); negative: samples before the first
+    //! one that count, see begin().
+    int forgotten;
     Model explored;          //!< the best model whose unexplained points were searched last
     int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized

@@ -166,7 +166,7 @@ private:
         if (!params.initialModel.empty())
             begin(context, ransac);
         if (guess)
-            ransac.begin(*guess);
+            ransac.begin(*guess, automatic->uniformSamples());
         if (params.widestReach > params.reach && !automatic)
             searchWithReach(context, state, ransac);
         else
