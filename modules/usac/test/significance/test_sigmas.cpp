@@ -113,6 +113,29 @@ TEST_P(Usac_Sigmas, errorsAndMask)
     EXPECT_EQ(inliers, report.inliers);
 }
 
+//! Fits without a search weight the matches, too; weights and sigmas multiply.
+TEST_P(Usac_Sigmas, fits)
+{
+    const MixedNoise mixed(GetParam(), 3);
+    const Ptr<Usac> usac = mixed.create(Params(), mixed.scene.threshold, true),
+                    plain = mixed.create(Params(), mixed.scene.threshold, false);
+    const Mat chosen = usac->errors(mixed.scene.truth) <= 4.5 * mixed.unit;
+    Mat weights, inverse;
+    for (float sigma : mixed.sigmas)
+    {
+        weights.push_back(1. / (sigma * sigma));
+        inverse.push_back((double)sigma * sigma);
+    }
+    const Mat expected = plain->fit(weights, chosen);
+    ASSERT_FALSE(expected.empty());
+    const double scale = cv::norm(expected);
+    EXPECT_LE(cv::norm(usac->fit(noArray(), chosen), expected), 1e-6 * scale);
+    EXPECT_LE(cv::norm(usac->fit(inverse, chosen), plain->fit(noArray(), chosen)), 1e-6 * scale);
+    EXPECT_LE(cv::norm(usac->refine(mixed.scene.truth, chosen), expected), 1e-4 * scale);
+    const Mat refined = usac->refine(mixed.scene.truth), found = usac->run();
+    EXPECT_LE(std::min(cv::norm(refined - found), cv::norm(refined + found)), 0.05 * scale);
+}
+
 //! Equal sigmas are only another unit of the threshold.
 TEST_P(Usac_Sigmas, equalSigmas)
 {
@@ -191,6 +214,38 @@ TEST(Usac_Sigmas_, invalid)
     catch (const Exception& e)
     {
         EXPECT_NE(std::string::npos, e.msg.find("sigmas")) << e.msg;
+    }
+}
+
+//! An object keeps its sigmas for other points, whose number must be the same.
+TEST(Usac_Sigmas_, setPoints)
+{
+    const MixedNoise one(HOMOGRAPHY, 1), two(HOMOGRAPHY, 2);
+    const Ptr<Usac> usac = one.create(Params(), one.scene.threshold, true);
+    usac->run();
+    usac->setPoints(two.scene.points1, two.scene.points2);
+    EXPECT_EQ(0, cv::norm(usac->run(), two.create(Params(), two.scene.threshold, true)->run()));
+    EXPECT_THROW(
+        usac->setPoints(two.scene.points1.rowRange(0, 50), two.scene.points2.rowRange(0, 50)),
+        Exception);
+}
+
+//! The points that components see have the factors; those without finite coordinates have none.
+TEST(Usac_Sigmas_, correspondences)
+{
+    MixedNoise mixed(HOMOGRAPHY, 1);
+    mixed.scene.points1.at<double>(3) = NAN;
+    const Ptr<Usac> usac = mixed.create(Params(), mixed.scene.threshold, true);
+    const Correspondences& points = usac->points();
+    ASSERT_TRUE(points.weighted);
+    EXPECT_EQ(5, points.numbers());
+    EXPECT_EQ(99, points.size);
+    EXPECT_NEAR(std::sqrt(13.), points.meanSigma, 1e-6);  // of squares of 1 and 5
+    for (int i = 0; i < points.size; ++i)
+    {
+        const double factor = points.meanSigma / mixed.sigmas[points.inputIndex[i]];
+        EXPECT_NEAR(factor, points.exact[4][i], 1e-6);
+        EXPECT_NEAR(factor, points.column[4][i], 1e-6);
     }
 }
 
