@@ -156,8 +156,9 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 @param pair matches, cameras, image sizes
 @param params options of each search. `threshold` is the Sampson distance of E and F in undistorted
 pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
-to each model separately. `initialModel` must be empty. With #THRESHOLD_ESTIMATED, the threshold of
-the pair is Report::threshold of the first accepted model (divided by 1.77 if this model is H)
+to each model separately. `initialModel` and `sigmas` must be empty. With #THRESHOLD_ESTIMATED, the
+threshold of the pair is Report::threshold of the first accepted model (divided by 1.77 if this
+model is H)
 @param rules rules by which models are accepted and the configuration is chosen
 @return the configuration with its models, inliers and pose.
 

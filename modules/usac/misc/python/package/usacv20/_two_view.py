@@ -165,7 +165,7 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints, which
     need the matrix; None: none
     params -- Params of each search. threshold is the Sampson distance of E and F in pixels without
-    distortion; that of H is derived from it. significance 0 means 1e-4; initialModel has to be
+    distortion; that of H is derived from it. significance 0 means 1e-4; initialModel and sigmas have to be
     empty. THRESHOLD_ESTIMATED: the first accepted model sets the threshold of the pair,
     report.threshold
     rules -- TwoViewRules; None: the defaults
