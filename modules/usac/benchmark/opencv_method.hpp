@@ -37,8 +37,8 @@ These functions use fixed seeds; every repeat gives the same result (USAC_PARALL
 class OpenCVMethod : public Method
 {
 public:
-    //! @param flag without "cv:". @param scores for USAC_PROSAC: the points are sorted by score
-    //! within the measured time.
+    //! @param flag without "cv:". @param scores true for USAC_PROSAC: the points are sorted by
+    //! score, within the measured time.
     OpenCVMethod(const std::string& name, const std::string& flag, bool scores);
 
     bool solves(ProblemType problem) const CV_OVERRIDE;

@@ -182,8 +182,8 @@ class SyntheticViewTest(ProgramTest):
         self.assertNotEqual(tables["average.P", "cv:USAC_FAST"]["median_error"], "")
 
     def test_threshold_is_in_pixels_of_the_image(self):
-        """The mask of the module must count the matches whose reprojection error in the distorted
-        image is below the threshold in pixels."""
+        """The number of inliers must be about that of the matches whose reprojection error in the
+        distorted image is below the threshold in pixels."""
         self.write_scenes("view", "--pairs=1", "--size=200", "--inliers=0.8", "--noise=1", "--distortion=-0.4")
         view = views.read_view(self.path("pairs", "view", "0000"))
         errors = distances(view, view.R, view.t)

@@ -77,10 +77,10 @@ class Options(NamedTuple):
     layout: str = "street"
     images: int = 24
     noise: float = 0.4  # pixels
-    # Standard deviation between the descriptors of windows of a kind, relative to that between
-    # descriptors of unrelated points.
+    # Standard deviation of the descriptors of the same point of windows of a kind, relative to that
+    # of descriptors of unrelated points.
     alike: float = 0.45
-    shared: float = 0.5  # fraction of this variance that depends only on the kind and the number of the window in its facade
+    shared: float = 0.5  # fraction of this variance that windows with the same number in all facades of a kind have in common
     unique: int = 60  # unique points for each ten meters of facade
     known: bool = True  # the focal length is known
     seed: int = 0

@@ -63,8 +63,8 @@ void align(const Correspondences& points, const int* sample, EssentialBasis& bas
     for (int k = 0; k < 4; ++k)
         orthonormalize(basis, k);
     const Matx33d R = rotationOf(points, sample);
-    double inside = 1;  // squared cosine of the largest angle between a matrix [t]x R and the space
-                        // that the basis spans
+    double inside = 1;  // squared cosine of the largest angle between a matrix [t]x R, with t along
+                        // an axis, and the space that the basis spans
     for (int k = 0; k < 3; ++k)
     {
         const Matx33d crossed(0, -(k == 2), k == 1, k == 2, 0, -(k == 0), -(k == 1), k == 0, 0);

@@ -41,7 +41,7 @@ public:
     bool active() const { return kept != 0; }
     //! Stores the model if it is one of those described above. To be called only if active().
     void offer(const Context& context, const Candidate& candidate, bool sampled);
-    //! False if chosen() returns null for any order.
+    //! False if chosen() returns null whatever the order is.
     bool contested() const { return count > 1; }
     //! The model to choose instead of that of lowest cost; null: there is no such model.
     //! @param order the points, best point first

@@ -34,7 +34,8 @@ inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Mat
 }
 
 //! Converts normal equations in the entries of the model to equations in the parameters: A = B^T
-//! JtJ B and b = B^T Jtr. B is `basis`, the derivatives of the entries by the parameters.
+//! JtJ B and b = B^T Jtr. B is `basis`, the derivatives of the entries with respect to the
+//! parameters.
 template <int DIMENSION, int SIZE>
 void projectOnTangents(const NormalEquationsOf<SIZE>& sums,
                        const Eigen::Matrix<double, SIZE, DIMENSION>& basis,

@@ -90,7 +90,7 @@ double Distortion::firstFold() const
 bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
 {
     const double x = p[0], y = p[1], q = x * x + y * y;
-    if (!(q < limit))  // beyond the first fold, or NaN: the lens shows no such point
+    if (!(q < limit))  // beyond the first fold, or NaN: the camera does not see such a point
         return false;
     double slope;
     const double factor = radial(q, &slope), mixed = 2 * x * y;

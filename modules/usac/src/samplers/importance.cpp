@@ -135,7 +135,7 @@ private:
     int* rest;        //!< points of weight 0
     double* weights;  //!< weights of `points`
     double* height;   //!< height, 0 to 1, up to which a column belongs to its own point
-    int* alias;       //!< column whose point a column belongs to above that height
+    int* alias;       //!< column whose point takes the part of a column above that height
 };
 
 }  // namespace

@@ -10,14 +10,15 @@ namespace usacv20 {
 
 namespace {
 
-/* A model is found more often than the fraction of all-inlier samples tells: local optimization
+/* A model is found more often than the fraction of all-inlier samples suggests: local optimization
 also corrects models of samples that contain an outlier, degenerate samples lead to models by plane
 and parallax (F), and many samples are drawn from regions where right matches are dense. When the
 number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_FOR_E)^2
 samples for E, at least 1 and at most MOST_FOR_E, and as SAMPLES_FOR_F samples for F.
-doc/measurements/collections_tables.md has the measured numbers; these are near the lowest ones on
-photographs and in collections, but above those of E if matches are scattered over both images. This
-was not measured for H and for other presets; each of their samples counts as one. */
+doc/measurements/collections_tables.md has the measured numbers; the constants are near the
+lowest numbers measured on photographs and in collections, but above the number for E if matches are
+scattered over both images. Samples for H and of other presets, which were not measured, count as
+one. */
 constexpr double ONE_FOR_E = 11.5, MOST_FOR_E = 4, SAMPLES_FOR_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.

@@ -5,7 +5,7 @@
 #include "support/contracts.hpp"
 
 // Difficult points are not an error: there must be no exception and no endless loop, and every
-// result must keep all promises.
+// result must satisfy all contracts.
 
 namespace opencv_test {
 namespace {

@@ -87,9 +87,9 @@ TEST(Usac_Tdd, acceptsGoodModels)
     }
 }
 
-//! A wrong model with the inlier ratio delta must pass with probability delta^d, after (1 -
-//! delta^d) / (1 - delta) points on average. The ratio of reported inliers and tested points must
-//! be delta.
+//! A wrong model with the inlier ratio delta must pass with probability delta^d. The test, passed
+//! or not, must take (1 - delta^d) / (1 - delta) points on average. The ratio of reported inliers
+//! and tested points must be delta.
 TEST(Usac_Tdd, dropsWrongModels)
 {
     const int N = 400, TRIALS = 3000;

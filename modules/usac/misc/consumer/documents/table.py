@@ -26,7 +26,7 @@ GATE = Elsewhere(RUN_TESTS, "consumer")  # the gate runs this check
 PIP = Elsewhere("samples/quickstart.sh", "python_package", ("install", "modules/usac"))
 
 ENV = ("{work}/clone/env/bin",)
-# In quick mode the package is linked with the existing library instead of compiling it again.
+# In quick mode the package is linked with the existing library, which is not compiled again.
 LINKED = " -Dopencv_usac_DIR={build}" if os.environ.get("USAC_CONSUMER_QUICK") else ""
 QUICKSTART = """mkdir -p "{work}/quickstart"
 ln -sfn "{build}" "{work}/quickstart/build-$(printf %s "$PWD" | cksum | cut -d ' ' -f 1)"

@@ -103,7 +103,7 @@ class ThreadsTest(EngineCase):
         self.assertNotEqual(self.run_engine(settings={"seed": 1})[1], expected)
 
     def test_bounded(self):
-        """The number of pairs in work must not depend on the number of all pairs."""
+        """The number of pairs in progress must not depend on the total number of pairs."""
         drawn = []
 
         class Counted(DatabaseSource):

@@ -24,8 +24,8 @@ struct Moments
     //! The map with the linear part (a b; c d) that maps the means of the images to each other.
     Matx33d map(double a, double b, double c, double d) const;
 
-    double mean[4];         //!< means of x1, y1, x2, y2
-    double xx, xy, yy;      //!< moments of image 1 about the means, not divided by the weights
+    double mean[4];     //!< means of x1, y1, x2, y2
+    double xx, xy, yy;  //!< moments of image 1 about the means, not divided by the sum of weights
     double xu, xv, yu, yv;  //!< the same for the products x1 x2, x1 y2, y1 x2 and y1 y2
 };
 

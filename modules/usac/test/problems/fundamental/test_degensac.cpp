@@ -156,8 +156,8 @@ TEST(Usac_Degensac, neverRaisesTheCost)
     EXPECT_LT(detected, tried);
 }
 
-//! Samples of exact points, of which a known number is on a plane. A plane must be detected from
-//! five points on.
+//! Samples of exact points, of which a known number is on a plane. A plane must be detected if
+//! at least five of the seven points are on it, and only rarely otherwise.
 TEST(Usac_Degensac, detectsFiveOfSeven)
 {
     SceneOptions options;

@@ -92,7 +92,7 @@ def _lists(given: Any, name: str) -> List[Any]:
 
 
 def _some(entry: Any) -> List[Any]:
-    """Returns the first rows of an entry."""
+    """Returns a list with the first row of an entry, or an empty list."""
     return list(entry[:1]) if isinstance(entry, (list, tuple, np.ndarray)) and np.ndim(entry[:1]) else []
 
 

@@ -58,8 +58,8 @@ class Params:
     termination="sprt|standard"). A value of a wrong type or an enumerator of another enumeration
     raises TypeError at once. Another wrong value raises usacv20.error, which names the field, when
     the estimator is created or in check(). Objects can be compared, copied and pickled; repr()
-    shows the fields that differ from the default. Pixels are those of image 2; for motions of space
-    read: the unit of the points of space 2."""
+    shows the fields that differ from the default. Pixels are those of image 2; for 3-D motions, read
+    "the unit of the points of space 2" instead."""
 
     __slots__ = ("_native", "_scores", "_sigmas", "_initialModel", "_initialCovariance", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as of all that can change
@@ -69,78 +69,81 @@ class Params:
     _fixed: bool
 
     threshold = Real("""Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E: Sampson
-        distance. Absolute pose: reprojection error in the image as it was taken. Motions of space: distance in space 2,
-        in the unit of the points. Default 1.5.""")
-    thresholdType = Option(e.ThresholdType, """ThresholdType of threshold: with THRESHOLD_ESTIMATED it is the largest plausible
-        one, and the noise of the inliers gives that of the mask, see Report.threshold. Default THRESHOLD_GIVEN.""")
-    confidence = Real("""Probability that the search does not miss a better model (TERMINATION_P_NAPSAC: one that is
-        significantly better, see relaxation), unless maxIterations ends it; in (0, 1). Default 0.99.""")
+        distance. Absolute pose: reprojection error in the original (distorted) image. 3-D motions: distance between a mapped
+        point and its counterpart, in the unit of the points. Default 1.5.""")
+    thresholdType = Option(e.ThresholdType, """ThresholdType of threshold. With THRESHOLD_ESTIMATED, threshold is the largest
+        plausible one; that of the mask follows from the noise of the inliers, see Report.threshold. Default
+        THRESHOLD_GIVEN.""")
+    confidence = Real("""Probability that the search does not miss a better model (TERMINATION_P_NAPSAC: a significantly
+        better one, see relaxation), unless maxIterations ends it first; in (0, 1). Default 0.99.""")
     maxIterations = Integer("Upper bound of the number of minimal samples; >= 1. Default 5000.")
-    maxTime = Real("""Milliseconds of the clock after which a run ends with what it has found, polished in two more; 0..1e9, 0: no
-        limit. Late by 5 ms for 10 000 points, by 0.1 s for a million. The only option by which the result depends on the
-        machine; report.stop is then STOP_TIME. Default 0.""")
-    seed = Integer("Seed of the pseudo-random sequence; same seed, same input: same bits. Default 0.")
-    threads = Integer("""Number of threads that test hypotheses, 0 for OpenCV's number (cv2.getNumThreads()); 0..1024.
+    maxTime = Real("""Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit. A run ends at most
+        about 5 ms late for 10 000 points, and 0.1 s late for a million. This is the only option by which the result depends
+        on the machine; report.stop is then STOP_TIME. Default 0.""")
+    seed = Integer("Seed of the pseudo-random sequence; the same seed and input give the same bits. Default 0.")
+    threads = Integer("""Number of threads that compute and score models; 0..1024, 0: that of OpenCV (cv2.getNumThreads()).
         The result does not depend on it. Default 1.""")
     sampler = Option(e.SamplerType, "SamplerType: how samples are drawn. Default SAMPLER_P_NAPSAC.")
     ordering = Option(e.OrderingType, "OrderingType: where the order of the points comes from. Default ORDERING_AUTO.")
-    scores = Scores(np.float32, """Score of each correspondence, an array of N float32, or of none. Any list of numbers
-        can be written, N, N x 1 or 1 x N; it is copied, and what is written to the elements of the array counts. NaN is
-        the worst score; SAMPLER_IMPORTANCE, which takes them as probabilities, refuses it. Default none.""")
+    scores = Scores(np.float32, """Score of each correspondence, an array of N float32, or of none. Lists of numbers of shape
+        N, N x 1 or 1 x N are copied into it; its elements can be changed in place. NaN is the worst score;
+        SAMPLER_IMPORTANCE takes scores as probabilities and raises usacv20.error for NaN. Default none.""")
     sigmas = Scores(np.float32, """Relative standard deviation of the error of each correspondence, such as the scale of its
         key point; N numbers, 1e-6..1e6, or none. Errors are divided by it in score, fits, mask and covariance: threshold,
         Report.threshold, Report.sigma and Usac.errors are in this unit. Default none: all are 1.""")
-    initialModel = Numbers(np.float64, """A model to begin with, that of the frame before, say: its numbers row by row,
-        an array of float64, or of none; see setInitialModel(). It is rated and optimized before the first sample, as if
-        it came from one. Default none.""")
+    initialModel = Numbers(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
+        array of float64, or of none; see setInitialModel(). It is scored and optimized before the first sample, like a model
+        of a sample. Default none.""")
     initialCovariance = Numbers(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
-        Report.covariance, an array of float64, or of none. It makes the initial model a prior: the result is the mean of
-        it and of the model of the points, weighted by their covariances; that of the points alone if the two contradict
-        each other, see Report.priorChance. Default none.""")
+        Report.covariance; an array of float64, or of none. With it, the initial model is a prior: the result is the mean of
+        it and of the model of the points, weighted by their covariances. If the two contradict each other, it is the model
+        of the points alone, see Report.priorChance. Default none.""")
     scoreOrder = Option(e.ScoreOrder, "ScoreOrder: which end of scores is the good one. Default SCORES_LOWER_IS_BETTER.")
     neighborhood = Option(e.NeighborhoodType, "NeighborhoodType: which points are neighbors. Default NEIGHBORHOOD_GRID.")
-    neighbors = Integer("""Neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers, each of twice as
-        many; 1..1000. Default 10.""")
-    neighborRadius = Real("""Radius for NEIGHBORHOOD_RADIUS in the finest of four layers, in pixels of the joint space
-        (x1, y1, x2, y2); each coarser layer has twice the radius of the one before it; > 0. Default 40.""")
+    neighbors = Integer("""Number of neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers; each further
+        layer has twice as many; 1..1000. Default 10.""")
+    neighborRadius = Real("""Radius for NEIGHBORHOOD_RADIUS in the finest of four layers, in pixels of the joint space (x1,
+        y1, x2, y2), doubled for each further layer; > 0. Default 40.""")
     residual = Option(e.ResidualType, "ResidualType: which error of a point is minimized. Default RESIDUAL_STANDARD.")
-    quality = Option(e.QualityType, "QualityType: how a model is rated. Default QUALITY_MSAC.")
-    reach = Real("""Search, local optimization and polishing work with so many times threshold, the mask with threshold
-        itself; 1..10. For qualities and fits that are marginalized over the noise. Default 1.""")
-    widestReach = Real("""Where the errors of the best model show that the noise is larger than threshold, reach grows
-        with it, up to this multiple of threshold; 1..1e6. The mask stays that of threshold and may then be empty with a
-        right model. Default 1; magsac() and magsacPlusPlus() 1000.""")
-    verification = Option(e.VerificationType, "VerificationType: how bad models are dropped early. Default VERIFICATION_SPRT.")
-    tddPoints = Integer("Points that must be inliers for VERIFICATION_TDD; 1..100. Default 1.")
-    localOptimization = Option(e.LocalOptimizationType, """LocalOptimizationType: what improves each so-far-the-best
-        model. Default LOCAL_OPTIMIZATION_GRAPH_CUT.""")
-    localIterations = Integer("""Rounds of one local optimization: alternations of labeling and fitting, steps of the
-        shrinking threshold, re-weightings; 1..1000. Default 5.""")
-    localSampleMultiple = Integer("""Size of the inner samples of a local optimization as a multiple of the minimal one;
-        2..100. Default 3.""")
-    localSamples = Integer("""Inner samples of a local optimization (graph cut: of each of its alternations); 0..1000.
+    quality = Option(e.QualityType, "QualityType: how a model is scored. Default QUALITY_MSAC.")
+    reach = Real("""Search, local optimization and polishing use this multiple of threshold, the mask uses threshold itself;
+        1..10. Meant for scores and fits that are marginalized over the noise scale. Default 1.""")
+    widestReach = Real("""Upper bound of the multiple of threshold to which reach grows if the errors of the best model show
+        that the noise is larger than threshold; 1..1e6. The mask still uses threshold and may then be empty for a correct
+        model. Default 1; magsac() and magsacPlusPlus() 1000.""")
+    verification = Option(e.VerificationType, """VerificationType: how bad models are rejected early. Default
+        VERIFICATION_SPRT.""")
+    tddPoints = Integer("Number of points that must be inliers for VERIFICATION_TDD; 1..100. Default 1.")
+    localOptimization = Option(e.LocalOptimizationType, """LocalOptimizationType: how each model that is better than all
+        before is improved. Default LOCAL_OPTIMIZATION_GRAPH_CUT.""")
+    localIterations = Integer("""Iterations of one local optimization: alternations of labeling and fitting, steps of the
+        shrinking threshold, or re-weightings; 1..1000. Default 5.""")
+    localSampleMultiple = Integer("""Size of the inner samples of a local optimization, as a multiple of the minimal sample
+        size; 2..100. Default 3.""")
+    localSamples = Integer("""Number of inner samples of a local optimization (graph cut: of each alternation); 0..1000.
         Default 4.""")
     spatialWeight = Real("Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.")
-    runnersUp = Integer("""Models beside those that beat all samples before them that are optimized before the search
-        ends, at most; 0..100. Default 16.""")
-    orderedEvery = Integer("""Samplers that prefer some points draw one in so many samples in their own way; the others are
+    runnersUp = Integer("""Maximum number of runners-up: models that were not the best one, but are optimized when the search
+        is about to end, because they have the most inliers that are outliers of the best model; 0..100. Default 16.""")
+    orderedEvery = Integer("""Samplers that prefer some points draw one in this many samples in their own way; the others are
         uniform among all points, and only these count for the termination criteria. If the order of the points is known
-        (scores), the first 8 samples are uniform, half of the next follow the order, and all do once it is confirmed, see
-        TERMINATION_ORDER. 1: all are drawn in the sampler's way, and all count, as in the papers; 1..1000. Default 8.""")
-    termination = Set(e.TerminationFlags, """Set of TerminationFlags; 0 runs all maxIterations. Default TERMINATION_SPRT
-        | TERMINATION_P_NAPSAC | TERMINATION_EXACT | TERMINATION_ORDER.""")
-    relaxation = Real("""What a "significantly" better model has more for TERMINATION_P_NAPSAC, as a fraction of the
-        inliers of the best one; 0..1. Default 0.05.""")
-    persistence = Integer("Times as many samples as the termination criteria ask for; 1..100. Default 1.")
+        (scores), the first 8 samples are uniform; then every second one follows the order, and all do once it is confirmed
+        (TERMINATION_ORDER). 1: all samples are drawn in the sampler's way, and all count, as in the papers; 1..1000. Default
+        8.""")
+    termination = Set(e.TerminationFlags, """Set of TerminationFlags; 0: all maxIterations samples are drawn. Default
+        TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT | TERMINATION_ORDER.""")
+    relaxation = Real("""For TERMINATION_P_NAPSAC: how many more inliers than the best model a "significantly" better one
+        has, as a fraction of the inliers of the best one; smaller if there are few of them; 0..1. Default 0.05.""")
+    persistence = Integer("Factor on the number of samples that the termination criteria ask for; 1..100. Default 1.")
     degeneracy = Set(e.DegeneracyFlags, "Set of DegeneracyFlags. Default all.")
-    polishing = Option(e.PolishingType, "PolishingType: what is done to the best model at the end. Default POLISHING_ROBUST.")
-    polishingSteps = Integer("""Most fits of the polishing, each with the inliers or weights under the last one; 1..100.
-        Default 6.""")
-    significance = Real("""The largest Report.chance with which a model is returned, a probability; 0..1. 1: a model is
-        always returned. Default 0: 0.01 where there are enough independent points for a quarter of them to be that
-        significant, else 1.""")
-    covariance = Integer("""1: Report.covariance and, for a given threshold, Report.sigma are computed, which takes 0.1 ms for
-        200 points and 0.3 ms for 1000 or more; 0: they are not; 0..1. Default 0.""")
+    polishing = Option(e.PolishingType, "PolishingType: how the best model is refined at the end. Default POLISHING_ROBUST.")
+    polishingSteps = Integer("""Maximum number of fits of the polishing, each with the inliers or weights of the previous
+        one; 1..100. Default 6.""")
+    significance = Real("""Largest Report.chance with which a model is returned, a probability; 0..1. 1: a model is returned
+        whatever its chance is. Default 0: the bound is 0.01, or 1 if there are so few independent points that even a model
+        with a quarter of them as inliers would have a chance above 0.01.""")
+    covariance = Integer("""1: Report.covariance and, for a given threshold, Report.sigma are computed (0.1 ms for 200
+        points, 0.3 ms for 1000 or more); 0..1. Default 0.""")
 
     def __init__(self, *,
                  threshold: Optional[float] = None, thresholdType: _Name = None, confidence: Optional[float] = None,

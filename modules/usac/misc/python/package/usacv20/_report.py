@@ -50,28 +50,30 @@ class Report:
     _native: Any
 
     stop = EnumField(StopReason, "StopReason: why the search ended, or why there is no model.")
-    iterations = Field[int]("Minimal samples drawn.")
-    rejectedSamples = Field[int]("Samples refused by a check of the sample (orientation, matches that share a point).")
-    degenerateSamples = Field[int]("Samples that determine no model (repeated or collinear points, no real solution).")
-    models = Field[int]("Models computed from the samples.")
-    rejectedModels = Field[int]("Models refused by a check of the model itself (orientation, singular).")
-    refusedModels = Field[int]("Models dropped by the pre-emptive verification.")
-    droppedModels = Field[int]("Models that were no better than the best one.")
-    localOptimizations = Field[int]("Local optimizations run.")
-    localImprovements = Field[int]("Local optimizations that improved their model.")
-    degenerate = Field[bool]("True if a so-far-the-best F came from a sample dominated by a plane.")
-    inliers = Field[int]("Rows of the mask that are 1.")
-    sample = Sample("""The sample that led to the model: rows of the points, as many as a minimal solver takes. Empty: there is no
-        model, or it came from Params.initialModel or from a fit of all points.""")
-    inlierRatio = Field[float]("inliers as a part of all rows of the mask, 0..1.")
-    independentInliers = Field[int]("""Inliers that are more than a threshold apart from each other in both images:
-        repeated matches count once. 0 if the run was stopped and has more than 50 000 inliers.""")
+    iterations = Field[int]("Number of minimal samples drawn.")
+    rejectedSamples = Field[int]("""Number of samples rejected by a check before a model is computed (orientation, matches that
+        share a point).""")
+    degenerateSamples = Field[int]("Number of samples that determine no model (repeated or collinear points, no real solution).")
+    models = Field[int]("Number of models computed from the samples.")
+    rejectedModels = Field[int]("Number of models rejected by a check before they are scored (orientation, singular matrix).")
+    refusedModels = Field[int]("Number of models rejected by the pre-emptive verification.")
+    droppedModels = Field[int]("Number of models no better than the best one so far.")
+    localOptimizations = Field[int]("Number of local optimizations.")
+    localImprovements = Field[int]("Number of local optimizations that improved their model.")
+    degenerate = Field[bool]("True if, at any time of the search, the best F came from a sample dominated by a plane.")
+    inliers = Field[int]("Number of inliers: rows of the mask that are 1.")
+    sample = Sample("""The minimal sample of the search that led to the model, as row indices of the points. Empty if there is no
+        model, or if it did not come from a minimal sample, for example from Params.initialModel.""")
+    inlierRatio = Field[float]("inliers as a fraction of all rows of the mask, 0..1.")
+    independentInliers = Field[int]("""Number of inliers without repetitions: inliers closer to each other than about
+        the threshold count once. 0 (not computed) if the run was stopped and has more than 50 000 inliers.""")
     chance = Field[float]("""Upper bound of the probability that the same search finds a model with as many independent
-        inliers in random matches of the same points, 0..1. Also set if the model was refused for it; 1 if there was none.""")
-    threshold = Field[float]("""Threshold of the mask in pixels, that of Params; THRESHOLD_ESTIMATED, QUALITY_LMEDS: estimated from
-        the data.""")
-    sigma = Field[float]("""Standard deviation of the noise of the inliers, in each component of the error, in the unit of
-        Params.threshold; maps: of the noise of both arrays; F, E: about that of a coordinate. 0: not estimated.""")
+        inliers in random matches of the same points, 0..1. Also set if the model was rejected because of it; 1 if no model was
+        found.""")
+    threshold = Field[float]("""Threshold of the mask in pixels: Params.threshold or, with THRESHOLD_ESTIMATED or QUALITY_LMEDS,
+        a threshold estimated from the data.""")
+    sigma = Field[float]("""Standard deviation of each component of the inliers' errors, in the unit of Params.threshold. For F and
+        E it is about that of the points' coordinates; for maps it combines the noise of both arrays. 0: not estimated.""")
     covariance = Covariance("""Covariance of the parameters of the returned model, a d x d array of float64; None if there is no model,
         or Params.covariance is 0.
         Parameters: absolute pose and rigid motion 6: rotation vector w (radians) and translation dt of [exp(w) R, t + dt]; with scale
@@ -82,8 +84,8 @@ class Report:
         Params.initialCovariance and the covariance of the points describe their errors, 0..1. Below 0.001 the prior was not used. 0
         also if there is no prior, or the covariance of the points is not determined.""")
     wideThreshold = Field[bool]("""True if the threshold is at least half of the longest side of the box in which nearly all points
-        of the second array lie: then a model that maps everything to one place has them all as inliers. It is probably in another
-        unit: pixels, say, beside points of the normalized image plane.""")
+        of the second array lie: then a model that maps everything to one place has them all as inliers. The threshold is probably
+        in another unit than the points: in pixels, say, while the points are on the normalized image plane.""")
     cost = Field[float]("""Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of
         min(error^2 / threshold^2, 1).""")
     setupMs = Field[float]("Milliseconds: reading, scaling and ordering the points.")

@@ -107,7 +107,7 @@ class TwoViewGeometry(typing.NamedTuple):
     inliers: int  # number of inliers in the mask
     F: _Double  # 3x3, x2^T F x1 = 0 in pixels, unit norm
     E: _Double  # 3x3, in normalized image planes, singular values (1, 1, 0)/sqrt(2); None if the mask is not that of E
-    H: _Double  # 3x3, maps pixels of image 1 to image 2, h33 = 1; None if less than minInliers of the inliers agree
+    H: _Double  # 3x3, maps pixels of image 1 to image 2, h33 = 1; None if it has fewer than minInliers inliers
     # 3x3, X2 = R X1 + t, for CALIBRATED, PLANAR and PANORAMIC pairs, and for a watermark if the
     # cameras are calibrated. For a plane it may be one of two equally possible motions, if no
     # matches off the plane select one.

@@ -47,7 +47,7 @@ class Settings:
     # collection have no overlap.
     significance: float = 1e-4
     planarRatio: float = 0.8  # if a homography has more than this fraction of the inliers, the pair is planar or panoramic
-    calibrationRatio: float = 0.95  # if E has less than this fraction of F's inliers, the focal lengths are taken as wrong
+    calibrationRatio: float = 0.95  # if E has less than this fraction of F's inliers, the focal lengths are considered wrong
     watermarks: bool = True  # detects pairs whose matches belong to a frame or mark in the images
 
     def __post_init__(self) -> None:

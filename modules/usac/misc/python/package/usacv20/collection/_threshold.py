@@ -80,9 +80,9 @@ class ThresholdEstimate:
     def describe(self) -> str:
         """Returns one sentence for a log."""
         if not self.used:
-            return ("{:g} px, COLMAP's, as none of {} pairs that were looked at tells the noise: in none enough matches agree; "
+            return ("{:g} px, COLMAP's, as none of {} pairs gave an estimate of the noise: too few matches agree; "
                     "--threshold PIXELS sets another".format(self.threshold, self.asked))
-        text = "{:g} px, as the noise of a coordinate is {:.3g} px ({} of {} pairs tell it, apart by {:.0%})".format(
+        text = "{:g} px, as the noise of a coordinate is {:.3g} px ({} of {} pairs gave an estimate, spread {:.0%})".format(
             self.threshold, self.sigma, self.used, self.asked, self.spread)
         return text + ("; so few may be wrong by a factor of 4" if self.used < ENOUGH else "")
 
