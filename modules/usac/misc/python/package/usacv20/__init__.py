@@ -3,46 +3,47 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """USACv20: robust estimation of homographies, affinities, similarities, fundamental and essential
-matrices, camera poses, motions of space.
+matrices, camera poses, and motions between sets of 3-D points.
 
-The package is available as cv2.usacv20 in an OpenCV built with the module, and as usacv20 next to
-any cv2 or without cv2. It offers:
+The package is cv2.usacv20 in an OpenCV that was built with the module, and usacv20 if it was
+installed by itself. The latter works with any cv2 and without cv2. It offers:
 
 1. Flags: USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_AUTO, USACV20_PROSAC, USACV20_MAGSAC,
-   USACV20_PARALLEL, or one of OpenCV's. With USACV20_AUTO, the threshold is only an upper limit;
-   the estimated threshold is report.threshold.
+   USACV20_PARALLEL, and those of OpenCV. With USACV20_AUTO, the given threshold is only an upper
+   limit; the estimated threshold is report.threshold.
 
     H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
-The functions of cv2 take these flags, which are integers, too: always in an OpenCV built with the
-module (cv2.USACV20), in any other after usacv20.patch_cv2(). Without patch_cv2(),
-cv2.findFundamentalMat and cv2.findEssentialMat silently run LMEDS.
+The flags are integers. The functions of cv2 accept them, too: always in an OpenCV built with the
+module (cv2.USACV20), in any other cv2 after usacv20.patch_cv2(). Without patch_cv2(),
+cv2.findFundamentalMat and cv2.findEssentialMat run LMEDS for these flags without an error message.
 
-2. All options in place of the flag, and 3. a report of what the estimator learned.
+2. All options (Params) in place of the flag.
+3. A report on the run: its statistics, and the uncertainty of the model.
 
     params = usacv20.Params(threshold=2.0, scores=[match.distance for match in matches])
     H, mask = usacv20.findHomography(points1, points2, params)
     H, mask, report = usacv20.estimateHomography(points1, points2, params)
 
-Many pairs in one call: estimateHomographies and similar functions. All pairs of a collection of
-images: python3 -m usacv20.collection. A picture: draw_matches. For research, not in cv2.usacv20:
-the class Usac, whose sampler and score can be replaced by Python code (Sampler, Score); other
-components can be replaced in C++ only.
+estimateHomographies and similar functions process many pairs of images in one call; python3 -m
+usacv20.collection processes all pairs of a collection of images. draw_matches makes a picture of
+the matches. For research, the class Usac runs a search whose sampler and score can be replaced by
+Python code (Sampler, Score). This class is not in cv2.usacv20; other components can be replaced in
+C++ only.
 
-Functions for known inliers need no search: fitModel (OpenCV's method 0), refineModel and
-modelErrors. estimateRelativePose finds the motion of a camera between two views, with points in
-front of the cameras. A run can be ended after Params.maxTime milliseconds, by the function of
-usacv20.progress, or by Ctrl-C (in cv2.usacv20 only within usacv20.progress).
+fitModel (like OpenCV's method 0), refineModel and modelErrors fit, refine and evaluate a model
+without a search. estimateRelativePose finds the motion of a calibrated camera between two views;
+its inliers are in front of both cameras. A run can be ended after Params.maxTime milliseconds, by
+the function of usacv20.progress, or by Ctrl-C (in cv2.usacv20 only within usacv20.progress).
 
-If there is no model, the model is None, the mask is zero, and report.stop gives the reason.
-report.chance bounds the probability that random matches give an equally good model. Wrong arguments
-raise usacv20.error, a subclass of cv2.error if there is a cv2, which names the argument. The
-interpreter's lock is released during an estimation; with cv2.usacv20, no other thread may change
-points and Params during this time.
+If there is no model, the model is None, all entries of the mask are 0, and report.stop gives the
+reason. report.chance is an upper bound of the probability that random matches give an equally good
+model. Invalid arguments raise usacv20.error, which names the argument; it is a subclass of
+cv2.error if cv2 can be imported. The global interpreter lock is released during an estimation; with
+cv2.usacv20, no other thread may change the points and the Params during this time.
 
-More: help(usacv20.Params), help(usacv20.Report), and help on enumerations, such as
-help(usacv20.QualityType).
-"""
+See also help(usacv20.Params), help(usacv20.Report), and help on enumerations, such as
+help(usacv20.QualityType)."""
 
 import importlib as _importlib
 from typing import TYPE_CHECKING, Any, List
@@ -65,8 +66,8 @@ from ._problems import *  # noqa: F403
 from ._relative_pose import RelativePose, estimateRelativePose
 from ._report import Report
 from ._two_view import TwoViewGeometry, TwoViewPair, TwoViewRules, estimateTwoViewGeometries, estimateTwoViewGeometry
-# Exported, but not in __all__, whose names help() shows. Type checkers treat a name as exported if
-# it is imported as itself.
+# These names are exported, but are not in __all__, so that help() does not show them. Type checkers
+# treat a name as exported if it is imported as itself.
 from ._enumerations import (
     DegeneracyFlags as DegeneracyFlags, LocalOptimizationType as LocalOptimizationType,
     NeighborhoodType as NeighborhoodType, OrderingType as OrderingType, PolishingType as PolishingType,
@@ -111,8 +112,8 @@ __all__ += [
 
 if TYPE_CHECKING:
     class error(Exception):
-        """Raised for a wrong argument, which the message names; a subclass of cv2.error where cv2
-        can be imported."""
+        """Raised for an invalid argument, which the message names. It is a subclass of cv2.error if
+        cv2 can be imported."""
 
         code: int
         err: str
@@ -128,9 +129,9 @@ def isUsacV20Method(method: int) -> bool:
 
 
 def __getattr__(name: str) -> Any:
-    if name == "error":  # made at its first use, as this may import cv2
+    if name == "error":  # the class is made at its first use, because that may import cv2
         return _errorClass()
-    if name == "collection":  # allows usacv20.collection.verify(path) without importing usacv20.collection
+    if name == "collection":  # allows usacv20.collection.verify(path) after import usacv20
         return _importlib.import_module(__name__ + ".collection")
     raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
 

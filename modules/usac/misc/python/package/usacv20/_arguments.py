@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
 Function = typing.TypeVar("Function", bound=typing.Callable[..., Any])
 INT_MIN, INT_MAX = -2**31, 2**31 - 1
-# Types of numbers that cv::Mat has, in native byte order.
+# The number types that cv::Mat supports, in native byte order.
 _TAKEN = frozenset(np.dtype(kind) for kind in ("u1", "i1", "u2", "i2", "i4", "f4", "f8"))
 
 
 def bind(function: str, names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any], args: Tuple[Any, ...],
          kwargs: Dict[str, Any]) -> Dict[str, Any]:
-    """Returns the arguments of a call by their names; raises TypeError for one that is missing, unknown or given twice."""
+    """Returns the arguments of a call by their names. Raises TypeError if an argument is missing, unknown or given twice."""
     if len(args) > len(names):
         raise TypeError("{}() takes at most {} arguments ({} given)".format(function, len(names), len(args)))
     values = dict(defaults)
@@ -47,8 +47,8 @@ def bind(function: str, names: typing.Sequence[str], required: int, defaults: ty
 
 
 def signed(names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any]) -> typing.Callable[[Function], Function]:
-    """Decorator: gives a function of (*args, **kwargs) the signature that help(), completion and
-    notebooks show, with `params` as a keyword argument."""
+    """Returns a decorator for a function of (*args, **kwargs). It sets the signature that help(),
+    code completion and notebooks show: the given names, and `params` as a keyword-only argument."""
     kinds = inspect.Parameter
     parameters = [kinds(name, kinds.POSITIONAL_OR_KEYWORD, default=kinds.empty if i < required else defaults.get(name))
                   for i, name in enumerate(names)]
@@ -84,7 +84,8 @@ def isInteger(value: Any) -> bool:
 
 
 def isOfAnother(value: Any, enumeration: type) -> bool:
-    """Returns True for an enumerator of another enumeration, whose integer value has no meaning in this one."""
+    """Returns True if the value is an enumerator of another enumeration; its integer value has no meaning in this enumeration.
+    """
     return isinstance(value, enum.Enum) and not isinstance(value, enumeration)
 
 
@@ -123,7 +124,7 @@ def _converted(value: Any, name: str) -> npt.NDArray[Any]:
     refuseMasked(value, name)
     try:
         given = np.asarray(value)
-    except Exception as failure:  # rows of different lengths, or an exception of __array__
+    except Exception as failure:  # for example, rows have different lengths, or __array__ raises an exception
         raise fail("{}: an array of numbers is expected ({})".format(name, failure)) from failure
     kind = given.dtype.kind
     if value is None or kind not in "biuf":
@@ -133,14 +134,16 @@ def _converted(value: Any, name: str) -> npt.NDArray[Any]:
     if kind == "b":
         return given.astype(np.uint8)
     native = given.dtype.newbyteorder("=")
-    if native not in _TAKEN:  # float16; integers, which float64 represents up to 2**53; long double
+    # float16 becomes float32; uint32, 64-bit integers (exact up to 2**53) and long double become
+    # float64.
+    if native not in _TAKEN:
         native = np.dtype(np.float32 if native == np.float16 else np.float64)
     return np.require(given, native, "A")
 
 
 def array(value: Any, name: str) -> npt.NDArray[Any]:
-    """Returns an array that C++ can read: `value` itself if it is such an array with any layout,
-    otherwise a converted copy."""
+    """Returns an array that C++ can read: `value` itself if it is an aligned array of a supported
+    number type, with any strides, otherwise a converted copy."""
     if type(value) is np.ndarray and value.dtype in _TAKEN and value.ndim > 0 and value.flags.aligned:
         given = value
     else:
@@ -156,8 +159,9 @@ def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
 
 
 def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
-    """2-D points as rows of three homogeneous coordinates, as C++ reads the array; None if the
-    points have two coordinates."""
+    """Returns 2-D points as rows of three homogeneous coordinates, in the way in which C++
+    interprets the shape of the array. Returns None if C++ does not interpret the points as
+    homogeneous."""
     if given.ndim == 3:
         return given.reshape(-1, 3) if given.shape[2] == 3 else None
     if given.ndim == 1:
@@ -170,24 +174,33 @@ def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
     return given if cols == 3 else None
 
 
-# Constants of _looksLikeColumn: rows needed; rows examined at most; standard errors; limit of the
-# slope; limit of the explained part of the variance. Columns of feature sizes (1.6 times powers of
-# 2) are recognized in 1, 60 and 100 of 100 lists of 60, 200 and 1000 rows. Homogeneous points are
-# not taken for such columns, except 5 % of lists with the principal point in an image corner. With
-# half and double values: _ROWS and _MOST_ROWS: no change; _SURE: recognized in 50 and 0 of 100
-# lists of 60 rows, corner 67 and 0 %; _INDEPENDENT 0.25 and 0.75: 80 and 100 of 100 lists of 1000
-# rows, corner 0 and 55 %; _EXPLAINED 0.8 and 0.95: no change.
+# Constants of _looksLikeColumn:
+# _ROWS -- minimum number of rows
+# _MOST_ROWS -- approximate maximum number of rows that are examined
+# _SURE -- number of standard errors that are added to the slope
+# _INDEPENDENT -- upper limit of this sum
+# _EXPLAINED -- fraction of the variance of w: if a linear function of the first two columns
+# explains at least this fraction, w is regarded as such a function
+#
+# With these values, columns of feature sizes (1.6 times powers of 2) are recognized in 1, 60 and
+# 100 of 100 lists of 60, 200 and 1000 rows. Homogeneous points are not mistaken for such columns,
+# except in 5 % of the lists from cameras whose principal point is in an image corner. With half and
+# twice the value of _ROWS or _MOST_ROWS, and with _EXPLAINED 0.8 and 0.95, the results are the
+# same. With half and twice the value of _SURE, 50 and 0 of 100 lists of 60 rows are recognized, and
+# 67 and 0 % of the lists from these cameras are mistaken. With _INDEPENDENT 0.25 and 0.75, 80 and
+# 100 of 100 lists of 1000 rows are recognized, and 0 and 55 % of these lists are mistaken.
 _ROWS, _MOST_ROWS, _SURE, _INDEPENDENT, _EXPLAINED = 50, 1000, 4.0, 0.5, 0.9
 
 
 def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
-    """Returns whether the third coordinate w is independent of the first two, as the size of a
-    feature is.
+    """Returns True if the third column w is statistically independent of the first two, as the size
+    of a feature is.
 
-    Homogeneous coordinates (w x, w y, w) grow with w: the regression of log(w x) on log(w) has
-    slope 1 if w is independent of x, for example a depth. For points under a projective map, w is a
-    linear function of the other two. No criterion is certain: points of a box seen by a camera
-    whose principal point is in a corner of the image also look independent."""
+    Homogeneous coordinates (w x, w y, w) are larger for larger w: the regression of log(w x) on
+    log(w) has slope 1 if w is independent of the image coordinate x, for example if w is a depth.
+    For points under a projective map, w is a linear function of the first two columns. No criterion
+    is certain: for points of a box seen by a camera whose principal point is in a corner of the
+    image, w also looks independent."""
     some = np.asarray(rows[::max(len(rows) // _MOST_ROWS, 1)], np.float64)
     some = some[np.isfinite(some).all(1)]
     if len(some) < _ROWS or some.min() < 0 or some[:, 2].min() <= 0:
@@ -200,7 +213,7 @@ def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
     w = centered[:, 2]
     solution = np.linalg.lstsq(centered[:, :2], w, rcond=None)[0]
     if np.square(w - centered[:, :2] @ solution).sum() <= (1 - _EXPLAINED) * np.square(w).sum():
-        return False  # w is linear in the other two, or constant
+        return False  # w is a linear function of the first two columns, or constant
     logs = np.log(some)
     logs -= logs.mean(0)
     spread = np.square(logs[:, 2]).sum()
@@ -213,10 +226,10 @@ def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
 
 
 def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
-    """Converts a list of points of a plane or of space like array(). Raises usacv20.error for
-    several lists, and for a third column that looks like a confidence (0..1, not all 1), since C++
-    would divide by it as a homogeneous coordinate. A third column that looks like sizes of
-    features, but may be homogeneous, gives a warning."""
+    """Converts a list of 2-D points (if `plane` is true) or 3-D points like array(). Raises
+    usacv20.error for several lists, and for a third column that looks like a confidence (0..1, not
+    all 1), because C++ would divide by it as a homogeneous coordinate. A third column that looks
+    like sizes of features, but may be homogeneous, causes a warning."""
     given = array(value, name)
     if given.ndim == 3 and min(given.shape[0], given.shape[1]) > 1 and given.shape[2] > 1:
         raise fail("{}: one list of points is expected, Nx{k} or Nx1x{k}, not the shape {}; many lists are for the functions of many "
@@ -253,8 +266,8 @@ def checkMask(given: Any, name: str) -> None:
 
 
 def output(given: Any, result: Any) -> Any:
-    """Writes the result to the caller's array and returns this array if type and size fit, as in
-    cv2; otherwise returns the result. A mask may have the type bool."""
+    """Writes the result to the caller's array and returns this array if its type and size fit, as
+    in cv2; otherwise returns the result. The array for a mask may also have the type bool."""
     if result is None or not isinstance(given, np.ndarray) or given.dtype not in (result.dtype, np.bool_):
         return result
     if given.shape != result.shape and given.shape != result.shape[:1]:

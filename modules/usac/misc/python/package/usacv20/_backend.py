@@ -3,7 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Chooses `native`, the compiled part: cv2._native.usacv20 inside OpenCV, otherwise the extension
-module `_native`. Both have equal functions."""
+module `_native`. Both provide the same functions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ elif IN_TREE:
 
     from ._intree import Native
 
-    native = Native(cv2)  # raises ImportError if this file is from another build; cv2 then works without the module
+    native = Native(cv2)  # raises ImportError if this cv2 was built without the module; cv2 itself still works
 else:
     try:
         from . import _native as native

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs many estimations in one call, in parallel in C++, for the functions of each problem (_problems.py)."""
+"""Runs many estimations in one call, in parallel in C++; used by the functions in _problems.py."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
     _Arrays = Union[npt.ArrayLike, typing.Sequence[Optional[npt.ArrayLike]], None]
 
 _ARRAYS = ("points1", "points2", "cameraMatrices1", "cameraMatrices2", "distCoeffs1", "distCoeffs2")
-POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "")  # used instead of _ARRAYS for poses
+POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "")  # used instead of _ARRAYS for absolute poses
 
 
 class _Mistakes:
-    """Collects exceptions by the index of their task. Unless `kept` is set, the first exception is
+    """Collects exceptions, with the index of their task. If `kept` is false, the first exception is
     raised at once."""
 
     def __init__(self, kept: bool) -> None:
@@ -41,7 +41,8 @@ class _Mistakes:
         self.found: Dict[int, Exception] = {}
 
     def guard(self, task: int, make: typing.Callable[[], Any], instead: Any) -> Any:
-        """Returns what `make` returns, or `instead` if it raises an exception."""
+        """Returns the result of make(), or `instead` if make() raises an exception that is
+        collected."""
         try:
             return make()
         except Exception as mistake:
@@ -52,9 +53,9 @@ class _Mistakes:
 
 
 def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
-    """Returns a list of arrays with an entry for each task or one entry for all tasks; empty for
-    None. `given` is a list of arrays or one array. One array may also be given as a list of numbers
-    or of rows of numbers."""
+    """Returns a list of arrays with one entry for each task, or with a single entry for all tasks;
+    the list is empty if `given` is None. `given` is a list of arrays or a single array. A single
+    array may also be given as a list of numbers or of rows of numbers."""
     if given is None:
         return []
     isList = isinstance(given, (list, tuple)) and any(item is None or np.ndim(item) >= 1 for item in given)
@@ -70,15 +71,15 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
 
 def _arrays(given: List[Any], name: str, mistakes: _Mistakes) -> List[Any]:
     take = _arguments.optionalArray
-    if len(given) == 1:  # one array for all tasks: an error in it is not the error of a single task
+    if len(given) == 1:  # one array for all tasks: its error does not belong to a single task and is raised at once
         return [take(given[0], name)]
     return [mistakes.guard(i, lambda: take(entry, "{}[{}]".format(name, i)), NO_POINTS)  # noqa: B023, called at once
             for i, entry in enumerate(given)]
 
 
 def _lists(given: Any, name: str) -> List[Any]:
-    """Returns the list of points for each task. Raises usacv20.error if `given` has the dimensions
-    of the points of one pair."""
+    """Returns a list with the points of each task. Raises usacv20.error if `given` has the shape of
+    the points of a single pair."""
     if isinstance(given, np.ndarray) and given.dtype != object:
         _arguments.refuseMasked(given, name)
         onePair = given.ndim != 3 or (given.shape[1] == 1 and given.shape[0] > 1)
@@ -92,7 +93,7 @@ def _lists(given: Any, name: str) -> List[Any]:
 
 
 def _some(entry: Any) -> List[Any]:
-    """Returns a list with the first row of an entry, or an empty list."""
+    """Returns a list with the first row of an entry; an empty list if there is none."""
     return list(entry[:1]) if isinstance(entry, (list, tuple, np.ndarray)) and np.ndim(entry[:1]) else []
 
 
@@ -104,8 +105,8 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
 def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
                  cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
                  distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
-    """Estimates models of one problem for all entries of the lists. `names` are the names of these
-    arguments in messages."""
+    """Estimates models of one problem for all entries of the lists. `names` are the caller's names
+    of the six array arguments, for messages."""
     first, second = _lists(points1, names[0]), _lists(points2, names[1])
     count = len(first)
     if len(second) != count:

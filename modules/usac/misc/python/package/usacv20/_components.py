@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Components written in Python: a search with a user-defined sampler or score."""
+"""A search whose sampler or score is written in Python."""
 
 from __future__ import annotations
 
@@ -30,21 +30,21 @@ Rng = native.Rng
 
 
 class Correspondences(typing.NamedTuple):
-    """The points as components see them: only points with finite coordinates, in a fixed
-    pseudo-random order, in the coordinates of the search (scaled to about unit size; for E in the
-    normalized image plane)."""
+    """The points as the components see them: only points with finite coordinates, in a fixed
+    pseudo-random order, and in the coordinates of the search. These are scaled to about unit size;
+    for E, they are on the normalized image plane."""
 
-    data: npt.NDArray[np.float64]  #: N x columns; of two views x1, y1, x2, y2
-    inputIndex: npt.NDArray[np.int32]  #: N, index of each point in the caller's arrays
-    scores: Optional[npt.NDArray[np.float32]]  #: N, as in Params.scores; None if there are none
+    data: npt.NDArray[np.float64]  #: N x number of columns; for two views, the columns are x1, y1, x2, y2
+    inputIndex: npt.NDArray[np.int32]  #: N, row of each point in the caller's arrays
+    scores: Optional[npt.NDArray[np.float32]]  #: N, Params.scores in the order of these points; None: no scores
     threshold: float  #: Params.threshold times Params.reach in these coordinates, not squared
     sampleSize: int  #: number of points in a minimal sample
 
 
 class _Component(abc.ABC):
     def start(self, points: Correspondences) -> None:
-        """Called once at the beginning of each run. The arrays are copies and may be kept. The
-        default does nothing."""
+        """Called once at the beginning of each run. The arrays are copies, so a component may store
+        them. The default does nothing."""
 
     def _begin(self, *points: Any) -> None:
         self.start(Correspondences(*points))
@@ -54,8 +54,8 @@ class Sampler(_Component):
     """Base class of samplers, which draw the minimal samples.
 
     One thread calls sample() once for each sample. A call has an overhead of about a microsecond:
-    5000 samples of fundamental matrices of 1000 matches take 10 milliseconds with the sampler
-    below, 5 with that of C++.
+    5000 samples for a fundamental matrix from 1000 matches take 10 milliseconds with the sampler
+    below, and 5 milliseconds with the uniform sampler of C++.
 
     >>> import numpy as np, usacv20
     >>> class Uniform(usacv20.Sampler):
@@ -73,29 +73,31 @@ class Sampler(_Component):
     ([[0.9, 0.1, 5.0], [-0.1, 0.9, 8.0]], 50)
     """
 
-    #: Whether the last sample counts for the termination criteria as a uniform sample of all
-    #: points. Set it to False (sample() may do so) for a sample from a part of the points, which
-    #: may never find the best model.
+    #: True: the termination criteria count the last sample like one drawn uniformly from all
+    #: points. Set this attribute to False (sample() may do so) for samples from a subset of the
+    #: points, which may never consist of inliers of the best model.
     counts: bool = True
 
     @abc.abstractmethod
     def sample(self, rng: native.Rng, iteration: int) -> typing.Sequence[int]:
         """Draws a sample.
 
-        rng -- random numbers of this iteration, the same ones for the same Params.seed
-        iteration -- number of the sample, from 0 on
+        rng -- random number generator of this iteration; the same Params.seed gives the same
+        numbers
+        iteration -- number of samples drawn before this one
 
-        Returns sampleSize distinct rows of Correspondences.data."""
+        Returns Correspondences.sampleSize distinct row indices of Correspondences.data."""
 
 
 class Score(_Component):
     """Base class of scores, which convert the errors of points to costs.
 
-    accumulate() is called for each block of points of each model, by Params.threads threads at
-    once, which wait for the interpreter's lock. A call takes about 10 microseconds with NumPy, as
-    below: estimating a homography of 1000 matches takes 14 times as long as with the score of C++,
-    a fundamental matrix 12 times. With `wholeModel`, which makes one call for each model, it takes
-    3 to 4 times as long.
+    accumulate() is called for each block of points of each model. Params.threads threads call it,
+    but only one of them at a time, because of the global interpreter lock. A call of the score
+    below, which uses NumPy, takes about 10 microseconds: the estimation of a homography from 1000
+    matches takes 14 times as long as with the score of C++, that of a fundamental matrix 12 times.
+    If `wholeModel` is True, so that there is one call for each model, it takes 3 to 4 times as
+    long as with the score of C++.
 
     >>> import numpy as np, usacv20
     >>> class Truncated(usacv20.Score):  # the cost of MSAC
@@ -113,23 +115,23 @@ class Score(_Component):
     (50, True)
     """
 
-    #: True: the cost is not a sum over points; accumulate() is called once for each model with all
-    #: points.
+    #: True: the cost is not a sum over the points (for example, it is a median), so accumulate() is
+    #: called once for each model, with all points. False: it is called for blocks of points.
     wholeModel: bool = False
 
-    #: The fraction of the threshold, above 0 and at most 1, up to which accumulate() counts
-    #: inliers. Points with larger errors only add to the cost.
+    #: accumulate() counts a point as an inlier if its error is at most this fraction of the
+    #: threshold; above 0 and at most 1. Points with larger errors only add to the cost.
     inlierPart: float = 1.0
 
     @abc.abstractmethod
     def accumulate(self, squaredErrors: npt.NDArray[np.float32], squaredThreshold: float) -> Tuple[float, int]:
         """Returns the cost and the number of inliers of a block of points.
 
-        squaredErrors -- float32, a copy; NaN and infinite ones are outliers
-        squaredThreshold -- in the unit of the errors
+        squaredErrors -- array of float32, a copy; points with NaN or infinite errors are outliers
+        squaredThreshold -- squared threshold, in the unit of squaredErrors
 
-        Returns (cost, inliers): the sum of the costs of the points, each between 0 (perfect) and 1 (outlier), and the number
-        of inliers."""
+        Returns (cost, inliers): the sum of the costs of the points, each between 0 (perfect) and 1
+        (outlier), and the number of inliers."""
 
 
 def _noComponent(name: str) -> str:
@@ -138,9 +140,11 @@ def _noComponent(name: str) -> str:
 
 
 class Components:
-    """The parts of an estimator that can be replaced; None stands for the part that Params chose.
+    """The components of an estimator that can be replaced; None stands for the component that
+    Params selects.
 
-    Python can replace two of them, sampler (Sampler) and score (Score); all others, and the problem, only C++ can."""
+    Python code can replace two components: `sampler` (by a Sampler) and `score` (by a Score). The
+    other components and the problem can be replaced in C++ only."""
 
     __slots__ = ("_usac", "_sampler", "_score", "__weakref__")
 
@@ -161,7 +165,7 @@ class Components:
 
     @property
     def sampler(self) -> Optional[Sampler]:
-        """The Sampler that draws the minimal samples; None is the one that Params chose."""
+        """The Sampler that draws the minimal samples. None: the sampler that Params selects."""
         return self._sampler
 
     @sampler.setter
@@ -173,7 +177,7 @@ class Components:
 
     @property
     def score(self) -> Optional[Score]:
-        """The Score that converts errors to costs; None stands for the one that Params chose."""
+        """The Score that converts errors to costs. None: the score that Params selects."""
         return self._score
 
     @score.setter
@@ -190,7 +194,7 @@ def _points(problem: int, points1: Any, points2: Any) -> Tuple[npt.NDArray[Any],
 
 
 class Usac:
-    """One estimation with its points, parameters and components; made by Usac.create()."""
+    """One estimation with its points, options and components; created by Usac.create()."""
 
     __slots__ = ("_usac", "_problem", "_components", "_params", "__weakref__")
 
@@ -212,12 +216,14 @@ class Usac:
     def create(cls, problem: int, points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
                cameraMatrix1: Optional[npt.ArrayLike] = None, cameraMatrix2: Optional[npt.ArrayLike] = None,
                distCoeffs1: Optional[npt.ArrayLike] = None, distCoeffs2: Optional[npt.ArrayLike] = None) -> Usac:
-        """Reads the points and builds the components that `params` names.
+        """Reads the points and creates the components that `params` selects.
 
         problem -- ProblemType
-        points1, points2 -- N points each, as the function estimate* of the problem has them
-        params -- Params, None for the default
-        cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- for ESSENTIAL and ABSOLUTE_POSE, as for estimateEssential"""
+        points1, points2 -- N points each, in the layouts that the function estimate* of the problem
+        takes
+        params -- Params; None: the defaults
+        cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- for ESSENTIAL, as in
+        estimateEssential; ABSOLUTE_POSE uses cameraMatrix1 and distCoeffs1"""
         if _arguments.isOfAnother(problem, ProblemType):
             raise fail("problem: a ProblemType is expected, not {!r}".format(problem))
         number = integer(problem, "problem", None, 0, len(ProblemType) - 1)
@@ -235,9 +241,9 @@ class Usac:
 
     @property
     def params(self) -> Params:
-        """A read-only copy of the options. Assign other options for the next run: usac.params =
-        usac.params.replace(threshold=2). Replaced components are kept. If a value is wrong, nothing
-        changes."""
+        """A read-only copy of the options. Assign other options to this property before the next
+        run: usac.params = usac.params.replace(threshold=2). Replaced components stay. If a value is
+        invalid, an exception is raised and nothing changes."""
         return self._params
 
     @params.setter
@@ -256,15 +262,16 @@ class Usac:
 
     @property
     def points(self) -> Correspondences:
-        """Copies of the points in the form that components see."""
+        """Copies of the points as the components see them."""
         return Correspondences(*self._usac.points())
 
     def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike, scores: Optional[npt.ArrayLike] = None) -> None:
-        """Sets other points for the next run; their number may differ. Allocated memory is reused
-        unless scores are given, too.
+        """Sets other points for the next run; their number may differ. Allocated memory is reused,
+        unless scores are given.
 
-        points1, points2 -- as for create()
-        scores -- new Params.scores; None: the previous scores, whose number must still fit"""
+        points1, points2 -- as in create()
+        scores -- new Params.scores; None: the previous scores stay, and there must be as many of
+        them as points"""
         given = _points(self._problem, points1, points2)
         if scores is None:
             self._usac.setPoints(*given)
@@ -272,12 +279,12 @@ class Usac:
             self._renew(*given, params=self._params.replace(scores=scores))
 
     def run(self, mask: _Mask = None) -> _Estimate:
-        """Runs the estimation. Further calls give the same result. An exception in a component ends
-        the run and is raised here.
+        """Runs the estimation. Repeated calls return the same result. An exception in a component
+        ends the run and is passed on to the caller.
 
         mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
-        Returns (model, mask, report) as the function estimate* of the problem."""
+        Returns (model, mask, report) like the function estimate* of the problem."""
         _arguments.checkMask(mask, "mask")
         model, inliers, report = self._usac.run()
         return model, _arguments.output(mask, inliers), Report._of(report)

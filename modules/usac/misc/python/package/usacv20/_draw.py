@@ -32,8 +32,8 @@ def _imported(name: str) -> Any:
 
 
 def _image(value: Any, name: str) -> _Image:
-    """Returns an image as height x width x 3 bytes in pale gray, so that colored lines are visible
-    on it."""
+    """Returns an image as an array of bytes, height x width x 3, in pale gray, so that colored
+    lines are visible on it."""
     given = np.asarray(value)
     channels = given.shape[2] if given.ndim == 3 else 1
     if given.ndim not in (2, 3) or channels not in (1, 3, 4) or given.size == 0 or given.dtype.kind not in "buif":
@@ -81,7 +81,7 @@ def _drawnByMatplotlib(figures: Any, canvas: _Image, ends: npt.NDArray[np.float6
     axes = figure.add_axes((0, 0, 1, 1))
     axes.axis("off")
     axes.imshow(canvas, interpolation="nearest", aspect="auto", extent=(-0.5, width - 0.5, height - 0.5, -0.5))
-    point = 72 / dpi  # size of a pixel in points
+    point = 72 / dpi  # size of a pixel in typographic points, 1/72 inch
     for flag, color in ((False, OUTLIER), (True, INLIER)):
         some, tone = ends[good == flag], tuple(value / 255 for value in color)
         lines = ends[(good == flag) & joined]
@@ -99,17 +99,18 @@ def _drawnByMatplotlib(figures: Any, canvas: _Image, ends: npt.NDArray[np.float6
 def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.ArrayLike, points2: npt.ArrayLike,
                  mask: Optional[npt.ArrayLike] = None, lines: int = 60) -> _Image:
     """Draws both images side by side in gray, with dots at the matches, green for inliers and
-    magenta for outliers, and lines that join the two points of some inliers. It uses cv2 or
-    matplotlib and raises ImportError if there is neither.
+    magenta for outliers, and with lines that join the two points of some inliers. Uses cv2 or
+    matplotlib; raises ImportError if there is neither.
 
         picture = usacv20.draw_matches(image1, image2, points1, points2, mask)
         cv2.imwrite("matches.png", picture)  # or matplotlib.pyplot.imshow(picture)
 
-    image1, image2 -- gray or color images, of bytes or of floats from 0 to 1
+    image1, image2 -- gray or color images, of integers or of floats from 0 to 1
     points1, points2 -- N points of each image in pixels: Nx2, 2xN, Nx1x2 or 1xNx2; points that are
     not finite are not drawn
-    mask -- N numbers, nonzero for inliers; None: all are inliers
-    lines -- number of inliers that are joined by lines, spread evenly over the list; 0: none
+    mask -- N numbers, nonzero for inliers; None: all matches are inliers
+    lines -- maximum number of inliers that are joined by lines, spread evenly over the list; 0: no
+    lines
 
     Returns an array of uint8, height x width x 3."""
     first, second = _image(image1, "image1"), _image(image2, "image2")
@@ -126,7 +127,8 @@ def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.Arra
     canvas[:len(second), first.shape[1]:] = second
 
     ends = np.hstack((places1, places2 + [first.shape[1], 0]))
-    # Points far outside the picture are not visible and would overflow fixed-point coordinates.
+    # Points far outside the picture are not drawn: they are invisible, and their fixed-point
+    # coordinates would overflow.
     near = (np.abs(np.where(np.isfinite(ends), ends, np.inf)) < 1e5).all(axis=1)
     ends, good = ends[near], good[near]
     joined = np.zeros(len(ends), bool)

@@ -23,7 +23,7 @@ func, line and msg, as those of cv2."""
 
 
 def _cv2Error() -> Type[Exception]:
-    """Returns cv2.error, or Exception if cv2 cannot be imported, for whatever reason."""
+    """Returns cv2.error, or Exception if cv2 cannot be imported for any reason."""
     try:
         if "cv2" not in sys.modules and importlib.util.find_spec("cv2") is None:
             return Exception
@@ -34,7 +34,7 @@ def _cv2Error() -> Type[Exception]:
 
 
 def errorClass() -> Type[Exception]:
-    """Returns the class usacv20.error, which is made when it is used first, so that importing the package does not import cv2."""
+    """Returns the class usacv20.error. It is made at its first use, so that importing the package does not import cv2."""
     if not _made:
         base = _cv2Error()
         if _PACKAGE.startswith("cv2."):
@@ -46,7 +46,7 @@ def errorClass() -> Type[Exception]:
 
 
 def fail(message: str) -> Exception:
-    """Returns the exception for the caller to raise."""
+    """Returns a usacv20.error with this message; the caller raises it."""
     return errorClass()(message)
 
 
@@ -54,8 +54,9 @@ _ATTRIBUTES = ("code", "err", "file", "func", "line", "msg")
 
 
 def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args: Any) -> Any:
-    """Calls a function of the compiled part. In the messages of its errors, names of C++ arguments
-    are replaced by the caller's names; `names` maps the former to the latter."""
+    """Calls a function of the compiled part. In the messages of its errors, the names of C++
+    arguments are replaced by the caller's names; `names` maps the C++ names to the caller's names.
+    """
     try:
         return function(*args)
     except Exception as mistake:  # not BaseException, so that KeyboardInterrupt is not caught
@@ -72,14 +73,14 @@ def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args
 
 
 def inWordsOf(names: typing.Mapping[str, str], message: str) -> str:
-    """Returns a message "argument: what is wrong with it" with the caller's name of the argument.
-    """
+    """Returns a message of the form "argument: description" with the name of the argument replaced
+    by the caller's name."""
     head, colon, rest = message.partition(":")
     return re.sub(r"\w+", lambda word: names.get(word.group()) or word.group(), head) + colon + rest if colon else message
 
 
 def fromNative(message: str, **attributes: Any) -> Exception:
-    """Returns the exception of this package for an exception of C++."""
+    """Returns a usacv20.error for an exception of C++, with the attributes of that exception."""
     result = fail(message)
     for name, value in attributes.items():
         setattr(result, name, value)

@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""findEssentialMat with OpenCV's arguments in their four forms, and with a flag or a Params."""
+"""findEssentialMat with each of the four argument lists that OpenCV's function has, and with a flag
+or a Params."""
 
 from __future__ import annotations
 
@@ -37,8 +38,8 @@ def _placeOfParams(args: Tuple[Any, ...]) -> int:
 
 
 def _form(args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Tuple[str, ...]:
-    """Returns the argument names of the form of the call, which is determined by the types of the
-    arguments. In each form a Params may replace the flag."""
+    """Returns the argument names of the argument list that a call uses. The names and types of the
+    arguments determine the list. In each list, a Params may replace the flag."""
     place = _placeOfParams(args)
     if "params" in kwargs or "dist_coeff1" in kwargs or "dist_coeff2" in kwargs or (place == 6):
         return _PARAMS
@@ -98,18 +99,21 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
     cv2.findEssentialMat with a flag of this module or of OpenCV, or with all options.
 
     points1, points2 -- N points of each image in pixels, as for findHomography
-    cameraMatrix -- 3x3 camera matrix of both images; cameraMatrix1, cameraMatrix2: of each
+    cameraMatrix -- 3x3 camera matrix of both images
+    cameraMatrix1, cameraMatrix2 -- 3x3 camera matrices of image 1 and image 2
     focal, pp -- focal length and principal point (x, y) of both images in pixels; default 1 and (0, 0)
-    distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 numbers, the distortion as in cv2.undistortPoints; None: none
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; in all
-        forms a Params can replace the flag
-    prob -- probability that the result is the best model; default 0.999
+    distCoeffs1, distCoeffs2, dist_coeff1, dist_coeff2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and
+        camera 2, as in cv2.undistortPoints; None: no distortion
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; in each
+        argument list above, a Params can replace the flag
+    prob -- confidence of the search, see Params.confidence; default 0.999
     threshold -- inlier threshold, Sampson distance in pixels; default 1
-    maxIters -- upper bound of the number of samples; default (also for None) 1000
+    maxIters -- maximum number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params
-    retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and five points: up to ten of them in 30x3)
-    mask -- Nx1 array of uint8, 1 for inliers"""
+    retval -- essential matrix, 3x3 array of float64; None if there is no model (OpenCV's flags with five points: up to ten
+        matrices, stacked in an array of up to 30x3)
+    mask -- as a result: Nx1 array of uint8, 1 for inliers"""
     if "params" in kwargs and ("method" in kwargs or _placeOfParams(args) >= 0):
         raise fail("findEssentialMat: params is given twice, or beside method")
     if "params" in kwargs and "cameraMatrix" in kwargs:
@@ -126,7 +130,7 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
                         v["cameraMatrix2"], v["dist_coeff1"], v["dist_coeff2"],
                         ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "dist_coeff1", "dist_coeff2"))[:2]
     place = _placeOfParams(args)
-    if place >= 0 and len(args) == place + 2:  # the form (..., params, mask)
+    if place >= 0 and len(args) == place + 2:  # a call of the form (..., params, mask)
         args, kwargs = args[:place + 1], dict(kwargs, mask=args[place + 1])
     defaults = dict(_DEFAULTS, focal=1.0, pp=(0.0, 0.0)) if form is _FOCAL else _DEFAULTS
     v = bind(_NAME, form, 2 if form is _FOCAL else form.index("method"), defaults, args, kwargs)

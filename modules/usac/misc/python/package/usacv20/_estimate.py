@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs one estimation of any problem with all options and a report, for the functions of each problem (_problems.py)."""
+"""Runs one estimation of any problem, with all options and a report; used by the functions in _problems.py."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NAMES = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", 
 #: For each value of ARGUMENTS, whether the points of the first and of the second array are 2-D
 #: points.
 _IN_PLANE = {"IMAGES": (True, True), "CAMERAS": (True, True), "POSE": (False, True), "SPACES": (False, False)}
-POSE = ("objectPoints", "imagePoints", "cameraMatrix", "", "distCoeffs", "")  # used instead of NAMES
+POSE = ("objectPoints", "imagePoints", "cameraMatrix", "", "distCoeffs", "")  # used instead of NAMES for absolute poses
 
 
 def inPlane(problem: int) -> Tuple[bool, bool]:
@@ -39,7 +39,8 @@ def inPlane(problem: int) -> Tuple[bool, bool]:
 
 
 def problemOf(problem: Union[int, str]) -> int:
-    """Returns the value of a ProblemType, given as value or name."""
+    """Returns the integer value of a ProblemType that is given as an enumerator, an integer or a
+    name. Raises usacv20.error for anything else."""
     if isinstance(problem, str) and problem.upper() in ProblemType.__members__:
         return int(ProblemType[problem.upper()])
     known = _arguments.isInteger(problem) and not _arguments.isOfAnother(problem, ProblemType)
@@ -52,8 +53,8 @@ def problemOf(problem: Union[int, str]) -> int:
 def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, cameraMatrix1: Any = None,
              cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None,
              names: Tuple[str, ...] = NAMES, maskName: str = "mask") -> _Estimate:
-    """Estimates a model of any problem. `names` are the caller's names of the array arguments, for
-    messages."""
+    """Estimates a model of any problem. `names` and `maskName` are the caller's names of the array
+    arguments and of the mask, for messages."""
     options = optionsOf(params)
     _arguments.checkMask(mask, maskName)
     plane1, plane2 = inPlane(problem)
@@ -66,9 +67,9 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
 
 
 def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, params: Any, mask: Any) -> Tuple[Any, Any, Any, Any]:
-    """Converts the arguments of the form (..., cameraMatrix, params, mask), where one camera took
-    both images, to those of the form with two cameras. Returns cameraMatrix2, distCoeffs1, params,
-    mask."""
+    """Converts the arguments of the form (..., cameraMatrix, params, mask), in which both images
+    have the same camera, to those of the form with two cameras. Returns cameraMatrix2, distCoeffs1,
+    params, mask."""
     if not isinstance(cameraMatrix2, Params):
         return cameraMatrix2, distCoeffs1, params, mask
     if params is not None or distCoeffs2 is not None:
@@ -79,15 +80,16 @@ def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, para
 def estimateModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, params: Optional[Params] = None,
                   mask: _Mask = None, cameraMatrix1: Optional[npt.ArrayLike] = None, cameraMatrix2: Optional[npt.ArrayLike] = None,
                   distCoeffs1: Optional[npt.ArrayLike] = None, distCoeffs2: Optional[npt.ArrayLike] = None) -> _Estimate:
-    """Estimates a model of any kind, as estimateHomography and similar functions do, for a program
+    """Estimates a model of any kind, like estimateHomography and similar functions, for a program
     that knows the problem only at run time.
 
-    problem -- ProblemType, or its name, see fitModel
-    points1, points2 -- as the function of the problem takes them; ABSOLUTE_POSE: objectPoints and
-    imagePoints
-    params, mask -- as for that function
+    problem -- ProblemType, or its name as a string
+    points1, points2 -- N points each, in the layouts that the function estimate* of the problem
+    takes; ABSOLUTE_POSE: objectPoints and imagePoints
+    params, mask -- as in the function estimate* of the problem
     cameraMatrix1, distCoeffs1 -- for ESSENTIAL and ABSOLUTE_POSE
-    cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: as cameraMatrix1, no distortion
+    cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: the same as cameraMatrix1, and no distortion
 
-    Returns (model, mask, report), identical to the results of that function."""
+    Returns (model, mask, report), the same results as from the function estimate* of the problem.
+    """
     return estimate(problemOf(problem), points1, points2, params, mask, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)

@@ -2,10 +2,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Fields of Params and Report: descriptors with a help text that check the type of assigned values.
+"""The fields of Params and Report as descriptors, which have a help text and check the types of
+assigned values.
 
-The objects keep their numbers in an object of the compiled part, `_native`. The range of a number
-is checked there: an error is raised when the estimator is created, or by Params.check()."""
+The values are stored in an object of the compiled part, `_native`, which also checks the ranges of
+numbers: an error is raised when the estimator is created, or by Params.check()."""
 
 from __future__ import annotations
 
@@ -28,7 +29,7 @@ Self = typing.TypeVar("Self")
 
 
 class Field(typing.Generic[Read]):
-    """A descriptor of a field that can only be read."""
+    """A descriptor of a read-only field."""
 
     def __init__(self, about: str) -> None:
         self.__doc__ = about
@@ -56,7 +57,7 @@ class Field(typing.Generic[Read]):
 
 
 class EnumField(Field[Enumeration]):
-    """A descriptor of a field with an enumerator that can only be read."""
+    """A descriptor of a read-only field whose value is an enumerator."""
 
     def __init__(self, type_: Type[Enumeration], about: str) -> None:
         super().__init__(about)
@@ -67,7 +68,7 @@ class EnumField(Field[Enumeration]):
 
 
 class Real(Field[float]):
-    """A descriptor of a field with a number."""
+    """A descriptor of a field whose value is a number."""
 
     def __set__(self, instance: Any, value: float) -> None:
         if not _arguments.isReal(value):
@@ -76,7 +77,7 @@ class Real(Field[float]):
 
 
 class Integer(Field[int]):
-    """A descriptor of a field with an integer."""
+    """A descriptor of a field whose value is an integer."""
 
     def __set__(self, instance: Any, value: int) -> None:
         if not _arguments.isInteger(value):
@@ -91,8 +92,8 @@ def _short(name: str) -> str:
 
 
 class Named(Integer):
-    """A descriptor of a field with enumerators. They can also be assigned by name, with or without
-    the prefix that all names of the enumeration share."""
+    """A descriptor of a field whose value is an enumerator or a set of flags. Enumerators can also
+    be assigned by name, with or without the prefix that all names of the enumeration share."""
 
     def __init__(self, type_: Union[Type[enum.IntEnum], Type[enum.IntFlag]], about: str) -> None:
         super().__init__(about)
@@ -124,7 +125,8 @@ class Named(Integer):
 
 
 class Option(Named, typing.Generic[Enumeration]):
-    """A descriptor of a field with one enumerator. Any other integer is stored as it is and raises usacv20.error in Params.check()."""
+    """A descriptor of a field whose value is one enumerator. Any other integer is stored unchanged,
+    and Params.check() then raises usacv20.error."""
 
     def __init__(self, type_: Type[Enumeration], about: str) -> None:
         super().__init__(type_, about)
@@ -144,8 +146,9 @@ class Option(Named, typing.Generic[Enumeration]):
 
 
 class Set(Named, typing.Generic[Flags]):
-    """A descriptor of a field with a set of flags, which can also be assigned by names, "a|b". An
-    integer with other bits is stored as it is and raises usacv20.error in Params.check()."""
+    """A descriptor of a field whose value is a set of flags, which can also be assigned by names,
+    "a|b". An integer with other bits is stored unchanged, and Params.check() then raises
+    usacv20.error."""
 
     def __init__(self, type_: Type[Flags], about: str) -> None:
         super().__init__(type_, about)
@@ -170,8 +173,8 @@ class Set(Named, typing.Generic[Flags]):
 
 
 class Numbers(Field["npt.NDArray[Any]"]):
-    """A descriptor of a field with a list of numbers. Its value is a one-dimensional array that
-    belongs to the object, so that elements can be assigned."""
+    """A descriptor of a field whose value is a list of numbers: a one-dimensional array that
+    belongs to the object, so that its elements can be assigned."""
 
     def __init__(self, kind: Any, about: str) -> None:
         super().__init__(about)
@@ -196,7 +199,7 @@ class Numbers(Field["npt.NDArray[Any]"]):
         if given.dtype.kind not in "biuf" or given.ndim == 0:
             raise TypeError("{}: a list of numbers is expected, not {}".format(self.name, _arguments.shown(value)))
         self.checkShape(given)
-        with np.errstate(over="ignore"):  # numbers too large for float become infinite
+        with np.errstate(over="ignore"):  # numbers too large for float32 become infinite
             return np.array(given, self.kind).reshape(-1)
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
@@ -204,8 +207,8 @@ class Numbers(Field["npt.NDArray[Any]"]):
 
 
 class Scores(Numbers):
-    """A descriptor of a field with numbers. A row, a column or a one-dimensional array can be
-    assigned."""
+    """A descriptor of a field whose value is a list of numbers. A row, a column or a
+    one-dimensional array can be assigned."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
         if sum(side != 1 for side in given.shape) > 1:

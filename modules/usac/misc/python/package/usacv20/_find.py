@@ -32,8 +32,9 @@ SIZE_MAX = 2**64 - 1
 
 def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
               kwargs: Dict[str, Any]) -> bool:
-    """Returns whether a call has OpenCV's form with the argument `params`. A Params in place of the
-    flag is a call of the other form."""
+    """Returns True if a call has the argument list with `params`, and False if it has the argument
+    list with a flag. A Params given in place of the flag belongs to the latter if the two lists
+    have the flag and `params` at different positions."""
     if "params" in kwargs:
         if method in kwargs:
             raise fail("{}: params and {} are given, both say what to use".format(function, method))
@@ -49,8 +50,8 @@ def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace
 
 
 def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str, Any], others: typing.Sequence[str]) -> None:
-    """Raises an exception if one of the numbers `others`, which belong to a flag, is given in
-    addition to a Params, which has its own fields for them."""
+    """Raises usacv20.error if one of the arguments `others` is given in addition to a Params. They
+    belong to calls with a flag, and a Params has its own fields for them."""
     for name in others:
         if values[name] is not defaults[name] and values[name] is not None:
             raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))
@@ -92,15 +93,16 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
 
     cv2.findHomography with a flag of this module or of OpenCV, or with all options.
 
-    srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any type; with 3 instead of 2, homogeneous
+    srcPoints, dstPoints -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, any number type; with 3 coordinates instead of
+        2 the points are homogeneous
     method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
-    maxIters -- upper bound of the number of samples; default 2000
-    confidence -- probability that the result is the best model; default 0.995
+    maxIters -- maximum number of samples; default 2000
+    confidence -- confidence of the search, see Params.confidence; default 0.995
     params -- Params in place of the flag; also method=params
-    retval -- 3x3 array of float64, or None if there is none
-    mask -- Nx1 array of uint8, 1 for inliers"""
+    retval -- homography, 3x3 array of float64; None if there is no model
+    mask -- as a result: Nx1 array of uint8, 1 for inliers"""
     if isOptions("findHomography", _HOMOGRAPHY, "method", 2, 2, args, kwargs):
         v = bind("findHomography", _HOMOGRAPHY_OF_PARAMS, 3, dict(mask=None), args, kwargs)
     else:
@@ -146,17 +148,18 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     points1, points2 -- N points of each image in pixels, as for findHomography
     method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, Sampson distance in pixels; default 3
-    confidence -- probability that the result is the best model; default 0.99
-    maxIters -- upper bound of the number of samples; default (also for None) 1000
+    confidence -- confidence of the search, see Params.confidence; default 0.99
+    maxIters -- maximum number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params in place of the flag; also method=params
-    retval -- 3x3 array of float64, or None if there is none (OpenCV's flags and seven points: up to three in 9x3)
-    mask -- Nx1 array of uint8, 1 for inliers"""
+    retval -- fundamental matrix, 3x3 array of float64; None if there is no model (OpenCV's flags with seven points: up to
+        three matrices, stacked in an array of up to 9x3)
+    mask -- as a result: Nx1 array of uint8, 1 for inliers"""
     if isOptions("findFundamentalMat", _FUNDAMENTAL, "method", 2, 2, args, kwargs):
         v = bind("findFundamentalMat", _FUNDAMENTAL_OF_PARAMS, 3, dict(mask=None), args, kwargs)
     else:
         last = args[5] if len(args) == 6 else None
-        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV also has this form, where the sixth argument is the mask
+        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV also has a form in which the sixth argument is the mask
             args, kwargs = args[:5], dict(kwargs, mask=last)
         v = bind("findFundamentalMat", _FUNDAMENTAL, 2, _FUNDAMENTAL_DEFAULTS, args, kwargs)
         if isinstance(v["method"], Params):
@@ -173,7 +176,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
 _MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
-_MAP_NAMES = {"from": "from_"}  # C++ name: Python name, since `from` is a keyword
+_MAP_NAMES = {"from": "from_"}  # C++ name: Python name; `from` is a keyword of Python
 _MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
                                      refineIters=10)
 
@@ -219,12 +222,12 @@ def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
     inliers -- Nx1 array of uint8 or bool that receives the mask, or None
     method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged
     ransacReprojThreshold -- inlier threshold, distance in image 2 in pixels; default 3
-    maxIters -- upper bound of the number of samples; default 2000
-    confidence -- probability that the result is the best model; default 0.99
-    refineIters -- upper bound of the steps of the last polish, 0: none; default 10
+    maxIters -- maximum number of samples; default 2000
+    confidence -- confidence of the search, see Params.confidence; default 0.99
+    refineIters -- maximum number of steps of the final polishing; 0: no polishing; default 10
     params -- Params in place of the flag; also method=params
-    retval -- 2x3 array of float64, [A t], or None if there is none
-    inliers -- Nx1 array of uint8, 1 for inliers"""
+    retval -- affine map [A t], 2x3 array of float64; None if there is no model
+    inliers -- as a result: Nx1 array of uint8, 1 for inliers"""
     return _findMap("estimateAffine2D", ProblemType.AFFINITY, args, kwargs)
 
 
@@ -245,5 +248,5 @@ def estimateAffinePartial2D(*args: Any, **kwargs: Any) -> Any:
     estimateAffinePartial2D(pts1, pts2, params[, inliers]) -> retval, inliers
 
     cv2.estimateAffinePartial2D with a flag of this module or of OpenCV, or with all options: rotation, uniform scale and
-    translation. Arguments and results are those of estimateAffine2D; retval has the rows (a, -b, x) and (b, a, y)."""
+    translation. Arguments and results are those of estimateAffine2D, but retval has the rows (a, -b, x) and (b, a, y)."""
     return _findMap("estimateAffinePartial2D", ProblemType.SIMILARITY, args, kwargs)

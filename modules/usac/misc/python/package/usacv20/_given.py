@@ -2,7 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Functions without a search: least-squares fit to given points, and errors of a given model."""
+"""Functions without a search: fitting a model to given points, refining a known model, and
+computing the errors of points under a model."""
 
 from __future__ import annotations
 
@@ -37,22 +38,23 @@ def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
 def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,
              params: Optional[Params] = None, cameraMatrix1: _Optional = None, cameraMatrix2: _Optional = None,
              distCoeffs1: _Optional = None, distCoeffs2: _Optional = None) -> _Estimate:
-    """Fits a model to all points or to chosen points by least squares without a search, as OpenCV's
-    method 0 does.
+    """Fits a model to all points, or to a subset, by least squares without a search, like OpenCV's
+    method 0.
 
-    problem -- ProblemType, or its name
-    points1, points2 -- N points each, as the first two arguments of the function estimate* of the
-    problem
-    weights -- N weights of the squared errors, at least 0; None: all 1
-    chosen -- N numbers or truth values, nonzero for points to use, for example the mask of an
-    estimation; None: all points
-    params -- Params; `threshold` determines the mask, `residual` the error that is minimized
-    cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- if that function has them; for a
-    single camera, the first of each
+    problem -- ProblemType, or its name as a string
+    points1, points2 -- N points each, in the layouts that the function estimate* of the problem
+    takes; ABSOLUTE_POSE: objectPoints and imagePoints
+    weights -- N weights of the squared errors, at least 0; None: all are 1
+    chosen -- mask of the points to fit, for example the inliers: N numbers or truth values, 0 for
+    points that are left out; None: all points
+    params -- Params; `threshold` is the threshold of the mask, `residual` the error that is
+    minimized
+    cameraMatrix1, distCoeffs1 -- for ESSENTIAL and ABSOLUTE_POSE
+    cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: the same as cameraMatrix1, and no distortion
 
-    Returns (model, mask, report) as the function estimate* of the problem. report.stop is
-    STOP_NO_SEARCH, or the reason why there is no model. Wrong matches are not excluded and distort
-    the model."""
+    Returns (model, mask, report) like the function estimate* of the problem. report.stop is
+    STOP_NO_SEARCH, or gives the reason why there is no model. The fit is not robust: outliers are
+    not detected and affect it fully."""
     return _result(native.fitModel(problemOf(problem), array(points1, "points1"), array(points2, "points2"), optionsOf(params),
                                    optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
@@ -64,9 +66,9 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     """Refines a known model.
 
     model -- as the function estimate* of the problem returns it
-    chosen -- N numbers or truth values, nonzero for inliers: least squares over these, starting
-    from the model. None: the final polishing of an estimation (params.polishing), starting from the
-    model, with the inliers that it finds
+    chosen -- mask of the inliers: N numbers or truth values, 0 for other points. With a mask, a
+    least-squares fit to these inliers is made, starting from the model. None: the model is polished
+    as at the end of an estimation (params.polishing), which selects the inliers itself
 
     The other arguments and the results are those of fitModel."""
     return _result(native.refineModel(problemOf(problem), array(model, "model"), array(points1, "points1"),
@@ -81,12 +83,12 @@ def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     this error is at most report.threshold.
 
     model -- as the function estimate* of the problem returns it
-    params -- Params, of which only the field residual is used
+    params -- Params, of which only the field `residual` is used
 
-    The other arguments are those of fitModel. Returns an Nx1 array of float64, not squared, in the
-    unit of params.threshold (pixels; motions of space: the unit of points2). The error is not
-    finite for points that are not finite, that are behind a camera, or that its lens cannot image.
-    """
+    The other arguments are those of fitModel. Returns an Nx1 array of float64: the errors, not
+    squared, in the unit of params.threshold (pixels; 3-D motions: the unit of points2). The error
+    is infinite or NaN for points that are not finite, behind a camera, or outside the field of view
+    of its lens."""
     found = native.modelErrors(problemOf(problem), array(model, "model"), array(points1, "points1"), array(points2, "points2"),
                                optionsOf(params), *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
     return np.empty((0, 1)) if found is None else found
