@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Calls the functions of a cv2 that was built with the module in the form of those of the extension
-module (_native.pyi)."""
+"""Provides the functions of the extension module (_native.pyi) by calling those of a cv2 that was
+built with the module."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ _GEOMETRY = ("configuration", "mask", "inliers", "F", "E", "H", "R", "t", "rotat
 
 
 class Native:
-    """The functions of _native.pyi, based on cv2._native.usacv20. OpenCV's code releases the
-    interpreter's lock around each."""
+    """The functions of _native.pyi, based on cv2._native.usacv20. OpenCV's bindings release the
+    global interpreter lock during each call."""
 
     def __init__(self, cv2: Any) -> None:
         native = getattr(cv2._native, "usacv20", None)
@@ -47,8 +47,8 @@ class Native:
     def estimateBatch(self, problem: int, points1: List[Any], points2: List[Any], params: List[Any], cameraMatrices1: List[Any],
                       cameraMatrices2: List[Any], distCoeffs1: List[Any], distCoeffs2: List[Any],
                       threads: int) -> List[Tuple[Any, Any, Any, str]]:
-        """OpenCV's generator of bindings cannot return lists of results, so the results are fetched
-        one by one."""
+        """Calls estimateBatch of C++. OpenCV's generator of bindings does not support lists of
+        results, so the results are fetched one by one."""
         count = len(points1)
         each = [entries * count if len(entries) == 1 else entries or [None] * count
                 for entries in (params, cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2)]
@@ -59,8 +59,9 @@ class Native:
         return [(batch.model(i), batch.mask(i), batch.report(i), batch.error(i)) for i in range(count)]
 
     def _each(self, one: Callable[[int, Any], Any], count: int, threads: int) -> List[Any]:
-        """Returns the results of `count` calls of `one`, which gets the index and an object that
-        can stop the call."""
+        """Returns the results of `count` calls of `one`, at most `threads` of them at once (0: the
+        number of OpenCV's threads). `one` gets the index of the call and the RunControl that can
+        stop it, or None."""
         most = self._cv2.getNumThreads()
         workers = min(threads or most, most, count)
 
@@ -179,7 +180,7 @@ class Native:
         return found, rvec, tvec, inliers
 
     def enumerators(self) -> Dict[str, int]:
-        """Returns names and values of all enumerators."""
+        """Returns the names and values of all enumerators."""
         result = {name: value for name, value in vars(self._native).items() if name.isupper() and isinstance(value, int)}
         result.update(self._constants)
         return result

@@ -4,8 +4,9 @@
 
 """usacv20.progress in a cv2 that was built with the module.
 
-OpenCV's generator does not support functions as arguments. Therefore a second thread runs the estimation, while the calling thread
-waits for it, calls the progress function and handles Ctrl-C."""
+OpenCV's generator of bindings does not support functions as arguments. Therefore a second thread
+runs the estimation, while the calling thread waits for it, calls the progress function and handles
+Ctrl-C."""
 
 from __future__ import annotations
 
@@ -39,7 +40,8 @@ class Progress:
 
 
 class Runs:
-    """Calls functions of cv2._native.usacv20; a run is stopped when a progress function of the thread returns False."""
+    """Calls functions of cv2._native.usacv20. A run is stopped when a progress function of the
+    calling thread returns False."""
 
     def __init__(self, functions: Any) -> None:
         self._functions = functions
@@ -56,7 +58,8 @@ class Runs:
 
     @staticmethod
     def entered(control: Any, call: Callable[[], Any]) -> Any:
-        """Calls a function that `control` can stop; None: it cannot be stopped."""
+        """Calls a function that the RunControl `control` can stop. If `control` is None, the call
+        cannot be stopped."""
         if control is None:
             return call()
         control.enter()
@@ -66,13 +69,14 @@ class Runs:
             control.leave()
 
     def watched(self, call: Callable[[Any], Any]) -> Any:
-        """Calls a function with a RunControl in a second thread, or with None if there is no progress function."""
+        """Calls a function with a RunControl in a second thread, or with None in this thread if there is no progress function.
+        """
         scopes = _here.scopes[::-1]  # the innermost first
         if not scopes:
             return call(None)
         control = self._functions.RunControl()
         outcome: Dict[str, Any] = {}
-        done = threading.Event()  # used instead of join(), which marks the thread as ended if Ctrl-C interrupts it (CPython 3.11)
+        done = threading.Event()  # CPython 3.11 marks a thread as ended if Ctrl-C interrupts its join()
 
         def work() -> None:
             try:
@@ -88,7 +92,7 @@ class Runs:
             while not done.wait(_PERIOD):
                 if not control.cancelled() and not all(scope.function(control.report()) for scope in scopes):
                     control.cancel()
-        finally:  # after an exception of the progress function or KeyboardInterrupt, too
+        finally:  # also if the progress function or Ctrl-C raises an exception
             control.cancel()
             done.wait()
             thread.join()

@@ -27,7 +27,8 @@ _MARK = "_usacv20Patch"
 
 
 def _essentialPlace(args: Tuple[Any, ...]) -> int:
-    """Returns the position of `method` among the positional arguments of findEssentialMat."""
+    """Returns the position of `method` in the argument list of findEssentialMat that the call uses.
+    """
     if len(args) > 2 and isinstance(args[2], numbers.Real):
         return 4  # (points1, points2, focal, pp, method, ...)
     if len(args) > 4 and args[4] is not None and not isinstance(args[4], numbers.Real):
@@ -41,8 +42,8 @@ _PLACES: typing.Mapping[str, Callable[[Tuple[Any, ...]], int]] = {
 
 
 def _isOurs(name: str, args: Tuple[Any, ...], kwargs: typing.Mapping[str, Any]) -> bool:
-    """Returns whether the argument for the flag is a flag of this module, or any argument is a
-    Params."""
+    """Returns True if the flag in a call is a flag of this module, or if any argument is a Params.
+    """
     key = "flags" if name == "solvePnPRansac" else "method"
     place = _PLACES[name](args)
     value = kwargs.get(key, args[place] if place < len(args) else None)
@@ -52,12 +53,12 @@ def _isOurs(name: str, args: Tuple[Any, ...], kwargs: typing.Mapping[str, Any]) 
 
 
 class Patch:
-    """Replaces functions of a cv2; undo(), or the end of a with-statement, restores the originals.
+    """Replaces functions of a cv2. undo(), or the end of a with-statement, restores the originals.
     """
 
     def __init__(self, cv2: Any, ours: typing.Mapping[str, Callable[..., Any]] = OURS, permanent: bool = False) -> None:
         self._cv2 = cv2
-        self.permanent = permanent  # cannot be undone, as in an OpenCV that was built with the module
+        self.permanent = permanent  # True: unpatch_cv2() has no effect; for an OpenCV built with the module
         self._active = True
         self._functions: Dict[str, Tuple[Any, Any]] = {}
         for name, function in ours.items():
@@ -79,8 +80,9 @@ class Patch:
         return function
 
     def undo(self) -> None:
-        """Restores the original functions. If other code has wrapped a function since, its wrapper
-        stays, and the function that it calls passes all calls to the original."""
+        """Restores the original functions. If other code has meanwhile replaced a patched function
+        by a wrapper of its own, that wrapper stays in place; the patched function, which it calls,
+        passes all further calls to the original function."""
         self._active = False
         for name, (original, wrapper) in self._functions.items():
             if getattr(self._cv2, name, None) is wrapper:
@@ -105,17 +107,19 @@ def patch_cv2(cv2: Any = None) -> Patch:
     cv2.findHomography(a, b, usacv20.USACV20, 3.0), and its Params. All other calls reach the
     functions of cv2 unchanged.
 
-    cv2 -- the module; default: the one that `import cv2` gives
+    cv2 -- the module to patch; None: the module that `import cv2` imports
 
-    Returns an object that undoes the change by undo() or at the end of a with-statement. If the cv2
-    is patched already, the call and this object have no effect. Modules that have imported a
-    function by name before keep the original function."""
+    Returns an object whose method undo() undoes the change; the end of a with-statement calls
+    undo(). If this cv2 is patched already, the call and the returned object have no effect. Modules
+    that imported one of the functions by name before the call continue to use the original
+    function."""
     cv2 = importlib.import_module("cv2") if cv2 is None else cv2
     return Patch(cv2, {} if _present(cv2) else OURS)
 
 
 def unpatch_cv2(cv2: Any = None) -> None:
-    """Undoes patch_cv2(), no matter who has called it. Does nothing if the cv2 is not patched."""
+    """Undoes patch_cv2(), no matter which code has called it. Does nothing if this cv2 is not
+    patched."""
     patch = _present(importlib.import_module("cv2") if cv2 is None else cv2)
     if patch and not patch.permanent:
         patch.undo()

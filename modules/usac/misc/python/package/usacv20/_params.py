@@ -62,7 +62,7 @@ class Params:
     "the unit of the points of space 2" instead."""
 
     __slots__ = ("_native", "_scores", "_sigmas", "_initialModel", "_initialCovariance", "_filled", "_fixed")
-    __hash__ = None  # type: ignore[assignment]  # as of all that can change
+    __hash__ = None  # type: ignore[assignment]  # as for all mutable classes
 
     _native: Any
     _filled: bool
@@ -240,9 +240,9 @@ class Params:
     def setInitialModel(self, model: Optional[npt.ArrayLike], covariance: Optional[npt.ArrayLike] = None) -> None:
         """Sets initialModel and initialCovariance.
 
-        model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for poses and motions of space, any type;
-            None or an empty array: none
-        covariance -- d x d, such as Report.covariance, any type; None or an empty array: none"""
+        model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for absolute poses and 3-D motions, any number
+            type; None or an empty array: no initial model
+        covariance -- d x d, such as Report.covariance, any number type; None or an empty array: no covariance"""
         matrices = _matrix(model, "model"), _matrix(covariance, "covariance")
         self.initialModel, self.initialCovariance = matrices
 
@@ -285,7 +285,7 @@ class Params:
 
     @classmethod
     def fast(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_FAST: early stop and a short local optimization."""
+        """Returns the preset of USACV20_FAST: early termination and a short local optimization."""
         return cls._preset("fast", fields)
 
     @classmethod
@@ -301,75 +301,76 @@ class Params:
 
     @classmethod
     def trustedScores(cls: Type[P], **fields: Any) -> P:
-        """Returns a preset for a reliable order of the points (from scores, or
-        ORDERING_INPUT_ORDER): as usacV20(), but all samples are PROSAC's, and its criterion may end
-        the search. If the order is wrong, a better model may be missed."""
+        """Returns a preset for an order of the points that the caller trusts (`scores`, or
+        ORDERING_INPUT_ORDER): like usacV20(), but all samples are PROSAC's, and its criterion may
+        end the search. If the order is wrong, the search may miss the model."""
         return cls._preset("trustedScores", fields)
 
     @classmethod
     def parallel(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_PARALLEL: usacV20() with all threads of OpenCV and the same result."""
+        """Returns the preset of USACV20_PARALLEL: like usacV20(), with all threads of OpenCV and the same result."""
         return cls._preset("parallel", fields)
 
     @classmethod
     def automatic(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_AUTO: usacV20() with an estimated threshold of at most 5 pixels, see ThresholdType."""
+        """Returns the preset of USACV20_AUTO: like usacV20(), with an estimated threshold of at most 5 pixels, see ThresholdType."""
         return cls._preset("automatic", fields)
 
     @classmethod
     def ransac(cls: Type[P], **fields: Any) -> P:
-        """Returns RANSAC of 1981: uniform samples, number of inliers, least squares."""
+        """Returns the options of RANSAC of 1981: uniform samples, number of inliers, least squares."""
         return cls._preset("ransac", fields)
 
     @classmethod
     def msac(cls: Type[P], **fields: Any) -> P:
-        """Returns MSAC: as ransac(), with truncated squared errors."""
+        """Returns the options of MSAC: like ransac(), with truncated squared errors."""
         return cls._preset("msac", fields)
 
     @classmethod
     def lmeds(cls: Type[P], **fields: Any) -> P:
-        """Returns LMedS: as ransac(), with the median of the squared errors; threshold is not used."""
+        """Returns the options of LMedS: like ransac(), with the median of the squared errors; `threshold` is not used."""
         return cls._preset("lmeds", fields)
 
     @classmethod
     def mlesac(cls: Type[P], **fields: Any) -> P:
-        """Returns MLESAC: as ransac(), with the likelihood of a mixture of inliers and outliers."""
+        """Returns the options of MLESAC: like ransac(), with the likelihood of a mixture of inliers and outliers."""
         return cls._preset("mlesac", fields)
 
     @classmethod
     def prosac(cls: Type[P], **fields: Any) -> P:
-        """Returns PROSAC: as ransac(), with PROSAC's samples and termination. The points must be
-        sorted, best first, or `scores` be given."""
+        """Returns the options of PROSAC: like ransac(), with PROSAC's samples and termination. The
+        caller has sorted the points, best first, or gives `scores`."""
         return cls._preset("prosac", fields)
 
     @classmethod
     def loRansac(cls: Type[P], **fields: Any) -> P:
-        """Returns LO-RANSAC: as ransac(), each new best model is refined by ten inner samples."""
+        """Returns the options of LO-RANSAC: like ransac(), but each new best model is refined by ten inner samples."""
         return cls._preset("loRansac", fields)
 
     @classmethod
     def floRansac(cls: Type[P], **fields: Any) -> P:
-        """Returns FLO-RANSAC: as msac(), each new best model is refined by inner samples and fits of bounded size."""
+        """Returns the options of FLO-RANSAC: like msac(), but each new best model is refined by inner samples and fits of
+        bounded size."""
         return cls._preset("floRansac", fields)
 
     @classmethod
     def gcRansac(cls: Type[P], **fields: Any) -> P:
-        """Returns GC-RANSAC: as msac(), each new best model is refined by graph cuts and inner samples."""
+        """Returns the options of GC-RANSAC: like msac(), but each new best model is refined by graph cuts and inner samples."""
         return cls._preset("gcRansac", fields)
 
     @classmethod
     def usac2013(cls: Type[P], **fields: Any) -> P:
-        """Returns USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC."""
+        """Returns the options of USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC."""
         return cls._preset("usac2013", fields)
 
     @classmethod
     def magsac(cls: Type[P], **fields: Any) -> P:
-        """Returns MAGSAC: uniform samples, quality, termination and fits marginalized over the noise."""
+        """Returns the options of MAGSAC: uniform samples; score, termination and fits are marginalized over the noise scale."""
         return cls._preset("magsac", fields)
 
     @classmethod
     def magsacPlusPlus(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_MAGSAC, MAGSAC++: P-NAPSAC samples, SPRT, its robust loss and re-weighted fits."""
+        """Returns the preset of USACV20_MAGSAC: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits."""
         return cls._preset("magsacPlusPlus", fields)
 
 

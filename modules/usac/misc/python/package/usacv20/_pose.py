@@ -33,9 +33,9 @@ _DEFAULTS: Dict[str, Any] = dict(rvec=None, tvec=None, useExtrinsicGuess=False, 
 
 
 def _opencvFlag(value: int) -> int:
-    """Converts a flag to its value in the OpenCV of this package. The values of SOLVEPNP_* differ
-    between OpenCV 4 and 5: if a cv2 of the other version was imported, the flag is taken as a value
-    of that cv2 and converted by name."""
+    """Converts a flag to its value in the OpenCV that this package was built with. The values of
+    SOLVEPNP_* differ between OpenCV 4 and 5: if a cv2 of the other version was imported, the flag
+    is interpreted as a value of that cv2 and converted by name."""
     cv2 = sys.modules.get("cv2")
     own: Dict[str, int] = {} if IN_TREE else native.solvePnPFlags
     theirs: Dict[str, int] = {name: int(getattr(cv2, name)) for name in dir(cv2)
@@ -86,22 +86,23 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
 
     cv2.solvePnPRansac with a flag of this module or of OpenCV, or with all options: the pose of a camera, x ~ K (R X + t).
 
-    objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3, any type
+    objectPoints -- N 3-D points: Nx3, 3xN, Nx1x3 or 1xNx3, any number type
     imagePoints -- their N image points in pixels: Nx2, 2xN, Nx1x2 or 1xNx2
     cameraMatrix -- 3x3 camera matrix K
-    distCoeffs -- 4, 5, 8, 12 or 14 numbers, the distortion; None: none
-    rvec, tvec -- arrays of 3 float64 that receive rotation vector and translation, or None; with useExtrinsicGuess they hold a
-        pose that is tested and optimized before the first sample
-    iterationsCount -- upper bound of the number of samples; default 100
-    reprojectionError -- inlier threshold in pixels of the image as it was taken; default 8
-    confidence -- probability that the result is the best model; default 0.99
-    inliers -- array of int32 that receives the indices of the inliers if it has their number, or None
-    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV; SOLVEPNP_* are those of the cv2
-        that has been imported, if there is one, by their names: their numbers differ between OpenCV 4 and 5
-    params -- Params; the form has five results, as OpenCV has it; flags=params gives four
-    retval -- False if there is no pose; rvec and tvec are then those given
-    rvec, tvec -- 3x1 arrays of float64
-    inliers -- Mx1 array of int32, the indices of the inliers in ascending order; None if there are none"""
+    distCoeffs -- 4, 5, 8, 12 or 14 distortion coefficients; None: no distortion
+    rvec, tvec -- arrays of 3 float64 that receive rotation vector and translation, or None
+    useExtrinsicGuess -- True: rvec and tvec hold an initial pose, which is scored and optimized before the first sample;
+        default False
+    iterationsCount -- maximum number of samples; default 100
+    reprojectionError -- inlier threshold in pixels of the original (distorted) image; default 8
+    confidence -- confidence of the search, see Params.confidence; default 0.99
+    inliers -- array of int32 that receives the indices of the inliers if its size is their number, or None
+    flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV. The values of SOLVEPNP_* differ
+        between OpenCV 4 and 5: those of the imported cv2, if any, are expected
+    params -- Params in place of the flag. This form returns five results, as in OpenCV; flags=params returns four
+    retval -- False if there is no pose; rvec and tvec are then returned as they were given
+    rvec, tvec -- as results: 3x1 arrays of float64
+    inliers -- as a result: Mx1 array of int32, the indices of the inliers in ascending order; None if there are no inliers"""
     options = isOptions(_NAME, _FLAG, "flags", 11, 7, args, kwargs)
     if options:
         v = bind(_NAME, _PARAMS, 4, dict(rvec=None, tvec=None, inliers=None), args, kwargs)
@@ -127,7 +128,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
 
 def _withFlag(v: Dict[str, Any]) -> Any:
     guess = _truth(v["useExtrinsicGuess"], "useExtrinsicGuess")
-    # Copies, so that the caller's arrays do not change if there is no pose.
+    # The arrays are copied, so that the caller's arrays do not change if there is no pose.
     rvec = array(v["rvec"], "rvec").copy() if guess and v["rvec"] is not None else None
     tvec = array(v["tvec"], "tvec").copy() if guess and v["tvec"] is not None else None
     return native.solvePnPRansac(
@@ -138,7 +139,8 @@ def _withFlag(v: Dict[str, Any]) -> Any:
 
 
 def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:
-    """Returns the results as cv2 does, written to the caller's arrays where they fit."""
+    """Returns the results as cv2 does. They are written to the caller's arrays if type and size of
+    these arrays fit."""
     retval, rvec, tvec, inliers = result
     if not retval:
         given = [value if value is None or isinstance(value, np.ndarray) else np.asarray(value) for value in (v["rvec"], v["tvec"])]

@@ -18,24 +18,27 @@ from ._report import Report
 
 
 class progress:
-    """Calls a function every 5 milliseconds that decides whether the estimations of this thread go
-    on.
+    """While this context is active, all estimations that its thread begins call a function every 5
+    milliseconds, which decides whether to continue.
 
         with usacv20.progress(lambda report: report.iterations < 10**6 and not cancelled.is_set()):
             H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
-    function -- takes a Report of the state of the search and returns True to go on. (stop is
-    STOP_NOT_RUN; inliers and cost are those of the best model before polishing, 0 and 1 if there is
-    none; searchMs is the time since the run began.) False ends the run with the best model so far,
-    and report.stop is STOP_CANCELLED
+    function -- takes a Report on the state of the search and returns True to continue. In this
+    Report, `stop` is STOP_NOT_RUN, `inliers` and `cost` are those of the best model before
+    polishing (0 and 1 if there is none), and `searchMs` is the time since the run began. If the
+    function returns False, the run ends with the best model so far, and report.stop is
+    STOP_CANCELLED
 
-    It applies to all estimating functions of the package, including those for many pairs, and to
-    Usac.run, in the thread that enters it. An exception in the function ends the run and is passed
-    on to the caller. A run shorter than 5 milliseconds does not call the function. A function that
-    returns True does not change the result. Another thread can cancel the run through an object
-    that the function reads, such as a threading.Event. Ctrl-C raises KeyboardInterrupt with or
-    without it; with cv2.usacv20 only inside of it, where it starts a thread for each call:
-    progress(lambda report: True)."""
+    This applies to all functions of the package that estimate a model, including those for many
+    pairs, and to Usac.run. An exception in the function ends the run and is passed on to the
+    caller. Runs shorter than 5 milliseconds do not call the function. If the function always
+    returns True, it does not change the result. Another thread can cancel the run through an object
+    that the function reads, such as a threading.Event.
+
+    Ctrl-C raises KeyboardInterrupt during an estimation even without this context. In cv2.usacv20
+    it does so only within this context, where each call of an estimation starts a thread;
+    progress(lambda report: True) is then sufficient."""
 
     def __init__(self, function: typing.Callable[[Report], bool]) -> None:
         if not callable(function):

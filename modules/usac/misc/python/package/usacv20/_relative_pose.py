@@ -28,12 +28,14 @@ if TYPE_CHECKING:
 class RelativePose(typing.NamedTuple):
     """The results of estimateRelativePose other than the motion."""
 
-    report: Report  # of the search for the essential matrix; report.inliers counts the mask
-    essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None: no model
-    behind: int  # number of inliers of the essential matrix that are behind a camera; they are not in the mask
-    onPlane: int  # number of inliers on one plane, if these are more than 80 % of the inliers; otherwise 0
-    otherR: _Double  # if most inliers are on a plane: the second motion with the plane in front of both cameras; None: there is none
-    otherT: _Double
+    report: Report  # on the search for the essential matrix; report.inliers is the number of inliers in the mask
+    essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None if there is no model
+    behind: int  # number of inliers of the essential matrix that are triangulated behind a camera; they are 0 in the mask
+    onPlane: int  # number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none
+    # If there is a dominant plane: rotation of the second motion that is compatible with the
+    # homography of the plane, 3x3. None if there is no such motion.
+    otherR: _Double
+    otherT: _Double  # translation of the second motion, 3x1, unit length; None if otherR is None
     otherInliers: int  # number of inliers of the second motion in front of both cameras
 
 
@@ -44,20 +46,22 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
     """Estimates the motion of a calibrated camera between two views, X2 = R X1 + t up to the length
     of t.
 
-    points1, points2 -- N points of each image in pixels, as it was taken; as for estimateHomography
-    cameraMatrix1, cameraMatrix2 -- 3x3; without the second the first holds for both images
-    distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 numbers as for cv2.undistortPoints; None: none
-    params -- Params; threshold is the Sampson distance in pixels
+    points1, points2 -- N points of each original (distorted) image in pixels; layouts as in
+    estimateHomography
+    cameraMatrix1, cameraMatrix2 -- 3x3; cameraMatrix2 None: the same as cameraMatrix1
+    distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and camera 2,
+    as for cv2.undistortPoints; None: no distortion
+    params -- Params; `threshold` is the Sampson distance in pixels
     mask -- Nx1 array of uint8 that receives the mask, or None
 
     Returns (R, t, mask, pose):
     R, t -- a rotation, 3x3, and a vector of unit length, 3x1; None if there is no model, and
     pose.report.stop gives the reason
-    mask -- Nx1 array of uint8, 1 where the distance is at most the threshold and the point is in
-    front of both cameras or at infinity
+    mask -- Nx1 array of uint8, 1 where the Sampson distance is at most the threshold and the
+    triangulated point is in front of both cameras or at infinity
     pose -- RelativePose: the report and the essential matrix. If most inliers are on a plane, two
-    motions are possible; points off the plane select one, and the other is in pose.otherR and
-    pose.otherT"""
+    motions are possible; the motion with the smaller errors of the points off the plane is
+    returned, and the other motion is in pose.otherR and pose.otherT"""
     options = optionsOf(params)
     _arguments.checkOutput(mask, "mask")
     R, t, inliers, report, essential, behind, onPlane, otherR, otherT, otherInliers = native.estimateRelativePose(

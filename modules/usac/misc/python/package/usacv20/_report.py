@@ -26,14 +26,14 @@ def _restored(values: Dict[str, Any]) -> Report:
 
 
 class Sample(Field[Tuple[int, ...]]):
-    """A descriptor of the field with indices of points."""
+    """A descriptor of a read-only field whose value is a tuple of point indices."""
 
     def read(self, instance: Any) -> Any:
         return tuple(int(row) for row in getattr(instance._native, self.name))
 
 
 class Covariance(Field["Optional[npt.NDArray[np.float64]]"]):
-    """A descriptor of the field with a matrix, or None."""
+    """A descriptor of a read-only field whose value is a matrix, or None."""
 
     def read(self, instance: Any) -> Any:
         value = getattr(instance._native, self.name)
@@ -41,8 +41,8 @@ class Covariance(Field["Optional[npt.NDArray[np.float64]]"]):
 
 
 class Report:
-    """Statistics and results of one estimation. Times are measured with a steady clock and do not
-    influence results. Report() belongs to no run."""
+    """Statistics and results of one estimation. Times are elapsed times and do not influence the
+    result. Report() creates a report that belongs to no run."""
 
     __slots__ = ("_native",)
     __hash__ = None  # type: ignore[assignment]
@@ -57,41 +57,47 @@ class Report:
     models = Field[int]("Number of models computed from the samples.")
     rejectedModels = Field[int]("Number of models rejected by a check before they are scored (orientation, singular matrix).")
     refusedModels = Field[int]("Number of models rejected by the pre-emptive verification.")
-    droppedModels = Field[int]("Number of models no better than the best one so far.")
+    droppedModels = Field[int]("""Number of models no better than the best one so far; up to Params.runnersUp of these are
+        optimized nevertheless.""")
     localOptimizations = Field[int]("Number of local optimizations.")
     localImprovements = Field[int]("Number of local optimizations that improved their model.")
     degenerate = Field[bool]("True if, at any time of the search, the best F came from a sample dominated by a plane.")
     inliers = Field[int]("Number of inliers: rows of the mask that are 1.")
-    sample = Sample("""The minimal sample of the search that led to the model, as row indices of the points. Empty if there is no
-        model, or if it did not come from a minimal sample, for example from Params.initialModel.""")
-    inlierRatio = Field[float]("inliers as a fraction of all rows of the mask, 0..1.")
-    independentInliers = Field[int]("""Number of inliers without repetitions: inliers closer to each other than about
-        the threshold count once. 0 (not computed) if the run was stopped and has more than 50 000 inliers.""")
+    sample = Sample("""The minimal sample of the search that led to the model, as row indices of the caller's points. Empty if
+        there is no model, or if the model did not come from a minimal sample, for example from Params.initialModel.""")
+    inlierRatio = Field[float]("`inliers` as a fraction of all rows of the mask, 0..1.")
+    independentInliers = Field[int]("""Number of inliers without repetitions: in each image, inliers in the same square of a grid
+        with the threshold as side count once; the smaller number of both images is returned. 0 (not computed) if the run was
+        stopped (Params.maxTime, progress) and has more than 50 000 inliers.""")
     chance = Field[float]("""Upper bound of the probability that the same search finds a model with as many independent
-        inliers in random matches of the same points, 0..1. Also set if the model was rejected because of it; 1 if no model was
-        found.""")
+        inliers in random matches of the same points, 0..1. Also set if the model was rejected because of this value; 1 if no
+        model was found.""")
     threshold = Field[float]("""Threshold of the mask in pixels: Params.threshold or, with THRESHOLD_ESTIMATED or QUALITY_LMEDS,
         a threshold estimated from the data.""")
-    sigma = Field[float]("""Standard deviation of each component of the inliers' errors, in the unit of Params.threshold. For F and
-        E it is about that of the points' coordinates; for maps it combines the noise of both arrays. 0: not estimated.""")
-    covariance = Covariance("""Covariance of the parameters of the returned model, a d x d array of float64; None if there is no model,
-        or Params.covariance is 0.
-        Parameters: absolute pose and rigid motion 6: rotation vector w (radians) and translation dt of [exp(w) R, t + dt]; with scale
-        7: and the relative change of the scale; affinity 6: the entries, row by row; similarity 4: a, b, tx, ty of [a -b tx; b a ty];
-        homography 8, F 7, E 5: see tangentOfModel. NaN: not determined (F and E of a plane, too few inliers, POLISHING_NONE).
-        covarianceOfModel, covarianceOfPose and pointCovariance say what it means for the model and for points.""")
-    priorChance = Field[float]("""Probability that the initial model and the model of the points differ by at least as much as they do, if
-        Params.initialCovariance and the covariance of the points describe their errors, 0..1. Below 0.001 the prior was not used. 0
-        also if there is no prior, or the covariance of the points is not determined.""")
-    wideThreshold = Field[bool]("""True if the threshold is at least half of the longest side of the box in which nearly all points
-        of the second array lie: then a model that maps everything to one place has them all as inliers. The threshold is probably
-        in another unit than the points: in pixels, say, while the points are on the normalized image plane.""")
+    sigma = Field[float]("""Standard deviation of each component of the inliers' errors, in the unit of Params.threshold. For F
+        and E it is about that of the points' coordinates; for maps it combines the noise of both arrays. 0 if it was not
+        estimated: there is no model, there are too few inliers, or the threshold was given and Params.covariance is 0.""")
+    covariance = Covariance("""Covariance of the parameters of the returned model, a d x d array of float64; None if there is no
+        model, or if Params.covariance is 0. The parameters are: for an absolute pose and a rigid motion (d = 6) the rotation
+        vector w in radians and the translation dt of [exp(w) R, t + dt]; for a 3-D similarity (7) the same and the relative
+        change of the scale; for an affinity (6) the entries, row by row; for a similarity (4) a, b, tx, ty of
+        [a -b tx; b a ty]; for a homography (8), F (7) and E (5) see tangentOfModel. All entries are NaN if the covariance is
+        not determined (F and E without a translation, F of a plane, too few inliers, POLISHING_NONE). covarianceOfModel,
+        covarianceOfPose and pointCovariance compute the covariance of the entries, of a motion and of points.""")
+    priorChance = Field[float]("""Probability that the initial model and the model of the points differ by at least as much as they
+        do if Params.initialCovariance and the covariance of the points describe their errors, 0..1. If it is below 0.001, the
+        prior was not used. It is also 0 if there is no prior, or if the covariance of the points is not determined.""")
+    wideThreshold = Field[bool]("""True if `threshold` is at least half of the longest side of the box that contains nearly all
+        points of the second array. A model that maps all points to a single point then has all points as inliers, and the
+        number of inliers means nothing. The threshold is probably in the wrong unit, for example in pixels with points of the
+        normalized image plane.""")
     cost = Field[float]("""Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of
         min(error^2 / threshold^2, 1).""")
-    setupMs = Field[float]("Milliseconds: reading, scaling and ordering the points.")
-    searchMs = Field[float]("Milliseconds: the hypothesize-and-verify loop without the local optimization.")
-    localMs = Field[float]("Milliseconds: all local optimizations.")
-    polishMs = Field[float]("Milliseconds: final polishing and the mask.")
+    setupMs = Field[float]("""Milliseconds before the search: reading and ordering the points, and the samples of
+        THRESHOLD_ESTIMATED.""")
+    searchMs = Field[float]("Milliseconds in the hypothesize-and-verify loop without the local optimization.")
+    localMs = Field[float]("Milliseconds in all local optimizations.")
+    polishMs = Field[float]("Milliseconds for the final polishing and the mask.")
 
     def __init__(self) -> None:
         self._native = native.Report()
@@ -104,13 +110,13 @@ class Report:
 
     def describe(self) -> str:
         """Returns one sentence for a log. It ends with "no better than chance" if `chance` is above
-        0.01 although there is a model. This happens with few points, or if Params.significance
-        allows it."""
+        0.01 and a model is returned nevertheless, because there are few points or
+        Params.significance allows it."""
         return str(self._native.describe())
 
     def asDict(self) -> Dict[str, Any]:
-        """Returns the fields by name, for a table or a file: numbers, truth values, `stop` as text,
-        and `covariance` as lists."""
+        """Returns a dictionary of the fields by name, for a table or a file: numbers, truth values,
+        `stop` as text, and `covariance` as lists or None."""
         matrix = self.covariance
         return dict(self._values(), stop=self.stop.name, covariance=None if matrix is None else matrix.tolist())
 

@@ -33,38 +33,44 @@ _ARRAYS = ("cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2")
 
 @dataclasses.dataclass(frozen=True)
 class TwoViewRules:
-    """The rules of estimateTwoViewGeometry in addition to the options of a search. The defaults are
-    those of COLMAP, except inlierRatio."""
+    """The rules by which estimateTwoViewGeometry accepts models and chooses a configuration. The
+    defaults are those of COLMAP, except for inlierRatio."""
 
-    minInliers: int = 15  # least number of inliers of an accepted model; >= 1
-    # Least expected inlier ratio, 0..1: the limit of samples is chosen so that a pair with this
-    # ratio is found with Params.confidence. Pairs with a lower ratio may be missed.
+    minInliers: int = 15  # minimum number of inliers of an accepted model; >= 1
+    # Smallest expected inlier ratio, 0..1. The maximum number of samples is chosen so that the
+    # model of a pair with this ratio is found with probability Params.confidence. Models of pairs
+    # with a smaller ratio may be found, too, but less reliably.
     inlierRatio: float = 0.25
-    # Inlier ratios of some pairs of the same collection, each above 0 and up to 1. If given, the
-    # confidence refers to a right pair of this collection, see samples(). Empty: unknown.
+    # Inlier ratios of some image pairs of the same collection, each above 0 and at most 1.
+    # Params.confidence is then the average probability of success over the correct pairs of this
+    # collection, see samples(). Empty: the ratios are unknown.
     ratios: Tuple[float, ...] = ()
-    planarRatio: float = 0.8  # 0..1; if a homography has more than this fraction of the inliers, the pair is planar or panoramic
-    calibrationRatio: float = 0.95  # 0..1; if E has less than this fraction of F's inliers, the focal lengths are taken as wrong
+    planarRatio: float = 0.8  # the pair is planar or panoramic if a homography has more than this fraction of the inliers; 0..1
+    # The focal lengths are considered wrong if the number of inliers of E is less than this fraction
+    # of the number of inliers of F; 0..1.
+    calibrationRatio: float = 0.95
 
     def check(self) -> None:
-        """Raises usacv20.error, which names the field, if a value is wrong."""
+        """Raises usacv20.error that names the first invalid field."""
         self._native.check()
 
     def samples(self, params: Params, sampleSize: int, matches: int) -> int:
-        """Returns the number of samples needed to find a pair that must be kept; at least 500.
-        params.maxIterations is ignored.
+        """Returns the number of samples needed to find the model of an acceptable pair, at least
+        500, regardless of params.maxIterations.
 
-        params -- its confidence is used, and whether its local optimization is that of USACV20
-        sampleSize -- points of a minimal sample: 5 for E, 7 for F, 4 for H
+        params -- options; only `confidence` is used, and whether the local optimization is that of
+        USACV20
+        sampleSize -- number of points in a sample: 5 for E, 7 for F, 4 for H
         matches -- number of matches of the pair
 
-        Samples are drawn without replacement: with I inliers among N matches, a fraction C(I, m) /
-        C(N, m) of the samples of m matches consists of inliers. I is inlierRatio times N, but at
-        least minInliers. If `ratios` are given, the confidence is the mean over these k ratios and
-        one further pair. That pair stands for pairs with a lower ratio than all others, which have
-        a probability of 1 / (k + 1); its ratio is uniform between inlierRatio and the least of
-        `ratios`. For E and F a sample of USACV20 counts as up to four samples, because models are
-        also found from samples with an outlier."""
+        Samples are drawn without replacement: with I inliers among N matches, a sample of m points
+        consists of inliers with probability C(I, m) / C(N, m). I is inlierRatio times N, but at
+        least minInliers. With `ratios`, the confidence is met on average over these k pairs and one
+        more pair, whose ratio is uniformly distributed between inlierRatio and the smallest of
+        `ratios`. The additional pair has the weight 1 / (k + 1), which is the probability that a
+        new pair has a smaller ratio than k others. For E and F with the local optimization of
+        USACV20, a sample counts as up to four samples, because models are also found from samples
+        with an outlier."""
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
     def reached(self, params: Params, sampleSize: int, matches: int) -> float:
@@ -83,41 +89,50 @@ class TwoViewRules:
 
 
 class TwoViewPair(typing.NamedTuple):
-    """The matches of two images and the known parameters of their cameras."""
+    """The input of estimateTwoViewGeometry: the matches of two images and, if known, their cameras.
+    """
 
     points1: npt.ArrayLike  # N points of image 1 in pixels, as for estimateHomography
-    points2: npt.ArrayLike  # the N corresponding points of image 2
+    points2: npt.ArrayLike  # their N counterparts in image 2
     cameraMatrix1: _Optional = None  # 3x3; None: the focal length of image 1 is unknown
-    cameraMatrix2: _Optional = None  # likewise of image 2; needed even if both images have the same camera
-    distCoeffs1: _Optional = None  # 4, 5, 8, 12 or 14 coefficients of camera 1, which need cameraMatrix1; None: none
-    distCoeffs2: _Optional = None
-    imageSize1: _Size = None  # width and height of image 1 in pixels; None: unknown, so watermarks are not detected
-    imageSize2: _Size = None
-    taken1: _Optional = None  # points of image 1 with distortion, for watermarks, if points1 are undistorted; None: points1
-    taken2: _Optional = None
-    scores: _Optional = None  # of the matches, used instead of Params.scores so that pairs can share Params; None: Params.scores
+    cameraMatrix2: _Optional = None  # the same for image 2; it is not copied from image 1, even if the camera is the same
+    distCoeffs1: _Optional = None  # 4, 5, 8, 12 or 14 coefficients of camera 1, which require cameraMatrix1; None: no distortion
+    distCoeffs2: _Optional = None  # the same for camera 2
+    imageSize1: _Size = None  # width and height of image 1 in pixels; None: unknown, and watermarks are not detected
+    imageSize2: _Size = None  # the same for image 2
+    # Original (distorted) points of image 1, if points1 have been undistorted. They are used for the
+    # detection of watermarks; None: points1 are used.
+    taken1: _Optional = None
+    taken2: _Optional = None  # the same for image 2
+    # N scores of the matches, used instead of Params.scores, so that pairs can share their Params.
+    # None: Params.scores.
+    scores: _Optional = None
 
 
 class TwoViewGeometry(typing.NamedTuple):
-    """The result for a pair of images. Arrays are of float64, or None if unknown. Pixels are
-    without distortion."""
+    """The result for a pair of images. Matrices are arrays of float64, and None if they were not
+    determined. F and H refer to undistorted pixels."""
 
     configuration: TwoViewConfiguration
-    mask: npt.NDArray[np.uint8]  # N x 1; 1: an inlier of E if there is E, otherwise of F, otherwise of H
+    mask: npt.NDArray[np.uint8]  # N x 1, 1 for inliers of the accepted model: E, F or H
     inliers: int  # number of inliers in the mask
-    F: _Double  # 3x3, x2^T F x1 = 0 in pixels, unit norm
-    E: _Double  # 3x3, in normalized image planes, singular values (1, 1, 0)/sqrt(2); None if the mask is not that of E
-    H: _Double  # 3x3, maps pixels of image 1 to image 2, h33 = 1; None if it has fewer than minInliers inliers
-    # 3x3, X2 = R X1 + t, for CALIBRATED, PLANAR and PANORAMIC pairs, and for a watermark if the
-    # cameras are calibrated. For a plane it may be one of two equally possible motions, if no
-    # matches off the plane select one.
+    F: _Double  # 3x3, x2^T F x1 = 0 in pixels, unit Frobenius norm
+    E: _Double  # 3x3, for normalized image planes, singular values (1, 1, 0)/sqrt(2); set if `mask` marks the inliers of E
+    # 3x3, maps pixels of image 1 to image 2, h33 = 1; set if at least minInliers of the inliers in
+    # `mask` are inliers of H.
+    H: _Double
+    # 3x3, X2 = R X1 + t; set if the configuration is TWO_VIEW_CALIBRATED, TWO_VIEW_PLANAR (one of
+    # the two motions compatible with a plane, unless matches off the plane decide),
+    # TWO_VIEW_PANORAMIC, or a watermark with calibrated cameras.
     R: _Double
     t: _Double  # 3x1, unit length; 0 for a pure rotation
-    rotations: _Double  # k x 3 x 3, the rotations that agree with the matches, if the focal lengths are known
-    report: Report  # of the search for the model of the mask, or for the best refused model
+    # k x 3 x 3: for cameras with known focal lengths, the k rotations compatible with the matches; if
+    # the matches are correct, one of the rotations is the true one.
+    rotations: _Double
+    report: Report  # on the search for the model of the mask, or for the best rejected model
     iterations: int  # number of samples drawn, without those for H among the inliers of E or F
-    milliseconds: float  # wall time
-    reason: str  # the reason if there are no inliers, one line without a period; empty if there are inliers
+    milliseconds: float  # elapsed time
+    reason: str  # the reason why there are no inliers, one line without a period; empty if there are inliers
 
 
 def _size(size: Any, name: str) -> Any:
@@ -131,7 +146,8 @@ def _size(size: Any, name: str) -> Any:
 
 
 def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
-    """Returns the arguments of a pair in the order of the compiled part."""
+    """Returns the fields of a pair, converted and in the order in which the compiled part takes
+    them."""
     scores = None if pair.scores is None else np.ravel(_arguments.array(pair.scores, prefix + "scores")).astype(np.float32)
     return (*(_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS),
             *(_arguments.optionalArray(getattr(pair, name), prefix + name) for name in _ARRAYS),
@@ -160,27 +176,28 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     configurations.
 
     points1, points2 -- N points of each image in pixels, as for estimateHomography
-    cameraMatrix1, cameraMatrix2 -- 3x3, for each image separately; None: its focal length is
-    unknown
+    cameraMatrix1, cameraMatrix2 -- 3x3, for each image separately; None: the focal length of this
+    image is unknown
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints, which
-    need the matrix; None: none
-    params -- Params of each search. threshold is the Sampson distance of E and F in pixels without
-    distortion; that of H is derived from it. significance 0 means 1e-4; initialModel and sigmas have to be
-    empty. THRESHOLD_ESTIMATED: the first accepted model sets the threshold of the pair,
-    report.threshold
+    require the camera matrix; None: no distortion
+    params -- Params of each search. `threshold` is the Sampson distance of E and F in undistorted
+    pixels; the threshold of H is derived from it. `significance` 0 means 1e-4 here. `initialModel`
+    and `sigmas` must be empty. With THRESHOLD_ESTIMATED, the threshold of the pair is
+    report.threshold of the first accepted model
     rules -- TwoViewRules; None: the defaults
     imageSize1, imageSize2 -- (width, height) in pixels; None: watermarks are not detected
 
-    Returns a TwoViewGeometry: configuration, mask, F, E, H, R, t and a report; if a pair is
-    refused, `reason` says why.
+    Returns a TwoViewGeometry: configuration, mask, F, E, H, R, t and a report. If no model is
+    accepted, `reason` says why.
 
-    If both focal lengths are known, an essential matrix E is estimated, and a fundamental matrix F
-    starting from E; otherwise F only. If E is refused, F is searched for with 500 samples and must
-    pass the square of the significance. If F shows that the focal lengths are wrong, E is tried
-    once more, starting from F. H is estimated from the inliers, or from all matches if there are
-    none. A pair is CALIBRATED if E has at least rules.calibrationRatio of F's inliers, not counting
-    those that F gains by chance, or if most inliers are on a plane. usacv20.error names a wrong
-    argument."""
+    If both focal lengths are known, an essential matrix E is estimated, and then a fundamental
+    matrix F starting from E; otherwise only F. If E is rejected, F is searched for with 500
+    samples, and its report.chance may be at most the square of the significance. If F shows that
+    the focal lengths are wrong, E is estimated once more, starting from F. H is estimated from the
+    inliers of E or F or, if both were rejected, from all matches. The focal lengths are accepted if
+    E has at least rules.calibrationRatio of the inliers of F, not counting the inliers that F gains
+    by chance, or if most inliers are on a plane. Invalid arguments raise usacv20.error, which names
+    the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
 
@@ -190,14 +207,17 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
                               returnExceptions: bool = False) -> List[Union[TwoViewGeometry, Exception]]:
     """Calls estimateTwoViewGeometry for many pairs, in parallel in C++.
 
-    pairs -- TwoViewPair(points1, points2, ...), of any sizes, with or without cameras
-    params, rules -- for all pairs; scores are those of the pairs
-    threads -- number of pairs at once, 0: all cores. The result does not depend on it
-    returnExceptions -- what happens if a pair is wrong. True: its exception replaces its result;
-    False: the exception is raised after all pairs are done, and names the pair
+    pairs -- TwoViewPair(points1, points2, ...); sizes may differ, and pairs with and without
+    cameras may be mixed
+    params, rules -- for all pairs; scores are taken from the pairs
+    threads -- number of pairs that are processed at once; 0: the number of OpenCV's threads. The
+    results do not depend on it
+    returnExceptions -- what happens if the estimation of a pair raises an exception. True: the
+    exception replaces the result of this pair. False: the exception of one such pair is raised and
+    names the pair
 
-    Returns a list with a TwoViewGeometry for each pair, in the same order. The interpreter's lock
-    is released during the call."""
+    Returns a list with a TwoViewGeometry for each pair, in the same order. The global interpreter
+    lock is released during the call."""
     mistakes = {}
     read = []
     for i, pair in enumerate(pairs):

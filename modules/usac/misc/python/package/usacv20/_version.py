@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The version, that of the C++ library (cmake/usac_version.cmake)."""
+"""The version of the package, which is that of the C++ library (cmake/usac_version.cmake)."""
 
 __all__ = ["__version__"]
 
