@@ -35,10 +35,11 @@ def __getattr__(name: str) -> typing.Any:
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:
-    """Yields the results of the command `pairs` in the order of their names.
+    """Yields the results of the command `pairs`, sorted by the names of the pairs.
 
-    path -- its SQLite, NPZ or HDF5 file, or OUTPUT.part of an interrupted run
+    path -- SQLite, NPZ or HDF5 file that the command has written, or OUTPUT.part of an interrupted
+    run
 
     Raises CollectionError if the file is damaged or has no results."""
-    from ._list_results import readResults as read  # imported here, as the other commands do not need it
+    from ._list_results import readResults as read  # imported here, because the other commands do not need it
     return read(path)

@@ -4,12 +4,12 @@
 
 """Cameras of a COLMAP database, and the removal of their distortion.
 
-There are the two kinds of distortion that OpenCV has. For a perspective lens, (u, v) = (x / z, y /
-z) is changed by polynomials in r^2 = u^2 + v^2 as in cv2.projectPoints; usacv20.removeDistortion
-inverts them. For a fisheye lens, (u, v) is scaled so that the angle theta = atan(r) to the axis
-becomes theta (1 + k1 theta^2 + k2 theta^4 + ...) as in cv2.fisheye. COLMAP's models with fewer
-coefficients are special cases with zeros; SIMPLE_FISHEYE and FISHEYE have only zeros. Its other
-models have no counterpart and are refused by name."""
+The two kinds of distortion of OpenCV are supported. For a perspective lens, (u, v) = (x / z, y / z)
+is changed by polynomials in r^2 = u^2 + v^2 as in cv2.projectPoints; usacv20.removeDistortion
+inverts them. For a fisheye lens, (u, v) is scaled so that the angle theta = atan(r) to the optical
+axis becomes theta (1 + k1 theta^2 + k2 theta^4 + ...) as in cv2.fisheye. COLMAP's models with fewer
+coefficients are special cases with zeros; SIMPLE_FISHEYE and FISHEYE have only zeros. COLMAP's
+other models have no counterpart in OpenCV; for these, CollectionError is raised."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     _Array = npt.NDArray[np.float64]
 
-# COLMAP's number of a model: its name and parameters, as its documentation lists them.
+# COLMAP's number of a model: the name and the parameters of the model, as in COLMAP's documentation.
 _MODELS: Dict[int, Tuple[str, str]] = {
     0: ("SIMPLE_PINHOLE", "f cx cy"),
     1: ("PINHOLE", "fx fy cx cy"),
@@ -40,34 +40,34 @@ _MODELS: Dict[int, Tuple[str, str]] = {
     14: ("SIMPLE_FISHEYE", "f cx cy"),
     15: ("FISHEYE", "fx fy cx cy"),
 }
-# Numbers above 10 are those of COLMAP 4.2.1.
+# COLMAP's models without a counterpart in OpenCV. Numbers above 10 are those of COLMAP 4.2.1.
 _REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THIN_PRISM_FISHEYE", 12: "SIMPLE_DIVISION",
                             13: "DIVISION", 16: "EUCM", 17: "EQUIRECTANGULAR"}
 _DISTORTIONS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
-# Limit of the steps of Newton's method, which doubles the number of correct digits in each step.
-# Common lenses need 3 to 6 steps for full precision.
+# Maximum number of steps of Newton's method. Each step doubles the number of correct digits; common
+# lenses need 3 to 6 steps for full precision.
 _STEPS = 30
-# Largest error of an undistorted point in units of the focal length; 10^-6 pixels for a focal
-# length of 10^4 pixels.
+# Newton's method has converged if the radius of the distorted point differs by less than this value
+# from the given one, in units of the focal length; 10^-6 pixels for a focal length of 10^4 pixels.
 _TOLERANCE = 1e-10
 
 
 class Camera(typing.NamedTuple):
     """A camera, one row of the table `cameras`."""
 
-    id: int
-    model: str  # COLMAP's name
+    id: int  # camera_id
+    model: str  # COLMAP's name of the model
     width: int  # pixels
     height: int
-    matrix: _Array  # 3 x 3
-    distortion: Tuple[float, ...]  # k1 k2 p1 p2 k3 k4 k5 k6; for a fisheye lens p1, p2, k5, k6 are 0
+    matrix: _Array  # 3 x 3 camera matrix
+    distortion: Tuple[float, ...]  # k1 k2 p1 p2 k3 k4 k5 k6; for a fisheye lens, p1, p2, k5 and k6 are 0
     fisheye: bool
-    focalKnown: bool  # prior_focal_length: known from EXIF data or the user
+    focalKnown: bool  # column prior_focal_length: the focal length is known from EXIF data or from the user
 
     @classmethod
     def fromColmap(cls, id: int, model: int, width: int, height: int, params: bytes, priorFocalLength: int) -> Camera:
-        """Makes a camera from the columns of its row. Raises CollectionError for a model without a
-        counterpart in OpenCV, and for invalid parameters."""
+        """Creates a camera from the columns of a row of the table `cameras`. Raises CollectionError
+        for a model without a counterpart in OpenCV, and for invalid parameters."""
         if model not in _MODELS:
             name = _REFUSED.get(model, "of number {}".format(model))
             raise CollectionError("camera {}: its model {} has a distortion that OpenCV does not know".format(id, name))
@@ -93,11 +93,13 @@ class Camera(typing.NamedTuple):
         return self.fisheye or any(self.distortion)
 
     def ideal(self, points: npt.NDArray[Any]) -> _Array:
-        """Returns where the same camera would see points without distortion.
+        """Removes the distortion: returns the pixels at which the same camera without distortion
+        would see the points.
 
-        points -- N x 2 pixels in the image as taken
+        points -- N x 2, pixels of the original (distorted) image
 
-        Returns N x 2; NaN for points that no direction in front of the camera is mapped to."""
+        Returns N x 2; NaN for points that are not the image of any direction in front of the
+        camera."""
         taken = np.asarray(points, np.float64)
         if not self.fisheye:
             return removeDistortion(taken, self.matrix, np.array(self.distortion))
@@ -108,7 +110,9 @@ class Camera(typing.NamedTuple):
 
 
 def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
-    """Returns the undistorted points, by Newton's method for the angle to the axis."""
+    """Returns the points without fisheye distortion, in units of the focal length, by Newton's
+    method for the angle to the optical axis; NaN for points outside the field of view of the lens.
+    """
     k1, k2, _, _, k3, k4, _, _ = distortion
     target = np.hypot(distorted[:, 0], distorted[:, 1])
     angle = target.copy()
@@ -119,8 +123,8 @@ def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
         angle -= error / slope
         if np.all(np.abs(error) < _TOLERANCE):
             break
-    # If the polynomial decreases at the solution, Newton's method has found a second solution,
-    # which no lens has.
+    # If the polynomial decreases at the solution, Newton's method has found a solution beyond its
+    # maximum, where the lens has no image.
     angle[~((np.abs(error) < _TOLERANCE) & (slope > 0) & (angle >= 0) & (angle < np.pi / 2))] = np.nan
     scale = np.where(target > 0, np.tan(angle) / np.where(target > 0, target, 1), 1)
     result: _Array = distorted * scale[:, None]

@@ -129,7 +129,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _settings(options: argparse.Namespace) -> Dict[str, Any]:
-    """Returns the settings given by the arguments, without the threshold."""
+    """Returns the settings that the arguments of the command specify, without the threshold."""
     return dict(method=options.method, confidence=options.confidence, maxIterations=options.max_iterations,
                 inlierRatio=options.min_inlier_ratio, minInliers=options.min_inliers, significance=options.significance,
                 watermarks=not options.no_watermarks, seed=options.seed)
@@ -174,7 +174,7 @@ def _report(options: argparse.Namespace) -> int:
 
 
 def main(arguments: Optional[typing.Sequence[str]] = None) -> int:
-    """Runs a command; returns its exit code."""
+    """Runs a command and returns its exit code."""
     try:
         options = _parser().parse_args(arguments)
         result: int = options.function(options)

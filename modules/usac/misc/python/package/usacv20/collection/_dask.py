@@ -18,21 +18,22 @@ from ._optional import need
 from ._pair import CollectionError, Key, Source
 from ._work import Future, Verify, fingerprintOf, processRemotely
 
-_PER_THREAD = 2  # chunks for each thread: one in work, one waiting
-_RETRIES = 1  # for a chunk whose task raised an exception; if a worker dies, Dask itself gives its chunks to others
-_CONNECT = 10.0  # seconds to find a scheduler
-_JOIN = 60.0  # seconds to wait for the first worker
-_COUNT = 5.0  # seconds between two counts of the workers
+_PER_THREAD = 2  # number of chunks for each thread: one in progress, one waiting
+_RETRIES = 1  # repetitions of a task that raised an exception; if a worker dies, Dask itself gives its chunks to others
+_CONNECT = 10.0  # maximum number of seconds to connect to a scheduler
+_JOIN = 60.0  # maximum number of seconds to wait for the first worker
+_COUNT = 5.0  # minimum number of seconds between two counts of the workers
 
 
 class Cluster:
     """A cluster of Dask worker processes.
 
-    workers -- number of processes to start here; 0: `scheduler` is the address of a running cluster
+    workers -- number of processes to start on this machine; 0: `scheduler` is the address of a
+    running cluster
     say -- function that prints a line for the user
 
-    Workers that can read the files of the source read the pairs there; otherwise the pairs are read
-    here and sent to them."""
+    If all workers can read the files of the source, they read the pairs themselves; otherwise this
+    process reads the pairs and sends them to all workers."""
 
     def __init__(self, source: Source, settings: Any, verify: Verify, workers: int, scheduler: str,
                  say: Callable[[str], None]) -> None:
@@ -100,8 +101,9 @@ class Cluster:
             items = pickle.dumps(self._source.load(keys), pickle.HIGHEST_PROTOCOL)
             reading = time.perf_counter() - start
         with warnings.catch_warnings():
-            # The scheduler keeps the pairs of a chunk until they are done, since data stored on a
-            # worker would be lost with it.
+            # Dask warns that the pairs are a large argument of a task. They are nevertheless passed
+            # in this way, so that the scheduler keeps them until the task is done; data stored on a
+            # worker would be lost if the worker died.
             warnings.filterwarnings("ignore", message="Large object")
             future: Future = self._client.submit(processRemotely, self._packed, self._expected, list(keys), items, reading,
                                                  self._verify, self._settings, pure=False, retries=_RETRIES)

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Reads pairs of a COLMAP database of version 3.8 or later. Tables and columns that are not named
-here are optional."""
+"""Reads pairs from a database of COLMAP 3.8 or later. Tables and columns that are not named in this
+file may be missing."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 
 # COLMAP's pair_id is this number times the smaller image_id, plus the larger image_id.
 IMAGES = 2147483647
-CACHE = 256 << 20  # bytes of keypoints kept in memory by each process
-_PAGE = 4096  # number of keys read at once; a statement that stays open would prevent other connections from writing
-_COLUMNS = (2, 4, 6)  # numbers of columns of keypoints: x, y; with scale and orientation; with an affine shape
+CACHE = 256 << 20  # maximum number of bytes of keypoints that each process keeps in memory
+_PAGE = 4096  # number of keys read at once; an open SELECT statement would prevent other connections from writing
+_COLUMNS = (2, 4, 6)  # allowed numbers of columns of keypoints: x, y; also scale and orientation; also an affine shape
 
 
 class Scores(typing.Protocol):
@@ -43,8 +43,9 @@ class Scores(typing.Protocol):
 
     def of(self, key: int, first: str, second: str, matches: _Matches,
            connection: sqlite3.Connection) -> Optional[_Array]:
-        """Returns a score for each match, or None if there are none. `first` and `second` are names
-        of the images. If it raises CollectionError, the pair is a fault."""
+        """Returns a score for each match, or None if there are no scores. `key` is the pair_id;
+        `first` and `second` are the names of the images. If this method raises CollectionError, the
+        pair becomes a Fault."""
 
 
 class _Image(typing.NamedTuple):
@@ -52,15 +53,15 @@ class _Image(typing.NamedTuple):
 
     name: str
     camera: Optional[Camera]
-    taken: npt.NDArray[np.float32]  # N x 2
-    ideal: Optional[_Array]  # N x 2, without distortion; None: the camera has no distortion
+    taken: npt.NDArray[np.float32]  # N x 2, keypoints of the original (distorted) image in pixels
+    ideal: Optional[_Array]  # N x 2, the keypoints without distortion; None: the camera has no distortion
     finite: bool  # True: all coordinates of `taken` are finite
-    seen: Optional[npt.NDArray[np.bool_]]  # N: whether the point of `ideal` is finite; None: all are
-    fault: str  # why the image cannot be used; empty: it can
+    seen: Optional[npt.NDArray[np.bool_]]  # N: True if the point of `ideal` is finite; None: all points are finite
+    fault: str  # why the image cannot be used; empty: it can be used
 
 
 class _Wrong(Exception):
-    """Raised for a fault of a pair. The message does not have the names of the images."""
+    """Raised if a pair cannot be used. The message does not contain the names of the images."""
 
 
 class _Cache:
@@ -94,13 +95,13 @@ class _Cache:
 class DatabaseSource:
     """A Source of the pairs in the table `matches`, in the order of pair_id.
 
-    path -- of the database
-    scores -- of the matches, None: unknown
-    cache -- bytes of keypoints kept in memory by each process
+    path -- path of the database
+    scores -- source of the scores of the matches; None: there are no scores
+    cache -- maximum number of bytes of keypoints that each process keeps in memory
 
-    The first use of a damaged or foreign database raises CollectionError. A single damaged pair
-    becomes a Fault. A Pair does not have matches of points that correspond to no direction in front
-    of the camera (see Camera.ideal)."""
+    If the file is damaged or is not a COLMAP database, its first use raises CollectionError. A
+    single damaged pair becomes a Fault. Matches with a point that corresponds to no direction in
+    front of the camera (see Camera.ideal) are left out of a Pair."""
 
     def __init__(self, path: str, scores: Optional[Scores] = None, cache: int = CACHE) -> None:
         self.path = os.path.abspath(path)
@@ -141,7 +142,8 @@ class DatabaseSource:
         return found
 
     def close(self) -> None:
-        """Closes the connections of all threads; none of them may be in use. The next use opens new ones."""
+        """Closes the connections of all threads; no thread may be using its connection. The next
+        use of the source opens new connections."""
         opened = self._opened if self._process == os.getpid() else []
         self._prepare()
         for connection in opened:
@@ -183,7 +185,7 @@ class DatabaseSource:
                     rows = self.connection().execute("SELECT {0}, {1} FROM {2} ORDER BY {0} {3} LIMIT 4".format(
                         key, values, table, order)).fetchall()
                 digest.update(repr(rows).encode())
-        for first in itertools.islice(self.keys(), 1):  # includes the scores of a pair, which may come from another file
+        for first in itertools.islice(self.keys(), 1):  # adds the scores of a pair, which may come from another file
             item = self.load([first])[0]
             digest.update(repr(item if isinstance(item, Fault) else item.scores is not None and item.scores.tobytes()).encode())
         return digest.hexdigest()
@@ -302,8 +304,8 @@ def _check(matches: _Matches, side: int, image: _Image) -> None:
 
 
 def _seen(matches: _Matches, first: _Image, second: _Image) -> Optional[npt.NDArray[np.bool_]]:
-    """Returns for each match whether both points correspond to a direction in front of the camera;
-    None: all do."""
+    """Returns an array with an entry for each match: True if both points correspond to a direction
+    in front of the camera. Returns None if this holds for all matches."""
     result: Optional[npt.NDArray[np.bool_]] = None
     for side, image in enumerate((first, second)):
         if image.seen is not None:

@@ -38,8 +38,8 @@ configuration INTEGER NOT NULL, reason TEXT NOT NULL, matches INTEGER NOT NULL, 
 iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB)""".format(PAIRS),
 )
 _NEEDED = ("pair_id", "rows", "cols", "data", "config")
-_LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # their rotation is unique and well determined
-_MATRICES = ("F", "E", "H", "qvec", "tvec")  # versions before 3.8 have only some of them
+_LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # configurations with a unique, well-determined rotation
+_MATRICES = ("F", "E", "H", "qvec", "tvec")  # COLMAP before 3.8 has only some of these columns
 # Prefix of the reasons of pairs that contradict other pairs. --resume estimates these pairs again,
 # since not all contradictions are known until a run has ended.
 CONTRADICTED = "loop: "
@@ -49,17 +49,17 @@ _SIZES = {"F": 9, "E": 9, "H": 9, "qvec": 4, "tvec": 3}
 class DatabaseSink:
     """Writes to an existing COLMAP database; its other tables are not changed.
 
-    path -- of the database
+    path -- path of the database
     settings -- settings that the results depend on; values are JSON values
-    resume -- True: results of earlier runs with the same settings are kept. CollectionError if the
-    last run had other settings. Without an earlier run a new one starts
-    keep -- True: rows of pairs that are not committed stay, no matter who has written them. If
+    resume -- True: results of earlier runs with the same settings are kept. Raises CollectionError
+    if the last run had other settings. If there was no run, a new run is started
+    keep -- True: rows of pairs that are not committed stay, no matter which program wrote them. If
     neither `keep` nor `resume` is set, the first commit removes all old rows of two_view_geometries
 
-    A refused pair has a row without inliers, which tells COLMAP that the pair was examined. A fault
-    has no row. If two sinks write to one database, even in different processes, the one that
-    started to write last continues; the other one raises CollectionError at its next commit and has
-    changed nothing since."""
+    A refused pair has a row without inliers, which shows COLMAP that the pair was examined. A fault
+    has no row. If two sinks write to one database, even in different processes, the sink that
+    started to write last continues. The other sink raises CollectionError at its next commit, which
+    then changes nothing."""
 
     def __init__(self, path: str, settings: typing.Mapping[str, Any], resume: bool = False, keep: bool = False) -> None:
         self.path = os.path.abspath(path)
@@ -67,7 +67,7 @@ class DatabaseSink:
         self.removed = 0  # number of removed rows of two_view_geometries from another program or an earlier run
         self._run: Optional[int] = None
         self._newest: Optional[int] = None  # newest run in the database that this sink knows
-        self._same = ""  # ids of runs with the same settings, for SQL
+        self._same = ""  # comma-separated ids of the earlier runs with the same settings, for SQL statements
         self._keep = keep
         self._resumed = False
         self._closed = False
@@ -91,13 +91,13 @@ class DatabaseSink:
 
     @property
     def resumed(self) -> bool:
-        """Whether the results are added to those of an earlier run."""
+        """True if the results are added to those of an earlier run."""
         return self._resumed
 
     def done(self, key: Key) -> bool:
-        """Returns whether a pair needs no further work. Faults, which have no row, are not done,
-        since the database may have been repaired. Pairs that contradict others are not done either,
-        since new pairs may support them."""
+        """Returns True if a pair needs no further work. Faults, which have no row, are not done,
+        because the database may have been repaired. Pairs that contradict other pairs are not done
+        either, because new pairs may support them."""
         if not self._resumed:
             return False
         with explained(self.path):
@@ -123,8 +123,8 @@ class DatabaseSink:
                         "AND run_id IN ({})".format(PAIRS, runs))]
 
     def refuse(self, pairs: typing.Mapping[Key, str]) -> int:
-        """Refuses committed pairs for the given reasons; returns how many of them this run has
-        committed."""
+        """Refuses committed pairs for the given reasons. Returns the number of these pairs that
+        were committed by this run."""
         def own() -> int:
             kept = self._connection.execute("SELECT count(*) FROM {} WHERE run_id = ? AND inliers > 0".format(PAIRS), (self._run,))
             return int(kept.fetchone()[0])
@@ -144,20 +144,21 @@ class DatabaseSink:
     def close(self, finished: bool = True) -> None:
         """Closes the database.
 
-        finished -- False: some pairs are not done and are left for --resume"""
+        finished -- False: some pairs are not done, and --resume can process them later"""
         if self._closed:
             return
         self._closed = True
         try:
             with explained(self.path):
                 self._transaction(lambda: self._finish(FINISHED if finished else INTERRUPTED))
-                if self._wal:  # moves all data to the main file, even if other programs have it open
+                if self._wal:  # moves all data to the main file, even if other programs have the database open
                     self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
         finally:
             self._connection.close()
 
     def _try(self) -> None:
-        """Raises CollectionError if the database cannot be written, so that no work is lost."""
+        """Raises CollectionError if the database cannot be written. This is tested before the
+        estimation, so that no work is lost."""
         self._connection.execute("BEGIN IMMEDIATE")
         try:
             self._connection.execute("CREATE TABLE usacv20_trial (a)")
@@ -187,7 +188,8 @@ class DatabaseSink:
         return newest
 
     def _checkTable(self) -> List[str]:
-        """Returns the names of the columns for matrices in the table of results."""
+        """Returns the names of the columns for matrices in two_view_geometries. Raises
+        CollectionError if a required column is missing."""
         found = columns(self._connection, "two_view_geometries")
         if not found:
             return list(_MATRICES)  # the table will be created
@@ -236,7 +238,7 @@ class DatabaseSink:
         begun = self._resumed or self._keep
         for statement in (_GEOMETRIES,) + (() if begun else ("DROP TABLE IF EXISTS {}".format(PAIRS),)) + _OWN:
             self._connection.execute(statement)
-        if "rotations" not in columns(self._connection, PAIRS):  # made by version 2
+        if "rotations" not in columns(self._connection, PAIRS):  # the table was made by version 2 of this tool
             self._connection.execute("ALTER TABLE {} ADD COLUMN rotations BLOB".format(PAIRS))
         if not begun:
             self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
@@ -252,10 +254,10 @@ class DatabaseSink:
 
     def _row(self, result: TwoView) -> Tuple[Any, ...]:
         """Returns the row of a result. NULL stands for an unknown matrix: COLMAP 4 would read zeros
-        as a pose; 3.8 writes zeros, but also reads NULL. The motion of a PLANAR pair is one of two
-        possible motions and is not written: COLMAP 4's global mapper would use it as the right one,
-        but finds it from other pairs if there is none (AUC at 1 degree of 20 synthetic images:
-        0.957 without the motion, 0.627 with it)."""
+        as a pose; COLMAP 3.8 writes zeros, but also reads NULL. The motion of a PLANAR pair is one
+        of two possible motions and is not written: COLMAP 4's global mapper would use it as the
+        true motion, but determines it from other pairs if no motion is stored (AUC at 1 degree of
+        20 synthetic images: 0.957 without the motion, 0.627 with it)."""
         count = len(result.inliers)
         motion = (None, None) if result.configuration == Configuration.PLANAR else (result.quaternion, result.translation)
         given = {"F": result.F, "E": result.E, "H": result.H, "qvec": motion[0], "tvec": motion[1]}
@@ -269,7 +271,8 @@ def _rotations(result: TwoView) -> Optional[bytes]:
 
 
 def _blob(values: Any, size: int) -> Optional[bytes]:
-    """The matrix row by row as bytes; None stays None."""
+    """Returns a matrix as bytes, row by row; None for None. Raises ValueError if the matrix does
+    not have `size` entries."""
     if values is None:
         return None
     table = np.asarray(values, "<f8")
@@ -283,7 +286,8 @@ def _now() -> str:
 
 
 def lastRun(connection: sqlite3.Connection) -> Optional[Dict[str, Any]]:
-    """Returns the columns of the last run with the settings as a dict; None if there was no run."""
+    """Returns a dictionary of the columns of the last run, in which the settings are a dictionary,
+    too; None if there was no run."""
     if not columns(connection, RUNS):
         return None
     rows = connection.execute("SELECT run_id, version, settings, state, started, updated FROM {} "

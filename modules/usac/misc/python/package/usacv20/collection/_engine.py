@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Estimates all pairs of a source in parallel and stores the results in a sink, in limited memory
-and with the possibility to stop.
+"""Estimates all pairs of a source in parallel and stores the results in a sink. The memory does not
+depend on the number of pairs, and a run can be interrupted.
 
 The calling thread distributes chunks of keys and stores results in the order in which they arrive.
 Each result depends only on its pair, so the stored table does not depend on this order."""
@@ -26,7 +26,7 @@ from ._progress import Progress
 from ._work import Future, Outcome, Verify, Workers, process
 
 CHUNK = 64  # number of pairs in a chunk
-_PER_THREAD = 2  # chunks for each thread: one in work, one waiting
+_PER_THREAD = 2  # number of chunks for each thread: one in progress, one waiting
 _POLL = 0.2  # seconds between two checks for Ctrl-C
 
 
@@ -37,9 +37,9 @@ class Summary:
     def __init__(self) -> None:
         self.pairs = 0  # number of results stored by this run, including faults
         self.skipped = 0  # number of pairs stored by an earlier run
-        self.refused = 0
-        self.contradicted = 0  # number of pairs of the whole table that are refused because they contradict others
-        self.faults = 0
+        self.refused = 0  # number of pairs for which no model was accepted
+        self.contradicted = 0  # number of pairs in the whole table that were refused because they contradict other pairs
+        self.faults = 0  # number of pairs that cannot be read
         self.interrupted = False
         self.threshold = float("nan")  # pixels
         self.reading = self.estimating = self.writing = self.elapsed = 0.0
@@ -97,8 +97,8 @@ class _Threads:
 
 
 class _Interrupts:
-    """Handles Ctrl-C and SIGTERM: the first signal asks a run to stop, the second one stops it at
-    once. Works in the main thread only."""
+    """Handles Ctrl-C and SIGTERM: the first signal asks the run to stop, the second signal stops it
+    at once. Has an effect in the main thread only."""
 
     def __init__(self) -> None:
         self.asked = False
@@ -159,8 +159,8 @@ class _Run:
                 future.cancel()
 
     def _finished(self) -> List[Future]:
-        """Waits for finished chunks and returns all of them at once, since one commit is cheaper
-        than many."""
+        """Waits for finished chunks and returns all of them at once, because a single commit is
+        cheaper than many commits."""
         futures: List[Future] = []
         with contextlib.suppress(queue.Empty):
             while len(futures) < len(self.pending):
@@ -200,18 +200,19 @@ class _Run:
 
 def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int = 0, chunk: int = CHUNK, workers: int = 0,
         scheduler: str = "", progress: Optional[bool] = None) -> Summary:
-    """Estimates all pairs of the source that the sink does not have.
+    """Estimates all pairs of the source that the sink does not have yet.
 
-    verify -- a function of a module that takes (pairs, settings) and returns a result for each pair
-    threads -- of this process, 0: one for each core
+    verify -- function that takes (pairs, settings) and returns a result for each pair. It must be
+    defined at the top level of a module, so that it can be pickled
+    threads -- number of threads of this process; 0: one for each core
     chunk -- number of pairs that are estimated and stored together
-    workers, scheduler -- of Dask: number of processes to start on this machine, or the address of a
-    scheduler, tcp://HOST:PORT. Without either, threads of this process do the work
+    workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
+    a running scheduler, tcp://HOST:PORT. If neither is given, threads of this process do the work
     progress -- see Progress
 
-    Returns the summary. If Ctrl-C or SIGTERM interrupts the run, chunks in work are first finished
-    and stored. The sink stays open. An exception of a worker is raised after the results of the
-    other workers are stored."""
+    Returns the summary. If Ctrl-C or SIGTERM interrupts the run, the chunks in progress are first
+    finished and stored. The sink stays open. An exception of a worker is raised after the results
+    of the other workers are stored."""
     bar = Progress(len(source), progress)
     try:
         with _Interrupts() as interrupts:

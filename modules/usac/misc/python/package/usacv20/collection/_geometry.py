@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Two-view geometry of pairs by usacv20.estimateTwoViewGeometries. doc/collections.md describes its
+"""Two-view geometry of pairs by usacv20.estimateTwoViewGeometries. doc/collections.md describes the
 rules and how they differ from COLMAP's."""
 
 from __future__ import annotations
@@ -46,7 +46,8 @@ def _taken(view: View) -> Optional[npt.NDArray[np.float64]]:
 
 
 def _scores(pair: Pair) -> Optional[npt.NDArray[np.float64]]:
-    """Returns the scores with a sign such that higher is better, as Settings.params expects."""
+    """Returns the scores of the matches with such a sign that higher is better, as Settings.params
+    expects; None if there are no scores."""
     return pair.scores if pair.scores is None or pair.higherIsBetter else -pair.scores
 
 
