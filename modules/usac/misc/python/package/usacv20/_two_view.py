@@ -96,7 +96,7 @@ class TwoViewPair(typing.NamedTuple):
     points2: npt.ArrayLike  # their N counterparts in image 2
     cameraMatrix1: _Optional = None  # 3x3; None: the focal length of image 1 is unknown
     cameraMatrix2: _Optional = None  # the same for image 2; it is not copied from image 1, even if the camera is the same
-    distCoeffs1: _Optional = None  # 4, 5, 8, 12 or 14 coefficients of camera 1, which require cameraMatrix1; None: no distortion
+    distCoeffs1: _Optional = None  # 4, 5, 8, 12 or 14 coefficients of camera 1; they require cameraMatrix1; None: no distortion
     distCoeffs2: _Optional = None  # the same for camera 2
     imageSize1: _Size = None  # width and height of image 1 in pixels; None: unknown, and watermarks are not detected
     imageSize2: _Size = None  # the same for image 2

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Estimates all pairs of a source in parallel and stores the results in a sink. The memory does not
-depend on the number of pairs, and a run can be interrupted.
+"""Estimates all pairs of a source in parallel and in limited memory, and stores the results in a
+sink. A run can be interrupted.
 
 The calling thread distributes chunks of keys and stores results in the order in which they arrive.
 Each result depends only on its pair, so the stored table does not depend on this order."""

@@ -5,16 +5,16 @@
 """Results of the command `pairs` as arrays in an NPZ or HDF5 file, written and read in blocks.
 
 For N pairs in the order of their names:
-- names: N texts; images: N x 2 texts, empty if unknown
-- configurations: N numbers of COLMAP, see Configuration; matches, iterations: N numbers; chances,
-  milliseconds: N numbers
+- names: N texts; images: N x 2 texts, empty if the names of the images are unknown
+- configurations: N numbers of COLMAP, see Configuration; matches, iterations, chances,
+  milliseconds: N numbers each, see TwoView
 - F, E, H: N x 3 x 3, quaternions: N x 4, translations: N x 3; NaN: not estimated or not found
-- reasons: the different texts; reason: N indices of reasons; the empty text: the pair is not
-  refused
+- reasons: the distinct reasons as texts; reason: N indices into `reasons`. An empty text means that
+  the pair is not refused
 - inliers: the inliers of all pairs, one pair after the other, as indices of keypoints in both
   images, or of matches if there are no keypoints; offsets: N + 1 numbers, the inliers of pair i are
   inliers[offsets[i]:offsets[i + 1]]
-- settings: one JSON text with the settings that the results depend on"""
+- settings: a JSON text with the settings that the results depend on"""
 
 from __future__ import annotations
 
@@ -151,7 +151,8 @@ def _writeAll(writer: _Writer, table: _Table) -> None:
 
 
 def write(path: str, connection: sqlite3.Connection, table: str) -> None:
-    """Writes the file of a table. The file is complete or does not exist."""
+    """Writes the results in a table to an NPZ or HDF5 file. The file appears at its path only when
+    it is complete."""
     made = path + ".new"
     try:
         writer: _Writer
@@ -223,7 +224,7 @@ def _results(open_: Callable[[str], Any]) -> typing.Iterator[TwoView]:
 
 @contextlib.contextmanager
 def _arrays(path: str) -> typing.Iterator[Callable[[str], Any]]:
-    """Returns a function that opens an array of the file by its name."""
+    """Yields a function that opens an array of the file by its name."""
     try:
         with open(path, "rb") as file:
             start = file.read(8)
@@ -242,12 +243,13 @@ def _arrays(path: str) -> typing.Iterator[Callable[[str], Any]]:
 
 
 def read(path: str) -> typing.Iterator[TwoView]:
-    """Yields the results of a file. Raises CollectionError if it is damaged."""
+    """Yields the results of a file. Raises CollectionError if the file is damaged."""
     with _arrays(path) as arrays:
         yield from _results(arrays)
 
 
 def readSettings(path: str) -> str:
-    """Returns the settings on which the results of a file depend. Raises CollectionError if it is damaged."""
+    """Returns the settings on which the results of a file depend. Raises CollectionError if the
+    file is damaged."""
     with _arrays(path) as arrays:
         return str(arrays("settings").next(1)[0])

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Reads a pair of the command `pairs`, from a `.corr` file or from arrays with commonly used names.
+"""Reads a pair for the command `pairs` from a `.corr` file or from arrays with commonly used names.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ if TYPE_CHECKING:
     _Points = npt.NDArray[np.float64]
     _Get = Callable[[str], Optional[_Array]]  # returns the array of a name, or None if there is none
 
-# Names of the points of image 1 and of image 2. The last two may come with an array of matches
-# (MATCHES).
+# Names of the arrays with the points of image 1 and of image 2. With the names of keypoints, there
+# may also be an array of matches (MATCHES).
 POINTS = (("points1", "points2"), ("mkpts0", "mkpts1"), ("keypoints0", "keypoints1"), ("keypoints1", "keypoints2"))
 MATCHES = ("matches0", "matches")
 SCORES = (("scores", True), ("matching_scores0", True), ("matching_scores", True), ("match_confidence", True),
           ("confidence", True), ("mconf", True), ("ratios", False))  # True: higher is better
 SIZES = ("size", "image_size")
-# Exceptions of NumPy for a file that is not a valid NPZ file. MemoryError: a damaged header may
-# state any size.
+# Exceptions of NumPy for a file that is not a valid NPZ file. MemoryError is one of them, because a
+# damaged header may state any size.
 UNREADABLE: Any = (OSError, ValueError, EOFError, KeyError, MemoryError, NotImplementedError, zipfile.BadZipFile, zlib.error)
 # COLMAP's guess for an unknown focal length, as a multiple of the larger side of the image
 # (default_focal_length_factor).
@@ -44,9 +44,9 @@ def fail(message: str) -> NoReturn:
 
 
 def _view(name: str, points: _Points, matrix: Optional[_Points], size: Optional[Tuple[int, int]]) -> View:
-    """Returns a view without distortion. If the camera matrix is unknown, it is guessed from the
-    size of the image or, if this is also unknown, from the extent of the points; focalKnown is then
-    false."""
+    """Returns a view of an image without distortion. If the camera matrix is unknown, it is guessed
+    from the size of the image or, if the size is also unknown, from the extent of the points;
+    focalKnown is then False."""
     width, height = size or (0, 0)
     if matrix is not None:
         return View(name, points, points, matrix, True, width, height)
@@ -57,8 +57,8 @@ def _view(name: str, points: _Points, matrix: Optional[_Points], size: Optional[
 
 
 def _numbers(array: Any, name: str, columns: int) -> npt.NDArray[np.float64]:
-    """Converts to an N x columns array of double, or to N values if columns is 0. Raises
-    CollectionError if a value is not finite."""
+    """Converts an array to N x columns numbers of double precision, or to N numbers if columns is
+    0. Raises CollectionError if the shape does not fit or a number is not finite."""
     try:
         numbers = np.ascontiguousarray(array, np.float64)
     except (TypeError, ValueError):
@@ -89,8 +89,8 @@ def _size(array: Any, name: str) -> Tuple[int, int]:
 
 
 def _ofBoth(get: _Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any, Any]:
-    """Returns the values of the arrays stem1 and stem2, or stem0 and stem1; None, None if there are
-    none. Raises CollectionError if one of the two is missing."""
+    """Returns the converted arrays stem1 and stem2, or stem0 and stem1; (None, None) if there are
+    no such arrays. Raises CollectionError if only one of the two exists."""
     zero = get(stem + "0")
     names = (stem + "1", stem + "2") if zero is None else (stem + "0", stem + "1")
     arrays = [get(name) for name in names]
@@ -103,8 +103,8 @@ def _ofBoth(get: _Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any,
 
 
 def _rows(matches: _Array, name: str, points: List[_Points], names: Tuple[str, str]) -> npt.NDArray[np.int64]:
-    """Returns M x 2 indices of keypoints. `matches` is such a list, or has for each keypoint of
-    image 1 its match in image 2 (negative: none)."""
+    """Returns M x 2 indices of keypoints. `matches` either has this form, or contains for each
+    keypoint of image 1 the index of its match in image 2 (negative: no match)."""
     if matches.size and matches.dtype.kind not in "iu":
         fail("{}: whole numbers are expected".format(name))
     rows = matches.astype(np.int64)
@@ -125,8 +125,9 @@ def _rows(matches: _Array, name: str, points: List[_Points], names: Tuple[str, s
 
 
 def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optional[_Points], bool]:
-    """Returns scores of the matches, and whether higher is better. `count` is the number of
-    keypoints of image 1. If all scores are equal, None is returned."""
+    """Returns scores of the matches, and True if higher scores are better. `count` is the number of
+    keypoints of image 1. If there are no scores, or if all scores are equal, None is returned in
+    their place."""
     for name, higherIsBetter in SCORES:
         array = get(name)
         if array is None:
@@ -141,8 +142,9 @@ def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optiona
 
 
 def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
-    """Returns the pair of an NPZ file or of an HDF5 group. `read` returns an array by name, and is
-    called once for each name. `names` are those of the images. Raises CollectionError."""
+    """Returns the pair of an NPZ file or of an HDF5 group. `read` returns an array by its name and
+    is called once for each name. `names` are the names of the two images. Raises CollectionError if
+    arrays are missing or invalid."""
     known: Dict[str, Optional[_Array]] = {}
 
     def get(name: str) -> Optional[_Array]:
@@ -177,9 +179,10 @@ def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
 
 
 def pairOfNpz(key: Key, path: str) -> Pair:
-    """Returns the pair of an NPZ file. Raises CollectionError."""
+    """Returns the pair of an NPZ file. Raises CollectionError if the file cannot be read or its
+    arrays are invalid."""
     try:
-        # Opened here, as NumPy leaves a damaged file open.
+        # The file is opened here, because numpy.load does not close a damaged file.
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as arrays:
             if isinstance(arrays, np.ndarray):
                 raise ValueError("one array only")
@@ -193,8 +196,8 @@ def _sides(key: Key) -> Tuple[str, str]:
 
 
 def _rowByRow(lines: List[str]) -> _Points:
-    """Parses the lines of a .corr file. This is slower than NumPy, but allows lines with and
-    without a score, and errors name the line."""
+    """Parses the lines of a .corr file. This is slower than numpy.loadtxt, but each line may have a
+    score or not, and error messages name the line."""
     rows: List[List[float]] = []
     for number, line in enumerate(lines, 1):
         try:
@@ -226,7 +229,8 @@ def _correspondences(path: str) -> _Points:
 
 
 def _description(path: str) -> Dict[str, Any]:
-    """Returns the JSON object of the file next to a .corr file; empty if there is no such file."""
+    """Returns the JSON object in the .json file next to a .corr file, at `path`; empty if there is
+    no such file."""
     if not os.path.exists(path):
         return {}
     try:
@@ -245,7 +249,8 @@ def _description(path: str) -> Dict[str, Any]:
 
 def pairOfCorr(key: Key, path: str) -> Pair:
     """Returns the pair of a .corr file. Sizes and camera matrices come from the .json file next to
-    it; doc/benchmark.md describes both files. Raises CollectionError."""
+    it; doc/benchmark.md describes both files. Raises CollectionError if a file cannot be read or is
+    invalid."""
     rows = _correspondences(path)
     wrong = ~np.isfinite(rows).all(axis=1)
     if wrong.any():

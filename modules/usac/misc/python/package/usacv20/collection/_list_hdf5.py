@@ -3,7 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """HDF5 files of matches for the command `pairs`: a file with a group for each pair, or the two
-files of hloc. They need h5py."""
+files of hloc. Reading them requires h5py."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ._pair import Pair
 if TYPE_CHECKING:
     from ._list_files import _Array, _Get
 
-_KEPT = 64  # number of images whose keypoints stay in memory; pairs of an image follow each other
+_KEPT = 64  # number of images whose keypoints stay in memory; pairs of the same image usually follow each other
 _DAMAGED: Any = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
 
 
@@ -30,12 +30,12 @@ def useH5py() -> Any:
 
 
 def openFile(path: str) -> Any:
-    """Opens an h5py.File for reading. Raises CollectionError if that is not possible."""
+    """Opens an h5py.File for reading. Raises CollectionError if the file cannot be opened."""
     h5py = useH5py()
     try:
         file = h5py.File(path, "r")
-        # By default HDF5 caches up to 32 megabytes of information on groups, which need 200
-        # megabytes of memory.
+        # By default HDF5 caches up to 32 megabytes of information on groups, which occupy 200
+        # megabytes of memory. Here the limit is 1 megabyte.
         limits = file.id.get_mdc_config()
         limits.set_initial_size, limits.initial_size, limits.max_size, limits.min_size = True, 1 << 20, 1 << 20, 1 << 19
         file.id.set_mdc_config(limits)
@@ -54,8 +54,8 @@ def _isGroup(item: Any) -> bool:
 
 def _groups(h5py: Any, group: Any, path: str = "") -> typing.Iterator[str]:
     """Yields the paths of the groups that contain arrays, sorted by name. Subgroups of such a group
-    are ignored. `group` belongs to h5py's low-level interface, since the other one is three times
-    slower."""
+    are ignored. `group` belongs to h5py's low-level interface, because the high-level interface is
+    three times slower."""
     first = next(iter(group), None)
     if first is None:
         return
@@ -91,8 +91,8 @@ class Groups:
         return [self._path]
 
     def group(self, name: str) -> Any:
-        """Returns the group of a name, or the file itself if the name is empty or the file has a
-        single pair. Raises CollectionError."""
+        """Returns the group with this name, or the file itself if the name is empty or the file has
+        a single pair. Raises CollectionError if there is no such group."""
         try:
             item = self._file[name] if name else self._file
         except _DAMAGED:
@@ -105,7 +105,8 @@ class Groups:
         self._file.close()
 
     def reader(self, name: str) -> _Get:
-        """Returns a function that reads the arrays of a group. Raises CollectionError if there is no such group."""
+        """Returns a function that reads the arrays of a group by their names and returns None for a
+        missing array. Raises CollectionError if there is no such group."""
         group = self.group(name)
         try:
             members = set(group)  # one access to the group instead of one for each possible name
@@ -131,13 +132,13 @@ class Groups:
 
 
 class _Features:
-    """hloc's file of features: a group for each image with keypoints and image_size. Names of pairs
-    have `-` instead of the `/` of image names."""
+    """hloc's file of features. It has a group for each image, with the arrays keypoints and
+    image_size. In the names of pairs, `-` replaces the `/` of the names of images."""
 
     def __init__(self, path: str) -> None:
         self._groups = Groups(path)
         self.path = path
-        self._image: Dict[str, Optional[str]] = {}  # name with `-` instead of `/`: name of the image; None: several images
+        self._image: Dict[str, Optional[str]] = {}  # name with `-` instead of `/`: name of the image; None: ambiguous
         for name in self._groups.paths():
             dashed = name.replace("/", "-")
             self._image[dashed] = None if dashed in self._image else name
@@ -148,11 +149,12 @@ class _Features:
         self._groups.close()
 
     def image(self, dashed: str) -> Optional[str]:
-        """Returns the name of the image, or None if there is none, or several."""
+        """Returns the name of the image from its form with `-` instead of `/`; None if there is no
+        such image, or if there are several."""
         return self._image.get(dashed)
 
     def load(self, image: str) -> Tuple[_Array, Optional[_Array]]:
-        """Returns keypoints and size of an image."""
+        """Returns the keypoints and the size (None: unknown) of an image."""
         with self._lock:
             if image in self._kept:
                 self._kept.move_to_end(image)
@@ -169,9 +171,9 @@ class _Features:
 
 
 class Hloc:
-    """hloc's files: the file of matches with groups NAME0/NAME1 (in older versions NAME0_NAME1),
-    which have matches0 and matching_scores0, and the file of features. In both the center of the
-    first pixel is 0,0."""
+    """hloc's two files: the file of matches and the file of features. The former has groups
+    NAME0/NAME1 (in older versions NAME0_NAME1) with the arrays matches0 and matching_scores0. In
+    both files, the center of the first pixel has the coordinates (0, 0)."""
 
     def __init__(self, path: str, features: str) -> None:
         self._matches, self._features = Groups(path), _Features(features)
@@ -209,8 +211,8 @@ class Hloc:
 
 
 def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
-    """Returns the container of a file. Raises CollectionError if the file has none of the formats.
-    """
+    """Opens a file as a Container. `features` is the path of hloc's file of features, if `path` is
+    hloc's file of matches. Raises CollectionError if the file has none of the formats."""
     if features is not None:
         return Hloc(path, features)
     groups = Groups(path)

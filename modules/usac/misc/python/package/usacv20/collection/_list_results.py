@@ -5,11 +5,12 @@
 """Writes and reads the results of the command `pairs`: an SQLite table, or arrays in an NPZ or HDF5
 file.
 
-SQLite: the table usacv20_results with a row for each pair; see COLUMNS. Matrices are little-endian
+SQLite: the table usacv20_results has a row for each pair; see COLUMNS. Matrices are little-endian
 doubles, row by row; inliers are little-endian unsigned integers of 32 bits.
 
-Arrays: described in _list_columns.py. Their lengths precede their contents, so they are written at
-the end of a run. Until then the results are in the file OUTPUT.part, a database as above."""
+Arrays: see _list_columns.py. The length of an array is stored before its contents, so the arrays
+are written at the end of a run. Until then the results are in the file OUTPUT.part, an SQLite
+database as described above."""
 
 from __future__ import annotations
 
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 SQLITE = (".sqlite", ".sqlite3", ".db")
 ARRAYS = (".npz", ".h5", ".hdf5")
 TABLE, RUNS = "usacv20_results", "usacv20_results_runs"
-# Small columns come first, as SQLite reads a row from its beginning.
+# Small columns come first, because SQLite reads a row from its beginning.
 COLUMNS = (("name", "TEXT PRIMARY KEY NOT NULL"), ("image1", "TEXT"), ("image2", "TEXT"), ("configuration", "INTEGER NOT NULL"),
            ("reason", "TEXT NOT NULL"), ("matches", "INTEGER NOT NULL"), ("inliers", "INTEGER NOT NULL"),
            ("iterations", "INTEGER NOT NULL"), ("chance", "REAL"), ("milliseconds", "REAL"), ("quaternion", "BLOB"),
@@ -52,8 +53,8 @@ def settingsText(run: typing.Mapping[str, object]) -> str:
 
 
 def storedSettings(path: str) -> Optional[Dict[str, Any]]:
-    """Returns the settings of the run that has written the results of OUTPUT.part or else of the
-    file; None if there are none or if they cannot be read."""
+    """Returns the settings of the run that wrote OUTPUT.part or, if that does not exist, the file;
+    None if there is neither file or if the settings cannot be read."""
     for name in (path + ".part", path):
         if not os.path.isfile(name):
             continue
@@ -93,11 +94,11 @@ def _twoView(row: typing.Sequence[Any]) -> TwoView:
 
 
 class SqliteSink:
-    """A database of results. Either all pairs of a commit are stored, or none."""
+    """An SQLite database of results. A commit stores all of its pairs or none of them."""
 
     def __init__(self, path: str, source: Optional[_ListSource], run: typing.Mapping[str, object], resume: bool) -> None:
-        """source: gives the images of the pairs; run, resume: see openResults. Raises
-        CollectionError."""
+        """source: provides the names of the images of the pairs. run, resume: as in openResults.
+        Raises CollectionError if the file cannot be used."""
         if os.path.exists(path) and not resume:
             fail("{}: {}".format(path, _THERE))
         self._path, self._source = path, source
@@ -125,8 +126,8 @@ class SqliteSink:
         self._connection.execute("COMMIT")
 
     def done(self, key: Key) -> bool:
-        """Returns whether the pair has a result. Faults count as not done, since the file may have
-        been repaired."""
+        """Returns True if the pair has a result. Faults count as not done, because the file of the
+        pair may have been repaired."""
         if self._connection is None:
             return False
         with explained(self._path):
@@ -149,7 +150,8 @@ class SqliteSink:
                 raise
 
     def close(self, finished: bool = True) -> None:
-        """finished -- no effect: the table is the same if pairs are left."""
+        """Closes the database. `finished` has no effect: the table is the same if some pairs are
+        not done."""
         if self._connection is not None:
             self._connection.close()
             self._connection = None
@@ -171,8 +173,8 @@ class ArraySink:
         self._changed = begun or not there
 
     def _restore(self, source: _ListSource, run: typing.Mapping[str, object]) -> None:
-        """Makes OUTPUT.part from a complete file, since the list may have new pairs now or faults
-        may have been repaired. OUTPUT.part always contains all pairs of OUTPUT."""
+        """Makes OUTPUT.part from a complete file, because new pairs may have been added to the
+        list, or faults may have been repaired. OUTPUT.part always contains all pairs of OUTPUT."""
         if _list_columns.readSettings(self._path) != settingsText(run):
             fail("{}: {}".format(self._path, _OTHER))
         made = self._part + ".new"
@@ -194,7 +196,8 @@ class ArraySink:
         self._rows.commit(results)
 
     def close(self, finished: bool = True) -> None:
-        """finished -- False: some pairs are not done, and OUTPUT.part is kept for --resume"""
+        """Writes the file from OUTPUT.part. finished -- False: some pairs are not done; OUTPUT.part
+        is kept for --resume instead"""
         if self._rows is None:
             return
         self._rows.close()
@@ -209,9 +212,9 @@ class ArraySink:
 
 def openResults(path: str, source: _ListSource, run: typing.Mapping[str, object],
                 resume: bool = False) -> Union[SqliteSink, ArraySink]:
-    """Returns the sink of a file, chosen by its extension. `run` describes everything except the
-    pairs that results depend on, such as the settings; --resume continues a run with the same
-    `run`. Raises CollectionError."""
+    """Returns the sink for a file, chosen by the extension of its name. `run` contains everything
+    that results depend on, except for the pairs: the settings. --resume continues a run only if
+    `run` is the same. Raises CollectionError if the file cannot be used."""
     checkExtension(path)
     if _extension(path) in ARRAYS:
         return ArraySink(path, source, run, resume)

@@ -9,23 +9,25 @@ LIST is one of
 - a folder with a file for each pair, including subfolders: `.corr` files, a match on each line, `x1
   y1 x2 y2 score`, with optional `.json` files for the sizes and camera matrices of the images (see
   doc/benchmark.md); or `.npz` files; or `.h5` or `.hdf5` files,
-- a `.list` file that names such files without extension, one on each line, relative to its folder
-  or, if that is called `lists`, to the parent folder,
+- a `.list` file that names such files without extension, one on each line. The names are relative
+  to the folder of the list or, if that folder is called `lists`, to its parent folder,
 - an `.npz` file with arrays PAIR/NAME, or an `.h5` or `.hdf5` file with arrays NAME in groups PAIR;
   or such a file of a single pair,
-- hloc's `.h5` file of matches together with that of features.
+- hloc's `.h5` file of matches together with its file of features.
 
 Arrays, all in pixels and without distortion:
-- points1, points2 (or mkpts0, mkpts1): N x 2, row i of one matches row i of the other,
-- or keypoints0, keypoints1 (or keypoints1, keypoints2): likewise; or with matches0 or matches,
-  which has for each keypoint of image 1 the index of its match (negative: none), or M x 2 indices,
+- points1, points2 (or mkpts0, mkpts1): N x 2, row i of one array matches row i of the other,
+- or keypoints0, keypoints1 (or keypoints1, keypoints2): likewise; or keypoints together with
+  matches0 or matches, which contains for each keypoint of image 1 the index of its match (negative:
+  no match), or M x 2 indices,
 - scores (or matching_scores0, matching_scores, match_confidence, confidence, mconf; higher is
   better) or ratios (lower is better): one for each match, or for each keypoint of image 1,
-- K1, K2 (or K0, K1; or K for both images): 3 x 3; without them the focal length counts as unknown,
+- K1, K2 (or K0, K1; or K for both images): 3 x 3 camera matrices; without them the focal lengths
+  are unknown,
 - size1, size2 (or size0, size1; or image_size instead of size): width and height.
 
-Without K1 and K2 only F and H can be found. The name of a pair is the path of its file without the
-extension, relative to the folder, or its line in the list, or its group."""
+Without camera matrices, only F and H can be found. The name of a pair is the path of its file
+without the extension, relative to the folder, or its line in the list, or its group."""
 
 from __future__ import annotations
 
@@ -46,7 +48,7 @@ if TYPE_CHECKING:
 
 HDF5 = (".h5", ".hdf5")
 EXTENSIONS = (".corr", ".npz") + HDF5
-BATCH = 1 << 16  # number of folder entries that are sorted at once: some ten megabytes of names
+BATCH = 1 << 16  # number of folder entries that are sorted at once; their names need about ten megabytes
 
 
 class Container(typing.Protocol):
@@ -62,15 +64,15 @@ class Container(typing.Protocol):
         """Returns a pair. Raises CollectionError if it cannot be read."""
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
-        """Returns the names of the images of a pair; None: unknown."""
+        """Returns the names of the images of a pair; None if they are unknown."""
 
     def close(self) -> None:
         """Closes all open files."""
 
 
 def inOrder(entries: Callable[[], typing.Iterable[str]], batch: int) -> typing.Iterator[str]:
-    """Yields the different strings of `entries` in sorted order with only `batch` of them in
-    memory: each pass over the entries finds those that follow the last one."""
+    """Yields the distinct strings of `entries` in sorted order with only `batch` of them in memory:
+    each pass over the entries finds the next `batch` strings."""
     last = ""
     while True:
         found = heapq.nsmallest(batch, (entry for entry in entries() if entry > last))
@@ -101,7 +103,7 @@ class Folder:
     def __init__(self, path: str) -> None:
         self._path = path
         self._extension = ""
-        # All files are searched once, in any order; two different extensions are an error.
+        # All files are listed once, in any order. Files with different extensions are an error.
         for file in self._walk("", self._scanned):
             extension = os.path.splitext(file)[1]
             self._extension = self._extension or extension
@@ -111,8 +113,8 @@ class Folder:
             fail("{}: no {} files".format(path, ", ".join(EXTENSIONS)))
 
     def _scanned(self, folder: str) -> typing.Iterator[str]:
-        """Yields the files and subfolders of a folder; the latter end in '/'. Links to folders are
-        not followed, since they may form a cycle."""
+        """Yields the files and subfolders of a folder; names of subfolders end in '/'. Links to
+        folders are not followed, because they may form a cycle."""
         with os.scandir(os.path.join(self._path, folder)) as entries:
             for entry in entries:
                 if entry.name.startswith("."):
@@ -123,7 +125,8 @@ class Folder:
                     yield entry.name
 
     def _walk(self, folder: str, entries: Callable[[str], typing.Iterable[str]]) -> typing.Iterator[str]:
-        """Yields the relative paths of the files."""
+        """Yields the paths of the files in a folder and its subfolders, relative to the top folder.
+        """
         try:
             for entry in entries(folder):
                 if entry.endswith("/"):
@@ -154,11 +157,11 @@ class Folder:
 
 
 class ListFile:
-    """A list file, which names the files of the pairs."""
+    """A `.list` file, which names the files of the pairs."""
 
     def __init__(self, path: str) -> None:
         kind = os.path.basename(path)[:-len(".list")].rpartition(".")[2]
-        if kind in ("P", "R", "M"):  # lists of absolute poses and motions of space
+        if kind in ("P", "R", "M"):  # lists of absolute poses and 3-D motions
             fail("{}: these are no pairs of images".format(path))
         folder = os.path.dirname(os.path.abspath(path))
         self._path = path
@@ -196,12 +199,12 @@ class ListFile:
 class NpzFile:
     """An NPZ file with arrays PAIR/NAME, or with the arrays of a single pair. The directory of a
     zip file is read as a whole, which needs 1.5 kilobytes of memory for a pair with two arrays. For
-    millions of pairs, a folder or HDF5 is better."""
+    millions of pairs, a folder or an HDF5 file is better."""
 
     def __init__(self, path: str) -> None:
         self._path = path
         try:
-            # Not by numpy.load, which searches all names for each access.
+            # numpy.load is not used, because it searches all names at each access.
             self._zip = zipfile.ZipFile(path)
         except UNREADABLE as error:
             fail("{}: {}".format(path, error.strerror if isinstance(error, OSError) and error.strerror
@@ -263,11 +266,12 @@ def _open(path: str, features: Optional[str]) -> Container:
 
 
 class ListSource:
-    """The pairs of a LIST, see the top of this file. `features`: hloc's file of keypoints if LIST
-    is hloc's file of matches. Raises CollectionError if LIST does not exist or has no pairs."""
+    """A Source of the pairs of a LIST, see the top of this file. `features` is hloc's file of
+    features if LIST is hloc's file of matches. Raises CollectionError if LIST does not exist or has
+    no pairs."""
 
     def __init__(self, path: str, features: Optional[str] = None) -> None:
-        # Absolute paths, since workers may run in another folder.
+        # The paths are absolute, because workers may run in another folder.
         self._path = os.path.abspath(path)
         self._features = None if features is None else os.path.abspath(features)
         self._opened: Optional[Tuple[int, Container]] = None
@@ -308,7 +312,7 @@ class ListSource:
         return loaded
 
     def images(self, key: Key) -> Optional[Tuple[str, str]]:
-        """Returns the names of the images of a pair; None if the files do not have them."""
+        """Returns the names of the images of a pair; None if the files do not contain them."""
         return self._container().images(str(key))
 
     def close(self) -> None:

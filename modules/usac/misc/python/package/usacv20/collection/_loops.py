@@ -2,19 +2,20 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Finds pairs whose rotation contradicts pairs with more matches. They are due to repeated
+"""Finds pairs whose rotation contradicts pairs with more matches. Such pairs are due to repeated
 structure, which cannot be detected from a single pair.
 
-Matches between windows of different facades agree with a motion as right matches do, and so do the
-scales and angles of their key points. But around a loop of images, the rotations of right pairs
-multiply to the identity @cite zach2010disambiguating. Here a loop consists of the tested pair and a
-path of links between its two images. A link is a calibrated pair with at least `STRONGER` times as
-many inliers as the tested pair; a right pair has many links around it, a wrong pair mostly none.
-The links with the most inliers form a forest (a graph without loops), which contains at most one
-path between two images. If there is no path, the pair is accepted.
+Matches between similar windows of different facades agree with a motion as correct matches do, and
+so do the scales and angles of their keypoints. But around a loop of images, the rotations of
+correct pairs multiply to the identity @cite zach2010disambiguating. Here a loop consists of the
+tested pair and a path of links between its two images. A link is a calibrated pair with at least
+`STRONGER` times as many inliers as the tested pair. The images of a correct pair are usually joined
+by such paths of links, those of a wrong pair mostly not. The links with the most inliers form a
+forest (a graph without loops), which contains at most one path between two images. If there is no
+path, the pair is accepted.
 
-Pairs are tested in descending order of their inliers while the forest grows, so that each pair is
-tested once."""
+Pairs are tested in descending order of their numbers of inliers while the forest grows, so that
+each pair is tested once."""
 
 from __future__ import annotations
 
@@ -29,11 +30,11 @@ if TYPE_CHECKING:
 
 _Rotation = Tuple[float, float, float, float]  # unit quaternion w, x, y, z; maps directions in the coordinates of one camera to those of another
 
-# doc/collections.md has results with half and double of these values.
+# doc/collections.md lists results with half and twice these values.
 
-STRONGER = 2.0  # least ratio of the inliers of a link to those of the tested pair
-LARGEST = 20.0  # largest rotation error in degrees of an accepted pair
-LONGEST = 32  # largest number of links in a path, since their errors add up
+STRONGER = 2.0  # minimum ratio of the number of inliers of a link to that of the tested pair
+LARGEST = 20.0  # maximum rotation error of an accepted pair in degrees
+LONGEST = 32  # maximum number of links in a path; longer paths are not used, because errors add up
 
 _NONE: _Rotation = (1.0, 0.0, 0.0, 0.0)
 
@@ -46,12 +47,12 @@ class Edge(typing.NamedTuple):
     second: typing.Hashable
     inliers: int
     rotations: npt.NDArray[np.float64]  # k x 4, w, x, y, z: the possible rotations
-    link: bool  # true: a calibrated pair with a single rotation, which can be a link
+    link: bool  # True: the pair has a single, well-determined rotation and can be a link
 
 
 def contradicted(edges: typing.Sequence[Edge]) -> Dict[Any, float]:
-    """Returns the contradicted edges and, for each, the least rotation error in degrees over its
-    possible rotations."""
+    """Returns a dictionary from the keys of the contradicted edges to the rotation error of each in
+    degrees, the smallest over its possible rotations."""
     order = sorted(edges, key=lambda edge: (-edge.inliers, edge.key))
     forest = _Forest()
     result: Dict[Any, float] = {}
@@ -70,7 +71,8 @@ def contradicted(edges: typing.Sequence[Edge]) -> Dict[Any, float]:
 
 class _Forest:
     """The forest of links as a union-find structure. Each image stores its rotation relative to
-    another image of its tree; these references lead to a representative of the tree."""
+    another image of its tree; by following these references, one reaches a representative of the
+    tree."""
 
     def __init__(self) -> None:
         self._toward: Dict[typing.Hashable, Tuple[typing.Hashable, _Rotation]] = {}  # R_image = rotation R_other
@@ -78,8 +80,8 @@ class _Forest:
         self._links: Dict[typing.Hashable, List[typing.Hashable]] = {}
 
     def add(self, first: typing.Hashable, second: typing.Hashable, rotation: _Rotation) -> None:
-        """Adds a link with R_second = rotation R_first. Does nothing if a path joins the images
-        already."""
+        """Adds a link with R_second = rotation R_first. Does nothing if a path already joins the
+        images."""
         (one, ofFirst), (other, ofSecond) = self._find(first), self._find(second)
         if one == other:
             return
@@ -95,8 +97,8 @@ class _Forest:
         self._links.setdefault(second, []).append(first)
 
     def error(self, edge: Edge) -> float:
-        """Returns the least angle in degrees between a rotation of the edge and the rotation of the
-        path; 0 if there is no path."""
+        """Returns the smallest angle in degrees between a rotation of the edge and the rotation
+        along the path between its images; 0 if there is no path."""
         (one, ofFirst), (other, ofSecond) = self._find(edge.first), self._find(edge.second)
         if one != other:
             return 0.0
@@ -105,7 +107,7 @@ class _Forest:
         return math.degrees(2 * math.acos(min(cosine, 1.0)))
 
     def near(self, first: typing.Hashable, second: typing.Hashable) -> bool:
-        """Returns whether the path has at most LONGEST links."""
+        """Returns True if the path between two images has at most LONGEST links."""
         front, seen = [first], {first}
         for _ in range(LONGEST):
             front = [image for known in front for image in self._links.get(known, ()) if image not in seen]
@@ -115,9 +117,9 @@ class _Forest:
         return False
 
     def _find(self, image: typing.Hashable) -> Tuple[typing.Hashable, _Rotation]:
-        """Returns the representative of the tree, and the rotation of the image relative to it. The
-        number of steps is at most logarithmic, as the smaller tree is always attached to the larger
-        one."""
+        """Returns the representative of the tree of an image, and the rotation of the image
+        relative to it. The number of steps is at most logarithmic in the number of images, because
+        the smaller tree is always attached to the larger one."""
         rotation = _NONE
         while image in self._toward:
             image, step = self._toward[image]

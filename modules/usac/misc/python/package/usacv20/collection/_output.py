@@ -12,14 +12,14 @@ import typing
 
 
 def write(text: str, stream: typing.Optional[typing.TextIO] = None) -> None:
-    """Writes to stdout, or to another stream. If its reader has ended (`| head -1`), further output
-    is discarded, and the work continues."""
+    """Writes a text to stdout, or to another stream. If the program that reads the stream has ended
+    (`| head -1`), further output is discarded, and the run continues."""
     out = sys.stdout if stream is None else stream
     try:
         out.write(text)
         out.flush()
     except BrokenPipeError:
-        # The descriptor is redirected to the null device, as Python flushes the stream again at
+        # The descriptor is redirected to the null device, because Python flushes the stream again at
         # exit.
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, out.fileno())

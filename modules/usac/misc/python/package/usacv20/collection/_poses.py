@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 
 
 def quaternion(R: _Array) -> _Array:
-    """Returns the quaternion (w, x, y, z) with w >= 0 of a rotation. The outer product of the
-    quaternion with itself is computed from R, and its column with the largest diagonal element is
-    normalized. NumPy is not used, since its calls take ten times as long for so few numbers."""
+    """Returns the quaternion (w, x, y, z) with w >= 0 of a rotation matrix. The outer product of
+    the quaternion with itself (times 4) is computed from R, and its column with the largest
+    diagonal element is normalized. NumPy is not used, because its calls take ten times as long for
+    so few numbers."""
     rows: Any = R.tolist()
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = rows
     columns = ((1 + xx + yy + zz, zy - yz, xz - zx, yx - xy), (zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx),
