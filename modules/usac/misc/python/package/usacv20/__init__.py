@@ -131,7 +131,7 @@ def isUsacV20Method(method: int) -> bool:
 def __getattr__(name: str) -> Any:
     if name == "error":  # the class is made at its first use, because that may import cv2
         return _errorClass()
-    if name == "collection":  # allows usacv20.collection.verify(path) after import usacv20
+    if name == "collection":  # allows usacv20.collection.verify(path) after `import usacv20` alone
         return _importlib.import_module(__name__ + ".collection")
     raise AttributeError("module {!r} has no attribute {!r}".format(__name__, name))
 

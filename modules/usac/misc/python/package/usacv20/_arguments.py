@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Checks arguments and converts them to the types that the C++ functions take. A wrong argument
-raises an error that names it."""
+"""Checks arguments and converts them to the types that the C++ functions take. An invalid argument
+raises usacv20.error, which names the argument."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
 
 
 def refuseMasked(value: Any, name: str) -> None:
-    """Raises usacv20.error for a numpy.ma array with masked elements, since the conversion would
+    """Raises usacv20.error for a numpy.ma array with masked elements, because the conversion would
     lose its mask."""
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise fail("{}: a masked array is not taken, as its mask would be lost: give the rows that it leaves, of all arrays the "

@@ -60,7 +60,7 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
         return []
     isList = isinstance(given, (list, tuple)) and any(item is None or np.ndim(item) >= 1 for item in given)
     if isList and all(isinstance(item, (list, tuple)) and all(np.ndim(number) == 0 for number in item) for item in given):
-        isList = name.startswith("dist")  # a list of lists is one camera matrix, but several lists of distortion coefficients
+        isList = name.startswith("dist")  # a list of lists is one camera matrix, but several arrays of distortion coefficients
     if isinstance(given, np.ndarray):
         isList = given.ndim == 3
     entries = list(given) if isList else [given]

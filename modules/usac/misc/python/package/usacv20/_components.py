@@ -31,8 +31,8 @@ Rng = native.Rng
 
 class Correspondences(typing.NamedTuple):
     """The points as the components see them: only points with finite coordinates, in a fixed
-    pseudo-random order, and in the coordinates of the search. These are scaled to about unit size;
-    for E, they are on the normalized image plane."""
+    pseudo-random order, and in the coordinates of the search. The points are scaled to about unit
+    size; for E, they are on the normalized image plane."""
 
     data: npt.NDArray[np.float64]  #: N x number of columns; for two views, the columns are x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, row of each point in the caller's arrays
@@ -257,7 +257,9 @@ class Usac:
         self._params = params.replace()._fix()
 
     def setScores(self, scores: Optional[npt.ArrayLike]) -> None:
-        """Replaces Params.scores for the next run: one score per point; None: no scores."""
+        """Replaces Params.scores for the next run.
+
+        scores -- one score for each point; None: no scores"""
         self._renew(None, None, self._params.replace(scores=scores))
 
     @property
@@ -266,12 +268,11 @@ class Usac:
         return Correspondences(*self._usac.points())
 
     def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike, scores: Optional[npt.ArrayLike] = None) -> None:
-        """Sets other points for the next run; their number may differ. Allocated memory is reused,
-        unless scores are given.
+        """Sets other points for the next run; their number N may differ. Allocated memory is
+        reused, unless scores are given.
 
         points1, points2 -- as in create()
-        scores -- new Params.scores; None: the previous scores stay, and there must be as many of
-        them as points"""
+        scores -- N new Params.scores; None: the previous scores stay, and their number must be N"""
         given = _points(self._problem, points1, points2)
         if scores is None:
             self._usac.setPoints(*given)

@@ -33,8 +33,8 @@ SIZE_MAX = 2**64 - 1
 def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
               kwargs: Dict[str, Any]) -> bool:
     """Returns True if a call has the argument list with `params`, and False if it has the argument
-    list with a flag. A Params given in place of the flag belongs to the latter if the two lists
-    have the flag and `params` at different positions."""
+    list with a flag. If the flag and `params` have different positions in these lists, a Params in
+    the position of the flag counts as a call with a flag."""
     if "params" in kwargs:
         if method in kwargs:
             raise fail("{}: params and {} are given, both say what to use".format(function, method))
@@ -50,8 +50,8 @@ def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace
 
 
 def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str, Any], others: typing.Sequence[str]) -> None:
-    """Raises usacv20.error if one of the arguments `others` is given in addition to a Params. They
-    belong to calls with a flag, and a Params has its own fields for them."""
+    """Raises usacv20.error if one of the arguments `others` is given in addition to a Params. These
+    arguments belong to calls with a flag, and a Params has its own fields for them."""
     for name in others:
         if values[name] is not defaults[name] and values[name] is not None:
             raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))

@@ -56,10 +56,10 @@ class Params:
     Params.fast(threshold=2), and assigned later; None stands for the default. Params() is
     Params.usacV20(). Enumerators can also be given by name: Params(sampler="prosac",
     termination="sprt|standard"). A value of a wrong type or an enumerator of another enumeration
-    raises TypeError at once. Another wrong value raises usacv20.error, which names the field, when
-    the estimator is created or in check(). Objects can be compared, copied and pickled; repr()
-    shows the fields that differ from the default. Pixels are those of image 2; for 3-D motions, read
-    "the unit of the points of space 2" instead."""
+    raises TypeError at once. Any other invalid value raises usacv20.error, which names the field,
+    when the estimator is created or in check(). Objects can be compared, copied and pickled; repr()
+    shows the fields that differ from the default. Pixels are those of image 2; for 3-D motions,
+    "pixels" means the unit of points2."""
 
     __slots__ = ("_native", "_scores", "_sigmas", "_initialModel", "_initialCovariance", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as for all mutable classes
@@ -296,7 +296,7 @@ class Params:
     @classmethod
     def sorted(cls: Type[P], **fields: Any) -> P:
         """Returns the preset of USACV20_PROSAC: PROSAC sampling of points that the caller has
-        sorted, best first; if `scores` are given, they determine the order."""
+        sorted, best first. If `scores` are given, they determine the order instead."""
         return cls._preset("sorted", fields)
 
     @classmethod
@@ -313,12 +313,12 @@ class Params:
 
     @classmethod
     def automatic(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_AUTO: like usacV20(), with an estimated threshold of at most 5 pixels, see ThresholdType."""
+        """Returns the preset of USACV20_AUTO: like usacV20(), with an estimated threshold of at most 5 pixels."""
         return cls._preset("automatic", fields)
 
     @classmethod
     def ransac(cls: Type[P], **fields: Any) -> P:
-        """Returns the options of RANSAC of 1981: uniform samples, number of inliers, least squares."""
+        """Returns the options of RANSAC of 1981: uniform samples, scores by the number of inliers, least squares."""
         return cls._preset("ransac", fields)
 
     @classmethod

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Shows the progress of an estimation, and stops it."""
+"""Reports the progress of estimations to a function, which can stop them."""
 
 from __future__ import annotations
 

@@ -74,8 +74,9 @@ class TwoViewRules:
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
     def reached(self, params: Params, sampleSize: int, matches: int) -> float:
-        """Returns the probability, 0..1, that a pair is found if its inlier ratio is inlierRatio. The
-        number of samples is samples(), but at most params.maxIterations."""
+        """Returns the probability, 0..1, that the model of a pair is found if its inlier ratio is
+        inlierRatio. The number of samples is samples(), but at most params.maxIterations. The
+        arguments are those of samples()."""
         return float(self._native.reached(optionsOf(params), sampleSize, matches))
 
     @property
@@ -211,7 +212,7 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
     cameras may be mixed
     params, rules -- for all pairs; scores are taken from the pairs
     threads -- number of pairs that are processed at once; 0: the number of OpenCV's threads. The
-    results do not depend on it
+    results do not depend on this number
     returnExceptions -- what happens if the estimation of a pair raises an exception. True: the
     exception replaces the result of this pair. False: the exception of one such pair is raised and
     names the pair

@@ -19,7 +19,7 @@ from ._pair import CollectionError, Key, Source
 from ._work import Future, Verify, fingerprintOf, processRemotely
 
 _PER_THREAD = 2  # number of chunks for each thread: one in progress, one waiting
-_RETRIES = 1  # repetitions of a task that raised an exception; if a worker dies, Dask itself gives its chunks to others
+_RETRIES = 1  # repetitions of a task that raised an exception; if a worker dies, Dask gives its tasks to other workers
 _CONNECT = 10.0  # maximum number of seconds to connect to a scheduler
 _JOIN = 60.0  # maximum number of seconds to wait for the first worker
 _COUNT = 5.0  # minimum number of seconds between two counts of the workers

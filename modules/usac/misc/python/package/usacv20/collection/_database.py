@@ -174,8 +174,8 @@ class DatabaseSource:
         return self._count
 
     def fingerprint(self) -> str:
-        """Returns a fingerprint of the first and the last rows of the input tables. It does not
-        change when results are written."""
+        """Returns a fingerprint of the first and the last rows of the input tables. The fingerprint
+        does not change when results are written."""
         digest = hashlib.sha256()
         for table, key, values in (("cameras", "camera_id", "model, width, height, params, prior_focal_length"),
                                    ("images", "image_id", "name, camera_id"), ("keypoints", "image_id", "rows, cols, data"),

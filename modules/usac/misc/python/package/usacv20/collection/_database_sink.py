@@ -27,7 +27,7 @@ VERSION = 3
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
 
-# The table as COLMAP 3.8 creates it.
+# The table two_view_geometries as COLMAP 3.8 creates it.
 _GEOMETRIES = """CREATE TABLE IF NOT EXISTS two_view_geometries (pair_id INTEGER PRIMARY KEY NOT NULL, rows INTEGER NOT NULL,
 cols INTEGER NOT NULL, data BLOB, config INTEGER NOT NULL, F BLOB, E BLOB, H BLOB, qvec BLOB, tvec BLOB)"""
 _OWN = (
@@ -41,7 +41,7 @@ _NEEDED = ("pair_id", "rows", "cols", "data", "config")
 _LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # configurations with a unique, well-determined rotation
 _MATRICES = ("F", "E", "H", "qvec", "tvec")  # COLMAP before 3.8 has only some of these columns
 # Prefix of the reasons of pairs that contradict other pairs. --resume estimates these pairs again,
-# since not all contradictions are known until a run has ended.
+# because not all contradictions are known until a run has ended.
 CONTRADICTED = "loop: "
 _SIZES = {"F": 9, "E": 9, "H": 9, "qvec": 4, "tvec": 3}
 

@@ -37,7 +37,7 @@ class Summary:
     def __init__(self) -> None:
         self.pairs = 0  # number of results stored by this run, including faults
         self.skipped = 0  # number of pairs stored by an earlier run
-        self.refused = 0  # number of pairs for which no model was accepted
+        self.refused = 0  # number of refused pairs, for which no model was accepted
         self.contradicted = 0  # number of pairs in the whole table that were refused because they contradict other pairs
         self.faults = 0  # number of pairs that cannot be read
         self.interrupted = False
@@ -175,7 +175,7 @@ class _Run:
                 continue
             try:
                 outcomes.append(future.result())
-            except BaseException as error:  # raised after the results of the other chunks are stored
+            except BaseException as error:  # it is raised after the results of the other chunks are stored
                 self.failure = self.failure or self.workers.explain(error)
         if not outcomes:
             return
@@ -208,7 +208,7 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
     chunk -- number of pairs that are estimated and stored together
     workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
     a running scheduler, tcp://HOST:PORT. If neither is given, threads of this process do the work
-    progress -- see Progress
+    progress -- whether a progress bar is shown: True, False or None, see Progress
 
     Returns the summary. If Ctrl-C or SIGTERM interrupts the run, the chunks in progress are first
     finished and stored. The sink stays open. An exception of a worker is raised after the results

@@ -3,7 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Two-view geometry of pairs by usacv20.estimateTwoViewGeometries. doc/collections.md describes the
-rules and how they differ from COLMAP's."""
+rules by which models are accepted, and how they differ from COLMAP's rules."""
 
 from __future__ import annotations
 

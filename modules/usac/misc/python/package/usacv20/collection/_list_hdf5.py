@@ -25,7 +25,7 @@ _DAMAGED: Any = (OSError, KeyError, RuntimeError, ValueError, MemoryError)
 
 
 def useH5py() -> Any:
-    """Returns the module h5py. Raises CollectionError if it is missing."""
+    """Returns the module h5py. Raises CollectionError if the module is missing."""
     return need("h5py", "for HDF5 files")
 
 
@@ -226,7 +226,8 @@ def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
 
 
 def pairOfHdf5(name: str, path: str) -> Pair:
-    """Returns the pair of a file with a single pair. Raises CollectionError if it is damaged."""
+    """Returns the pair of a file with a single pair. Raises CollectionError if the file is damaged
+    or has no pair."""
     groups = Groups(path)
     try:
         return pairOfArrays(name, groups.reader(""), (name + " (1)", name + " (2)"))

@@ -54,7 +54,7 @@ def settingsText(run: typing.Mapping[str, object]) -> str:
 
 def storedSettings(path: str) -> Optional[Dict[str, Any]]:
     """Returns the settings of the run that wrote OUTPUT.part or, if that does not exist, the file;
-    None if there is neither file or if the settings cannot be read."""
+    None if neither exists, or if the settings cannot be read."""
     for name in (path + ".part", path):
         if not os.path.isfile(name):
             continue

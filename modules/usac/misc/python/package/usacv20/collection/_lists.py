@@ -61,7 +61,7 @@ class Container(typing.Protocol):
         """Returns the paths of all files that pairs come from."""
 
     def load(self, name: str) -> Pair:
-        """Returns a pair. Raises CollectionError if it cannot be read."""
+        """Returns the pair of this name. Raises CollectionError if the pair cannot be read."""
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
         """Returns the names of the images of a pair; None if they are unknown."""

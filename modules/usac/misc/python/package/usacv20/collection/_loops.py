@@ -9,10 +9,9 @@ Matches between similar windows of different facades agree with a motion as corr
 so do the scales and angles of their keypoints. But around a loop of images, the rotations of
 correct pairs multiply to the identity @cite zach2010disambiguating. Here a loop consists of the
 tested pair and a path of links between its two images. A link is a calibrated pair with at least
-`STRONGER` times as many inliers as the tested pair. The images of a correct pair are usually joined
-by such paths of links, those of a wrong pair mostly not. The links with the most inliers form a
-forest (a graph without loops), which contains at most one path between two images. If there is no
-path, the pair is accepted.
+`STRONGER` times as many inliers as the tested pair; wrong pairs have few inliers and are therefore
+rarely links. The links with the most inliers form a forest (a graph without loops), which contains
+at most one path between two images. If there is no path, the pair is accepted.
 
 Pairs are tested in descending order of their numbers of inliers while the forest grows, so that
 each pair is tested once."""
@@ -28,9 +27,10 @@ import numpy as np
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-_Rotation = Tuple[float, float, float, float]  # unit quaternion w, x, y, z; maps directions in the coordinates of one camera to those of another
+# Unit quaternion w, x, y, z of the rotation from the coordinates of one camera to those of another.
+_Rotation = Tuple[float, float, float, float]
 
-# doc/collections.md lists results with half and twice these values.
+# doc/measurements/collections_tables.md lists results with half and twice these values.
 
 STRONGER = 2.0  # minimum ratio of the number of inliers of a link to that of the tested pair
 LARGEST = 20.0  # maximum rotation error of an accepted pair in degrees

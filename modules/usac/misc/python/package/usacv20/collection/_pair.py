@@ -20,8 +20,8 @@ Key = Union[int, str]  # id of a pair: COLMAP's pair_id in a database, a name in
 
 
 class CollectionError(Exception):
-    """Raised if the tool cannot continue or a pair cannot be used; the message is one line for the
-    user."""
+    """Raised if the tool cannot continue, or if a pair cannot be used. The message is one line for
+    the user."""
 
 
 class Configuration(enum.IntEnum):
@@ -35,18 +35,18 @@ class Configuration(enum.IntEnum):
     PANORAMIC = 5
     PLANAR_OR_PANORAMIC = 6
     WATERMARK = 7
-    MULTIPLE = 8  # this and the next value occur only in tables written by COLMAP
+    MULTIPLE = 8  # MULTIPLE and CALIBRATED_RIG occur only in tables written by COLMAP
     CALIBRATED_RIG = 9
 
 
 class View(typing.NamedTuple):
-    """The matched points of one image of a pair, and its camera."""
+    """The matched points of one image of a pair, and the camera of this image."""
 
     name: str
     points: npt.NDArray[np.float64]  # M x 2, pixels, without distortion
-    taken: npt.NDArray[np.float64]  # M x 2, pixels, with distortion; the same array as `points` if the camera has none
-    matrix: npt.NDArray[np.float64]  # 3 x 3
-    focalKnown: bool
+    taken: npt.NDArray[np.float64]  # M x 2, pixels of the original image; `points` itself if it has no distortion
+    matrix: npt.NDArray[np.float64]  # 3 x 3 camera matrix
+    focalKnown: bool  # False: the focal length in `matrix` is a guess
     width: int  # pixels; 0: unknown
     height: int
 
@@ -57,9 +57,9 @@ class Pair(typing.NamedTuple):
     key: Key
     first: View
     second: View
-    matches: npt.NDArray[np.uint32]  # M x 2: indices of the keypoints
-    scores: Optional[npt.NDArray[np.float64]]  # M, of the matches; None: unknown
-    higherIsBetter: bool
+    matches: npt.NDArray[np.uint32]  # M x 2: indices of the keypoints in both images
+    scores: Optional[npt.NDArray[np.float64]]  # M scores of the matches; None: there are no scores
+    higherIsBetter: bool  # True: matches with higher scores are better
 
 
 class Fault(typing.NamedTuple):
@@ -73,26 +73,26 @@ class TwoView(typing.NamedTuple):
     """The result for a pair."""
 
     key: Key
-    configuration: Configuration  # UNDEFINED: a fault
-    inliers: npt.NDArray[np.uint32]  # K x 2: the rows of Pair.matches that are inliers
+    configuration: Configuration  # UNDEFINED: the pair is a fault
+    inliers: npt.NDArray[np.uint32]  # K x 2: the rows of Pair.matches of the inliers
     F: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
-    E: Optional[npt.NDArray[np.float64]]
-    H: Optional[npt.NDArray[np.float64]]
+    E: Optional[npt.NDArray[np.float64]]  # likewise, for normalized image planes
+    H: Optional[npt.NDArray[np.float64]]  # like F
     quaternion: Optional[npt.NDArray[np.float64]]  # w, x, y, z: x2 ~ R x1 + t; None: unknown
     translation: Optional[npt.NDArray[np.float64]]  # unit length; 0: pure rotation
-    reason: str  # why the pair is refused, one line; empty: not refused
-    matches: int
+    reason: str  # why the pair is refused or a fault, one line; empty: the pair is accepted
+    matches: int  # number of matches of the pair
     iterations: int  # number of samples drawn, without those for H among the inliers of E or F
     chance: float  # Report.chance of the accepted model
     milliseconds: float
-    # k x 4, as `quaternion`: the rotations that agree with the matches, one of which is right.
-    # None: the focal lengths are unknown
+    # k x 4, in the form of `quaternion`: the rotations compatible with the matches; if the matches
+    # are correct, one of them is the true rotation. None: the focal lengths are unknown.
     rotations: Optional[npt.NDArray[np.float64]] = None
 
 
 class Source(typing.Protocol):
-    """Base class of sources of pairs. Objects must be picklable; each process opens the files at
-    its first use."""
+    """Base class of sources of pairs. Objects must be picklable; each process opens the files
+    itself at their first use."""
 
     def keys(self) -> typing.Iterator[Key]:
         """Yields the keys of all pairs in a fixed order."""
@@ -101,10 +101,11 @@ class Source(typing.Protocol):
         """Returns the number of pairs."""
 
     def load(self, keys: typing.Sequence[Key]) -> List[Union[Pair, Fault]]:
-        """Returns pairs in the order of the keys."""
+        """Returns the pairs in the order of the keys; a Fault replaces a pair that cannot be read.
+        """
 
     def fingerprint(self) -> str:
-        """Returns a text that is equal in two processes if they see the same files."""
+        """Returns a text that is equal in two processes if both see the same files."""
 
 
 class Sink(typing.Protocol):
@@ -117,5 +118,6 @@ class Sink(typing.Protocol):
         """Stores all of the results or none of them."""
 
     def close(self, finished: bool = True) -> None:
-        """Ends the sink; nothing can be stored afterwards. finished -- False: some pairs are not
-        done and are left for --resume"""
+        """Ends the sink; nothing can be stored afterwards.
+
+        finished -- False: some pairs are not done, and --resume can process them later"""

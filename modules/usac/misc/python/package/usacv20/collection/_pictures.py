@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 
     _Numbers = npt.NDArray[np.int64]
 
-CELLS = 1000  # largest number of rows of the matrix of pairs
-NAMED = 40  # largest number of images whose names are shown at the matrix, where a row is then a fifth of an inch high
+CELLS = 1000  # maximum number of rows and columns of the matrix of pairs
+NAMED = 40  # maximum number of images whose names are shown next to the matrix; its rows are then 0.2 inch high
 
 
 def _ranked(blocks: typing.Iterable[_Numbers], ranks: _Numbers) -> typing.Iterator[_Numbers]:
-    """Replaces the image indices of links by their ranks in another order."""
+    """Yields blocks of links in which each image index i is replaced by ranks[i]."""
     for block in blocks:
         yield np.column_stack((ranks[block[:, :2]], block[:, 2:]))
 
@@ -35,8 +35,8 @@ class Pictures:
     """Draws PNG files in a folder: a histogram of each measure, `<name>.png`, and `pairs.png`."""
 
     def __init__(self, folder: str) -> None:
-        """Makes the folder. Raises CollectionError if there is no matplotlib."""
-        # pyplot is not used, since it needs a display and keeps all figures in memory.
+        """Creates the folder. Raises CollectionError if matplotlib is missing."""
+        # pyplot is not used, because it needs a display and keeps all figures in memory.
         self._figure = need("matplotlib.figure", "for --pictures").Figure
         self._canvas = need("matplotlib.backends.backend_agg", "for --pictures").FigureCanvasAgg
         self._colors = need("matplotlib.colors", "for --pictures")
@@ -49,8 +49,8 @@ class Pictures:
         return figure
 
     def histograms(self, histograms: Dict[str, Any]) -> None:
-        """Draws the histograms of the summary of a report. All bars have equal width although the
-        widths of the bins grow."""
+        """Draws the histograms in the summary of a report. All bars have equal width, although the
+        bins of larger values are wider."""
         for name, histogram in histograms.items():
             figure = self._new(8, 4.5)
             axes = figure.add_subplot()
@@ -66,8 +66,9 @@ class Pictures:
             figure.savefig(os.path.join(self._folder, name + ".png"))
 
     def pairs(self, results: Results) -> None:
-        """Draws the matrix of the pairs: colors show the number of inliers, gray refused pairs,
-        white missing pairs. Draws nothing if the results do not have the images."""
+        """Draws the matrix of the pairs: colors show the number of inliers, gray shows refused
+        pairs, white shows pairs without matches. Draws nothing if the results do not contain the
+        images."""
         images = results.images()
         if not len(images):
             return

@@ -13,15 +13,16 @@ from ._optional import need
 from ._output import write
 from ._pair import CollectionError
 
-_LINES = 20  # number of faults that are shown; a table of the report has all of them
+_LINES = 20  # maximum number of faults that are shown
 
 
 class Progress:
-    """A progress bar with pairs a second and the time left, and lines above it.
+    """A progress bar with the number of pairs per second and the remaining time; lines of text are
+    printed above the bar.
 
     total -- number of pairs
-    wanted -- True: shows a bar, CollectionError if tqdm is missing; None: shows a bar if stderr is
-    a terminal and tqdm is there; False: lines only"""
+    wanted -- True: shows a bar, and raises CollectionError if tqdm is missing; None: shows a bar if
+    stderr is a terminal and tqdm is installed; False: prints lines only"""
 
     def __init__(self, total: int, wanted: Optional[bool] = None) -> None:
         self._bar: Any = None
@@ -37,7 +38,7 @@ class Progress:
         self._bar = tqdm.tqdm(total=total, unit=" pairs", file=sys.stderr, dynamic_ncols=True, smoothing=0.05)
 
     def skip(self, pairs: int) -> None:
-        """Counts pairs of an earlier run; they do not affect the estimate of the time left."""
+        """Counts pairs of an earlier run; they do not affect the estimate of the remaining time."""
         if self._bar is not None:
             self._bar.initial += pairs
             self._bar.update(pairs)
@@ -53,7 +54,7 @@ class Progress:
             self._bar.write(line, file=sys.stderr)
 
     def complain(self, reason: str) -> None:
-        """Shows a line about a fault; only the first faults are shown."""
+        """Shows a line about a fault; only the first _LINES faults are shown."""
         self._lines += 1
         if self._lines <= _LINES:
             self.say("cannot be read: " + reason)

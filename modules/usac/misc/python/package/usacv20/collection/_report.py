@@ -8,12 +8,13 @@ pictures.
 It lists some pairs that should be checked, the first few of each kind:
 - refused pairs with the most matches,
 - verified pairs whose probability of being a chance result is at least a hundredth of the limit
-  (Settings.significance), the largest first,
-- verified pairs with an inlier ratio below 0.2, those with most inliers first; the reason may be
+  (Settings.significance), those with the largest probability first,
+- verified pairs with an inlier ratio below 0.2, those with the most inliers first; the reason may
+be
   repeated structure, or a moving part of the images,
 - pairs that are the only link between two parts of at least two images each, those of the largest
-  parts first. If such a pair is wrong, it joins unrelated parts; if it were missing, the
-  reconstruction would fall apart."""
+  parts first. If such a pair is wrong, it joins unrelated parts of the reconstruction; if it were
+  missing, the reconstruction would fall apart."""
 
 from __future__ import annotations
 
@@ -29,9 +30,9 @@ from ._report_graph import Graph, graphOf, indexed
 from ._report_table import FAULT, OURS, PAIRS, REFUSED, VERIFIED, Results, Row
 from ._settings import Settings
 
-LOW_RATIO = 0.2
-NEAR_LIMIT = 0.01  # fraction of the limit of the chance
-REASONS = 20  # number of kinds of reasons that are listed
+LOW_RATIO = 0.2  # verified pairs with a smaller inlier ratio are listed
+NEAR_LIMIT = 0.01  # verified pairs are listed if their chance is at least this fraction of the limit
+REASONS = 20  # maximum number of kinds of reasons that are listed
 QUANTILES = (0.5, 0.9, 1.0)
 _STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000)
 
@@ -42,8 +43,8 @@ class Measure(typing.NamedTuple):
     name: str
     title: str
     value: str  # SQL expression for a row
-    edges: typing.Sequence[float]
-    where: str
+    edges: typing.Sequence[float]  # edges of the bins
+    where: str  # SQL condition for the rows
 
 
 MEASURES = (
@@ -55,8 +56,8 @@ MEASURES = (
 
 
 def _significance(settings: Any) -> float:
-    """Returns the limit of the chance from the settings of a run, searched for in nested dicts, or
-    else the default."""
+    """Returns the limit of the chance from the settings of a run, which may be nested dictionaries;
+    the default limit if the settings do not contain it."""
     if isinstance(settings, dict):
         for name, value in settings.items():
             if name == "significance" and isinstance(value, (int, float)):
@@ -89,7 +90,7 @@ def _look(results: Results, graph: Optional[Graph], images: Any, limit: float, m
 
 
 def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
-    """Returns all figures of a report, as in its JSON file."""
+    """Returns all numbers and lists of a report, as in its JSON file."""
     states: Dict[int, int] = dict((state, count) for state, count in results.rows(
         "SELECT state, COUNT(*) FROM results GROUP BY state"))
     if not states:
@@ -213,13 +214,14 @@ def report(path: str, pictures: Optional[str] = None, jsonFile: Optional[str] = 
     """Reports on a COLMAP database or on a database of the command `pairs`; the file is not
     changed.
 
-    pictures -- folder for histograms and the matrix of the pairs, None: no pictures
-    jsonFile -- file for the figures; csvFile -- file with a row for each pair; None: not written
-    most -- number of listed pairs of each kind that should be checked
-    stream -- for the text, None: standard output
+    pictures -- folder for histograms and the matrix of the pairs; None: no pictures
+    jsonFile -- file for the numbers; csvFile -- file with a row for each pair; None: not written
+    most -- maximum number of listed pairs of each kind that should be checked
+    stream -- output stream for the text; None: standard output
 
-    Returns the exit code. Raises CollectionError."""
-    draw = None if pictures is None else _pictures.Pictures(pictures)  # made first, so that a missing library is reported early
+    Returns the exit code. Raises CollectionError if the file has no results, or if a file cannot be
+    read or written."""
+    draw = None if pictures is None else _pictures.Pictures(pictures)  # first, so that a missing library is reported early
     try:
         with Results(path) as results:
             summary = summarize(results, most)

@@ -35,7 +35,7 @@ class _Forest:
         return node
 
     def join(self, first: int, second: int) -> bool:
-        """Joins two components; returns False if the nodes are in the same component already."""
+        """Joins two components. Returns False if both nodes are already in the same component."""
         first, second = self.root(first), self.root(second)
         if first == second:
             return False
@@ -52,14 +52,15 @@ class Bridge(typing.NamedTuple):
 
 
 class Graph(typing.NamedTuple):
-    components: List[int]  # numbers of images, in descending order
-    bridges: List[Bridge]  # sorted by the number of images, in descending order
+    components: List[int]  # number of images of each component, in descending order
+    bridges: List[Bridge]  # sorted by Bridge.images, in descending order
 
 
 def graphOf(count: int, links: typing.Iterable[Edge]) -> Graph:
-    """Returns the graph of `count` images. The memory depends on the number of images, not of
-    links. A spanning forest of all links, and a second one of the remaining links, together have
-    the same bridges as all links (the sparse certificate of Nagamochi and Ibaraki, 1992)."""
+    """Returns the graph of `count` images. The memory depends on the number of images, not on the
+    number of links: a spanning forest of all links, and a second one of the remaining links,
+    together have the same bridges as all links (the sparse certificate of Nagamochi and Ibaraki,
+    1992)."""
     forest, second = _Forest(count), _Forest(count)
     kept: List[Edge] = []
     for edge in links:
@@ -72,8 +73,8 @@ def graphOf(count: int, links: typing.Iterable[Edge]) -> Graph:
 
 def _neighbors(count: int, edges: List[Edge]) -> Tuple[_Numbers, _Numbers, _Numbers]:
     """Returns arrays (start, neighbors, edges): the neighbors of node i are
-    neighbors[start[i]:start[i + 1]], and the same part of the third array has the indices of the
-    edges to them."""
+    neighbors[start[i]:start[i + 1]], and the same part of `edges` contains the indices of the edges
+    to these neighbors."""
     ends = np.array(edges, np.int64).reshape(-1, 2)
     origins, targets = ends.T.ravel(), ends[:, ::-1].T.ravel()
     order = np.argsort(origins, kind="stable")
@@ -83,8 +84,8 @@ def _neighbors(count: int, edges: List[Edge]) -> Tuple[_Numbers, _Numbers, _Numb
 
 
 def _bridges(count: int, edges: List[Edge]) -> typing.Iterator[Bridge]:
-    """Tarjan's algorithm: an edge of a depth-first search tree is a bridge if no other edge
-    connects the subtree below it with the nodes above it."""
+    """Yields the bridges, by Tarjan's algorithm: an edge of a depth-first search tree is a bridge
+    if no other edge connects the subtree below it with the nodes above it."""
     lists: Any = [array.tolist() for array in _neighbors(count, edges)]
     start, targets, numbers = lists
     entered, low, below = [-1] * count, [0] * count, [1] * count
@@ -122,8 +123,8 @@ def _bridges(count: int, edges: List[Edge]) -> typing.Iterator[Bridge]:
 
 
 def indexed(images: _Numbers, links: typing.Iterable[Tuple[int, int, int, int]]) -> typing.Iterator[_Numbers]:
-    """Replaces image ids in links by their indices in the sorted array `images`. Yields blocks of
-    rows; links with other images are left out."""
+    """Replaces the image ids in links by their indices in the sorted array `images`. Yields blocks
+    of rows. Links with an image that is not in `images` are left out."""
     rows = iter(links)
     for block in iter(lambda: list(itertools.islice(rows, 4096)), []):
         values = np.array(block, np.int64)
@@ -134,9 +135,9 @@ def indexed(images: _Numbers, links: typing.Iterable[Tuple[int, int, int, int]])
 
 
 def matrixOf(count: int, blocks: typing.Iterable[_Numbers], verified: int, most: int) -> _Numbers:
-    """Returns a matrix of images by images. A cell has the largest number of inliers of its pairs,
-    -1 if none of them was verified, and -2 if it has no pairs. If there are more than `most`
-    images, several images share a row and a column."""
+    """Returns a matrix with a row and a column for each image. A cell contains the largest number
+    of inliers of its pairs, -1 if none of its pairs is verified, and -2 if it has no pairs. If
+    there are more than `most` images, several images share a row and a column."""
     size = min(count, most)
     cells = np.full((size, size), -2, np.int64)
     for block in blocks:

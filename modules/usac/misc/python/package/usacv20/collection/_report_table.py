@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Gives the report a common view of results as one table: from a COLMAP database written by this
-tool or only by COLMAP, or from a database of the command `pairs`."""
+"""Presents results to the report as a single table. They come from a COLMAP database written by
+this tool or by COLMAP alone, or from a database of the command `pairs`."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _STATE = "CASE WHEN configuration = {:d} THEN {} WHEN configuration = {:d} OR re
 
 
 class Row(typing.NamedTuple):
-    """The result of a pair; values missing in the file are None."""
+    """The result of a pair. Values that are missing in the file are None."""
 
     name: str
     configuration: Configuration
@@ -73,7 +73,7 @@ def withoutNumbers(reason: str) -> str:
 
 
 class Results:
-    """A file of results, opened for reading. Raises CollectionError if it has none."""
+    """A file of results, opened for reading. Raises CollectionError if the file has no results."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -133,13 +133,16 @@ class Results:
 
     def pairs(self, where: str = "1", order: str = "name", most: int = -1,
               values: typing.Sequence[Any] = ()) -> typing.Iterator[Row]:
-        """Yields pairs. most -- their largest number, -1: all"""
+        """Yields the pairs for which the SQL condition `where` holds.
+
+        most -- maximum number of pairs; -1: all
+        values -- values of the parameters in `where`"""
         for row in self.rows("SELECT {} FROM results WHERE {} ORDER BY {} LIMIT {:d}".format(_ROW, where, order, most), *values):
             yield _row(row)
 
     def reasons(self, most: int) -> List[Tuple[str, int, str]]:
-        """Returns (reason, count, example) for each kind of reason; numbers and the name of the
-        pair are removed from the reason."""
+        """Returns (reason, count, example) for each kind of reason, the most frequent kinds first.
+        In the reason, N replaces numbers, and the name of the pair is removed."""
         prefix = "substr(reason, 1, length(name) + 2) = name || ': '"
         kind = "withoutNumbers(CASE WHEN {} THEN substr(reason, length(name) + 3) ELSE reason END)".format(prefix)
         return [(reason, count, example) for reason, count, example in self.rows(
@@ -148,7 +151,7 @@ class Results:
 
     def histogram(self, value: str, edges: typing.Sequence[float], where: str) -> List[int]:
         """Returns the number of pairs with edges[i] <= value < edges[i + 1] for each i. Values
-        outside of all bins count in the first or last bin; unknown values are ignored."""
+        outside of all bins are counted in the first or last bin; unknown values are ignored."""
         cases = " ".join("WHEN {} < {!r} THEN {}".format(value, edge, i) for i, edge in enumerate(edges[1:-1]))
         counts = [0] * (len(edges) - 1)
         for number, count in self.rows("SELECT CASE {} ELSE {} END, COUNT(*) FROM results WHERE {} AND {} IS NOT NULL "
@@ -157,14 +160,16 @@ class Results:
         return counts
 
     def quantiles(self, value: str, parts: typing.Sequence[float], where: str) -> List[float]:
-        """Returns quantiles over the pairs whose value is known; empty if there are none."""
+        """Returns quantiles over the pairs whose value is known; an empty list if there are no such
+        pairs."""
         where = "{} AND {} IS NOT NULL".format(where, value)
         count = self.value("SELECT COUNT(*) FROM results WHERE {}".format(where))
         return [self.value("SELECT {} FROM results WHERE {} ORDER BY 1 LIMIT 1 OFFSET {:d}".format(
             value, where, min(int(part * count), count - 1))) for part in parts] if count else []
 
     def images(self) -> npt.NDArray[np.int64]:
-        """Returns the sorted numbers of all images; empty if the results do not have them."""
+        """Returns the sorted numbers of all images; an empty array if the results do not contain
+        the images."""
         sql = "SELECT number FROM temp.nodes ORDER BY 1" if self.kind == PAIRS else "SELECT image_id FROM images ORDER BY 1"
         return np.fromiter((number for number, in self.rows(sql)), np.int64)
 
@@ -186,12 +191,12 @@ class Results:
             yield first, second, inliers, state
 
     def pairOf(self, first: int, second: int) -> Optional[Row]:
-        """Returns the pair of two images, or None."""
+        """Returns the pair of two images; None if there is no such pair."""
         return next(self.pairs("(first = ? AND second = ?) OR (first = ? AND second = ?)", "name", 1,
                                (first, second, second, first)), None)
 
     def settings(self) -> Dict[str, Any]:
-        """Returns the settings of the last run; empty if unknown."""
+        """Returns the settings of the last run; an empty dictionary if they are unknown."""
         sql = {OURS: "SELECT settings FROM usacv20_runs ORDER BY run_id DESC LIMIT 1",
                PAIRS: "SELECT settings FROM {}".format(RUNS)}.get(self.kind)
         try:
@@ -201,7 +206,7 @@ class Results:
         return found if isinstance(found, dict) else {}
 
     def left(self) -> int:
-        """Returns the number of pairs that were not processed; 0 if unknown."""
+        """Returns the number of pairs that were not processed; 0 if this number is unknown."""
         table = {OURS: "usacv20_pairs", COLMAP: "two_view_geometries"}.get(self.kind)
         return 0 if table is None else int(self.value(
             "SELECT COUNT(*) FROM matches WHERE pair_id NOT IN (SELECT pair_id FROM {})".format(table)))

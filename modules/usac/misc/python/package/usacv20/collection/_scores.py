@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Scores of the matches in a database: from hloc's file of matches, or from an additional column of
+"""Scores of the matches in a database, from hloc's file of matches or from an additional column of
 the table of matches."""
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ if TYPE_CHECKING:
 
 
 class HlocScores:
-    """Scores in an HDF5 file of hloc. It has a group for each pair, named by both images, whose
-    names have - instead of /. `matches0` has the index of the matching keypoint, or -1, for each
-    keypoint of the first image; `matching_scores0` has the scores."""
+    """Scores in an HDF5 file of hloc. The file has a group for each pair; the name of the group
+    consists of the names of both images, with - instead of /. In the group, `matches0` contains for
+    each keypoint of the first image the index of the matching keypoint, or -1; `matching_scores0`
+    contains the scores."""
 
     higherIsBetter = True
 
@@ -40,7 +41,7 @@ class HlocScores:
         return {"path": self.path, "_file": None}
 
     def describe(self) -> str:
-        """Returns a text for the settings of a run."""
+        """Returns a description of the scores, which is stored with the settings of a run."""
         return os.path.basename(self.path)
 
     def _open(self) -> Any:
@@ -53,8 +54,8 @@ class HlocScores:
         return self._file
 
     def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:
-        """Returns a score for each match. Raises CollectionError if the file has other matches of
-        the pair or does not have the pair."""
+        """Returns a score for each match. Raises CollectionError if the file does not contain the
+        pair, or contains other matches of the pair."""
         for first, second, order in ((name1, name2, (0, 1)), (name2, name1, (1, 0))):
             for name in _groupNames(first, second):
                 if name in self._open():
@@ -72,7 +73,8 @@ class HlocScores:
 
 
 def _groupNames(first: str, second: str) -> typing.Iterator[str]:
-    """Yields the names of a group in the current and in older versions of hloc."""
+    """Yields the names that the group of a pair can have, in the current and in older versions of
+    hloc."""
     first, second = first.replace("/", "-"), second.replace("/", "-")
     yield first + "/" + second
     yield first + "_" + second
@@ -88,12 +90,12 @@ class ColumnScores:
         self.higherIsBetter = higherIsBetter
 
     def describe(self) -> str:
-        """Returns a text for the settings of a run."""
+        """Returns a description of the scores, which is stored with the settings of a run."""
         return "matches.{}, {} is better".format(self.column, "higher" if self.higherIsBetter else "lower")
 
     def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:
-        """Returns a score for each match. Raises CollectionError if the number of scores is
-        different."""
+        """Returns a score for each match. Raises CollectionError if the number of scores is not the
+        number of matches."""
         row: Optional[Tuple[Any]] = connection.execute(
             'SELECT matches."{}" FROM matches WHERE pair_id = ?'.format(self.column), (pairId,)).fetchone()
         blob = row[0] if row is not None else None

@@ -25,8 +25,8 @@ class Selection:
     """A Source of those pairs of a database that are in a list.
 
     path -- text file in the format of COLMAP's importer of matches and of hloc: two image names on
-    each line; empty lines and lines that begin with # are skipped. CollectionError for an image
-    that is not in the database
+    each line; empty lines and lines that begin with # are skipped. Raises CollectionError if an
+    image is not in the database
 
     `missing` is the number of listed pairs that have no row in the table of matches."""
 
@@ -76,7 +76,7 @@ def _read(source: DatabaseSource, path: str) -> List[int]:
 
 def _key(line: str, images: Dict[str, int], place: str) -> int:
     """Returns the key of the pair on a line. Names may contain blanks, so each blank is tried as
-    the separator until both parts are names."""
+    the separator until both parts are names of images."""
     numbers: Optional[List[int]] = None
     for i, letter in enumerate(line):
         if letter.isspace():

@@ -25,30 +25,30 @@ METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Meth
 class Settings:
     """Options of the verification. Defaults are those of COLMAP unless a comment says otherwise."""
 
-    threshold: float = 4.0  # pixels, largest error of an inlier; USACV20_AUTO: upper limit of the estimated threshold
+    threshold: float = 4.0  # maximum error of an inlier in pixels; USACV20_AUTO: upper limit of the estimated threshold
     method: str = "USACV20"  # one of METHODS
     confidence: float = 0.999
-    # Largest number of samples of a model, equal to COLMAP's limit. With the other defaults it may
-    # end a search for F before `confidence` is reached (see `reached`), but not one for E or H.
-    # This happens for at least 44 matches with an inlier ratio below 0.33 (60 matches) to 0.29
-    # (many matches). For an inlier ratio of 0.25, the probability that F is found is then at least
-    # 0.49 (60 matches), 0.86 (300), 0.91 (2000).
+    # Maximum number of samples for a model, equal to COLMAP's limit. With the other defaults, this
+    # limit may end a search for F before `confidence` is reached (see `reached`), but not a search
+    # for E or H. This happens for pairs with at least 44 matches, if the inlier ratio is below 0.33
+    # (with 60 matches) or 0.29 (with many matches). If the inlier ratio is 0.25, F is then found
+    # with a probability of at least 0.49 (60 matches), 0.86 (300 matches) or 0.91 (2000 matches).
     maxIterations: int = 10000
-    # Least expected inlier ratio. Pairs with a lower ratio may be found, too, but with less than
-    # `confidence`.
+    # Smallest expected inlier ratio. Pairs with a smaller ratio may be found, too, but with a
+    # probability below `confidence`.
     inlierRatio: float = 0.25
-    # Inlier ratios of some pairs of the collection, from the estimation of its threshold (see
-    # `needed`); empty: unknown.
+    # Inlier ratios of some pairs of the collection, from the estimation of its threshold; used by
+    # `needed`. Empty: the ratios are unknown.
     ratios: Tuple[float, ...] = ()
     seed: int = 0
-    minInliers: int = 15  # least number of inliers of an accepted pair
-    # Largest Report.chance of an accepted pair: at most this fraction of the pairs without overlap
-    # is accepted by mistake. It is a hundredth of the limit for single pairs, as most pairs of a
-    # collection have no overlap.
+    minInliers: int = 15  # minimum number of inliers of an accepted pair
+    # Largest Report.chance of an accepted pair: at most this fraction of the pairs with random
+    # matches is accepted by mistake. The default is a hundredth of the limit for single estimations,
+    # because most pairs of a collection have no overlap.
     significance: float = 1e-4
-    planarRatio: float = 0.8  # if a homography has more than this fraction of the inliers, the pair is planar or panoramic
-    calibrationRatio: float = 0.95  # if E has less than this fraction of F's inliers, the focal lengths are considered wrong
-    watermarks: bool = True  # detects pairs whose matches belong to a frame or mark in the images
+    planarRatio: float = 0.8  # the pair is planar or panoramic if a homography has more than this fraction of the inliers
+    calibrationRatio: float = 0.95  # the focal lengths are considered wrong if E has less than this fraction of F's inliers
+    watermarks: bool = True  # True: detects pairs whose matches belong to a frame or mark in the images
 
     def __post_init__(self) -> None:
         if self.method not in METHODS:
@@ -62,7 +62,8 @@ class Settings:
             raise CollectionError(getattr(mistake, "err", "") or str(mistake))
 
     def asDict(self) -> Dict[str, Any]:
-        """Returns the settings for a file. Runs with equal settings can be continued (--resume)."""
+        """Returns the settings as a dictionary that can be stored. A run can be continued
+        (--resume) with equal settings only."""
         return dict(dataclasses.asdict(self), ratios=list(self.ratios))
 
     @property
@@ -70,18 +71,18 @@ class Settings:
         return TwoViewRules(self.minInliers, self.inlierRatio, self.ratios, self.planarRatio, self.calibrationRatio)
 
     def needed(self, sample: int, matches: int) -> int:
-        """Returns the number of samples of `sample` points that find a pair that must be kept with
-        `confidence`, see TwoViewRules.samples."""
+        """Returns the number of samples of `sample` points with which the model of an acceptable
+        pair is found with probability `confidence`, see TwoViewRules.samples."""
         return self.rules.samples(self.params(), sample, matches)
 
     def iterations(self, sample: int, matches: int) -> int:
-        """Returns the limit of samples: the needed number, but at most `maxIterations`."""
+        """Returns the maximum number of samples: the needed number, but at most `maxIterations`."""
         return min(self.maxIterations, self.needed(sample, matches))
 
     def reached(self, sample: int, matches: int) -> float:
-        """Returns the probability that these samples find a pair whose inlier ratio is
-        `inlierRatio`. It is less than `confidence` if `maxIterations` is less than the needed
-        number."""
+        """Returns the probability that a pair with the inlier ratio `inlierRatio` is found with the
+        maximum number of samples. It is less than `confidence` if `maxIterations` is less than the
+        needed number."""
         return self.rules.reached(self.params(), sample, matches)
 
     def params(self) -> Params:

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""SQLite databases: opening, copying, and errors in words for the user."""
+"""Opens and copies SQLite databases, and converts errors of SQLite to messages for the user."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from typing import Dict, List
 
 from ._pair import CollectionError
 
-PATIENCE = 5.0  # seconds to wait for a lock of another connection
+PATIENCE = 5.0  # maximum number of seconds to wait for a lock of another connection
 
-# Required tables and columns, which COLMAP 3.8 and all later versions have.
+# Required tables and their columns, which COLMAP 3.8 and all later versions have.
 INPUT: Dict[str, typing.Sequence[str]] = {
     "cameras": ("camera_id", "model", "width", "height", "params", "prior_focal_length"),
     "images": ("image_id", "name", "camera_id"),
@@ -25,7 +25,7 @@ INPUT: Dict[str, typing.Sequence[str]] = {
     "matches": ("pair_id", "rows", "cols", "data"),
 }
 
-# Part of SQLite's message, and the message for the user.
+# A part of SQLite's message, and the message for the user; {} are the path and SQLite's message.
 _MEANINGS = (
     ("file is not a database", "{}: this is not a database of SQLite"),
     ("malformed", "{}: the database is damaged or was cut off ({})"),
@@ -53,9 +53,9 @@ def explained(path: str) -> typing.Iterator[None]:
 def connect(path: str, write: bool = False) -> sqlite3.Connection:
     """Opens an existing database. Transactions start and end only by explicit statements.
 
-    write -- False: read-only. If SQLite cannot create the files that it needs next to a database in
-    WAL mode (read-only folder), the database is read without them, provided that no program is
-    writing it"""
+    write -- False: the database is opened read-only. If SQLite cannot create the files that it
+    needs next to a database in WAL mode (because the folder is read-only), the database is read
+    without these files, provided that no program is writing to it"""
     if not os.path.exists(path):
         raise CollectionError("{}: there is no such file".format(path))
     if not os.path.isfile(path):
@@ -86,13 +86,13 @@ def _open(path: str, options: str) -> sqlite3.Connection:
 
 
 def columns(connection: sqlite3.Connection, table: str) -> List[str]:
-    """Returns the names of the columns in the order of the table; empty if there is no such table.
-    """
+    """Returns the names of the columns in the order of the table; an empty list if there is no such
+    table."""
     return [row[1] for row in connection.execute('PRAGMA table_info("{}")'.format(table.replace('"', '""')))]
 
 
 def checkInput(connection: sqlite3.Connection, path: str) -> None:
-    """Raises CollectionError if the file is not a COLMAP database, or is damaged."""
+    """Raises CollectionError if the file is not a COLMAP database, or if it is damaged."""
     with explained(path):
         if os.path.getsize(path) == 0:
             raise CollectionError("{}: the file is empty".format(path))
@@ -104,7 +104,7 @@ def checkInput(connection: sqlite3.Connection, path: str) -> None:
                 if name not in found:
                     raise CollectionError("{}: this is not a database of COLMAP: its table {} has no column {}".format(
                         path, table, name))
-        # SQLite detects missing pages, but reads the missing end of a truncated page as zeros.
+        # SQLite detects missing pages, but it reads the missing end of a truncated page as zeros.
         if os.path.getsize(path) % int(connection.execute("PRAGMA page_size").fetchone()[0]):
             raise CollectionError("{}: the database is damaged or was cut off in the middle of a page".format(path))
 
@@ -141,7 +141,7 @@ def copyDatabase(source: str, target: str) -> None:
                 reader.backup(writer, pages=4096)
             tidy(target)
         except BaseException:
-            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # a full disk may leave these files behind
+            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # files that a full disk may leave behind
                 with contextlib.suppress(FileNotFoundError):
                     os.remove(name)
             raise

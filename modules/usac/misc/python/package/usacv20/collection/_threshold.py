@@ -11,14 +11,18 @@ sufficient.
 2. For each of these pairs, E (both focal lengths known) or F is estimated with a threshold that is
    estimated from its matches (Params.automatic()). Only the errors of the matches are used. A plane
    or a rotation leaves F undetermined, but not these errors, so H is not needed. Report.sigma is
-   the noise of accurately located matches. Report.threshold contains a fraction `QUANTILE` of all
-   right matches, including badly located ones, which are 20 to 40 % of the matches in photographs.
-3. From the results of all pairs: the median of the noise, and the ratio sigma / noise that is
-   exceeded by all except a fraction `FEW_PAIRS` of the pairs. A low quantile is used because in
-   some pairs wrong matches close to right matches increase this ratio. All pairs have equal weight,
-   as the noise differs between pairs by more than the 5 % accuracy of an estimate from 200 matches.
+   the standard deviation of accurately located matches, the core noise. Report.threshold is the
+   error that a fraction `QUANTILE` of all correct matches does not exceed, including badly located
+   matches, which are 20 to 40 % of the matches in photographs. Divided by `IN_SIGMAS`, it is the
+   total noise.
+3. The noise of the collection is the median of the core noise over the pairs, multiplied by a ratio
+   of total noise to core noise. This ratio is exceeded by all except a fraction `FEW_PAIRS` of the
+   pairs. It is a low quantile, because in some pairs wrong matches close to correct matches
+   increase the ratio. All pairs have equal weight, because the noise differs between pairs by more
+   than the 5 % accuracy of an estimate from 200 matches.
 
-The threshold contains a fraction `QUANTILE` of the right matches."""
+The threshold is `IN_SIGMAS` times this noise, so that a fraction `QUANTILE` of the correct matches
+are inliers."""
 
 from __future__ import annotations
 
@@ -41,41 +45,44 @@ if TYPE_CHECKING:
 
     _Numbers = npt.NDArray[np.float64]
 
-# doc/collections.md has results with half and double of these values.
+# doc/measurements/collections_tables.md lists results with half and twice these values.
 
-SAMPLE = 100  # number of pairs that are used
-MORE = 10  # at most this many times SAMPLE pairs are read in search of pairs with many matches
-LEAST_MATCHES = 50  # pairs with at least so many matches are preferred
+SAMPLE = 100  # maximum number of pairs that are used
+MORE = 10  # at most MORE * SAMPLE pairs are read in search of pairs with many matches
+LEAST_MATCHES = 50  # pairs with at least this number of matches are preferred
 CHUNK = 50  # number of pairs that are read at once
 
-QUANTILE = 0.95  # fraction of the right matches within the threshold @cite hartley2003multiple (table 4.2)
-IN_SIGMAS = 1.96  # threshold / sigma for this fraction and a normal distribution with one degree of freedom
+QUANTILE = 0.95  # fraction of the correct matches within the threshold @cite hartley2003multiple (table 4.2)
+IN_SIGMAS = 1.96  # threshold / standard deviation, if a fraction QUANTILE of normally distributed errors is within it
 
-WIDEST = 12.0  # pixels, largest plausible threshold: three times COLMAP's
-CONFIDENCE, ITERATIONS = 0.99, 500  # pairs that need more samples are left out
+WIDEST = 12.0  # largest plausible threshold in pixels: three times COLMAP's
+CONFIDENCE, ITERATIONS = 0.99, 500  # confidence and maximum number of samples; pairs that need more samples are left out
 SIGNIFICANCE = 1e-4  # largest Report.chance of a pair that is used
-MOST = 1000  # largest number of matches of a pair that are used
+MOST = 1000  # maximum number of matches of a pair that are used
 
-# If less pairs are used, a warning is given. Estimates from three pairs are within 10 % of the
-# noise; 79 % of those from a single pair are, but the worst is wrong by a factor of 3.8.
+# If fewer pairs are used, a warning is given. Estimates from three pairs differ by at most 10 % from
+# the noise. So do 79 % of the estimates from a single pair, but the worst one is wrong by a factor
+# of 3.8.
 ENOUGH = 3
 
-LEAST_INLIERS = 30  # least number of inliers in addition to the number of the model's parameters
-FEW_PAIRS = 0.25
+LEAST_INLIERS = 30  # minimum number of inliers of a pair that is used, in addition to the number of the model's parameters
+FEW_PAIRS = 0.25  # quantile of the ratio of total noise to core noise
 
-SMALLEST = 0.012  # pixels, least threshold: the least that can be estimated with WIDEST, ten times the float32 rounding of coordinates up to 2^14
+# Smallest threshold in pixels: the smallest value that can be estimated with WIDEST. It is ten times
+# the float32 rounding error of coordinates up to 2^14.
+SMALLEST = 0.012
 
 
 @dataclass(frozen=True)
 class ThresholdEstimate:
     """The threshold and its statistics over the sampled pairs."""
 
-    threshold: float  # pixels, rounded to three digits, so that the printed value is the used one
+    threshold: float  # pixels, rounded to three digits, so that the printed value is equal to the used value
     sigma: float  # pixels, standard deviation of a coordinate for normal noise with the same QUANTILE
     spread: float  # half of the interquartile range over the pairs, relative to sigma
     asked: int  # number of sampled pairs
     used: int  # number of pairs with an estimate of the noise
-    ratios: Tuple[float, ...] = ()  # of these pairs, sorted: inlier ratios
+    ratios: Tuple[float, ...] = ()  # inlier ratios of the used pairs, sorted
 
     def describe(self) -> str:
         """Returns one sentence for a log."""
@@ -88,9 +95,9 @@ class ThresholdEstimate:
 
 
 def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:
-    """Returns sampled pairs, which do not depend on the order of the keys. Pairs with many matches
-    are preferred. Only slightly more than `count` pairs are kept in memory, and at most MORE *
-    count are read; all keys are enumerated once."""
+    """Returns a sample of the pairs, which does not depend on the order of the keys. Pairs with
+    many matches are preferred. Only slightly more than `count` pairs are kept in memory, and at
+    most MORE * count pairs are read; all keys are enumerated once."""
     keys = heapq.nsmallest(MORE * count, source.keys(), key=_mark)
     many: List[Pair] = []
     few: List[Pair] = []
@@ -105,13 +112,14 @@ def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:
 
 
 def _mark(key: Key) -> bytes:
-    """Returns a hash that sorts keys in a pseudo-random order, equal in all processes."""
+    """Returns a hash of a key. Sorting by this hash gives a pseudo-random order, which is the same
+    in all processes."""
     return hashlib.blake2b(str(key).encode("utf-8", "surrogatepass"), digest_size=8).digest()
 
 
 def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> ThresholdEstimate:
-    """Estimates the noise of the pairs and the corresponding threshold. If no pair gives an
-    estimate, COLMAP's threshold is returned. Of the settings only the seed is used."""
+    """Estimates the noise of the pairs and the corresponding threshold. If no pair yields an
+    estimate, COLMAP's threshold is returned. Of the settings, only the seed is used."""
     told = [noise for noise in _noise(pairs, settings.seed) if noise is not None]
     if not told:
         return ThresholdEstimate(Settings().threshold, math.nan, math.nan, len(pairs), 0)
@@ -126,12 +134,12 @@ class _Noise(typing.NamedTuple):
     """The estimated noise of a pair."""
 
     core: float  # pixels, standard deviation of accurately located matches
-    sigma: float  # pixels, standard deviation of the normal distribution with the same QUANTILE as all right matches
+    sigma: float  # pixels, standard deviation of the normal distribution with the same QUANTILE as all correct matches
     ratio: float  # inlier ratio
 
 
 def _noise(pairs: typing.Sequence[Pair], seed: int) -> List[Optional[_Noise]]:
-    """Returns the noise of each pair; None: no estimate."""
+    """Returns the noise of each pair; None for a pair without an estimate."""
     params = Params.automatic(threshold=WIDEST, confidence=CONFIDENCE, maxIterations=ITERATIONS, significance=SIGNIFICANCE, seed=seed)
     result: List[Optional[_Noise]] = [None] * len(pairs)
     for calibrated in (False, True):

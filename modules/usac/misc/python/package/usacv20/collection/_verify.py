@@ -35,28 +35,30 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     """Estimates the two-view geometry of all pairs of a COLMAP database, as `usacv20-collection
     verify` does.
 
-    path -- of the database. Only its table two_view_geometries is written; other tables of COLMAP
-    are not changed
-    output -- path of a copy that is made and written instead; with `resume` it may exist already
-    threshold -- pixels, largest error of an inlier; None: estimated from a sample of the pairs, or,
-    with `resume`, that of the last run. With the method USACV20_AUTO each pair has its own
-    threshold, and this is the upper limit, 12 by default
+    path -- path of the database. Of COLMAP's tables, only two_view_geometries is written
+    output -- path of a copy that is made and written instead; with `resume` the copy may exist
+    already
+    threshold -- maximum error of an inlier in pixels. None: estimated from a sample of the pairs,
+    or, with `resume`, that of the last run. With the method USACV20_AUTO each pair has its own
+    threshold, and this value is the upper limit, 12 by default
     pairs -- file with two image names on each line: only these pairs are verified, and rows of
     other pairs do not change
-    resume -- True: pairs that a run with the same settings has done are skipped, new pairs are done
-    scores -- of the matches
+    resume -- True: pairs that a run with the same settings has processed are skipped
+    scores -- source of the scores of the matches; None: there are no scores
     loops -- False: pairs whose rotation contradicts that of pairs with more matches are not refused
-    threads, workers, scheduler -- 0: a thread for each core; of Dask: number of processes, or
-    tcp://HOST:PORT
+    threads -- number of threads of this process; 0: one for each core
+    workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
+    a running scheduler, tcp://HOST:PORT
     chunk -- number of pairs that are estimated and stored together
-    progress -- progress bar on stderr: True, False, or None: only if stderr is a terminal
+    progress -- True: shows a progress bar on stderr; False: no bar; None: a bar only if stderr is a
+    terminal
     say -- function that is called with each line that the command prints
     settings -- method, confidence, maxIterations, inlierRatio, minInliers, significance,
     watermarks, seed: as on the command line
 
-    Pairs that cannot be read are named on stderr and counted in the summary. Raises CollectionError
-    if nothing can be done, and KeyboardInterrupt if the run was interrupted, after results of pairs
-    in work are stored."""
+    Pairs that cannot be read are named on stderr and counted in the summary, which is returned.
+    Raises CollectionError if nothing can be done, and KeyboardInterrupt if the run was interrupted,
+    after the results of the pairs in progress are stored."""
     summary = verifyDatabase(path, output, threshold, pairs, resume, scores, loops, settings, say or _silent, threads=threads,
                              workers=workers, scheduler=scheduler, chunk=chunk, progress=progress)
     if summary.interrupted:
@@ -97,11 +99,11 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
            say: Say) -> Settings:
     """Returns the settings with a threshold.
 
-    source -- of all pairs of the collection, so that the threshold does not depend on a selection
-    of pairs
-    threshold -- None: the threshold of `stored`, or else estimated from a sample of the pairs; with
-    USACV20_AUTO each pair has its own
-    stored -- the settings of the run that is continued, None: there is none"""
+    source -- source of all pairs of the collection, so that the threshold does not depend on a
+    selection of pairs
+    threshold -- None: the threshold in `stored`, or else a threshold estimated from a sample of the
+    pairs; with USACV20_AUTO each pair has its own threshold
+    stored -- the settings of the run that is continued; None: no run is continued"""
     unknown = sorted(set(options) - set(Settings().asDict()))
     if unknown:
         raise CollectionError("{}: there is no such setting".format(unknown[0]))
@@ -120,9 +122,9 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
 
 
 def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, **engine: Any) -> Summary:
-    """Runs the estimation and closes the sink.
+    """Runs the estimation, closes the sink and returns the summary.
 
-    graph -- the sink, if pairs that contradict others must be refused; otherwise None"""
+    graph -- the sink, if pairs that contradict other pairs must be refused; otherwise None"""
     finished = False
     try:
         summary = run(source, sink, settings, verifyPairs, **engine)
@@ -147,7 +149,7 @@ def _refuseContradicted(graph: DatabaseSink, summary: Summary) -> None:
 
 
 def _stored(path: str) -> Optional[Dict[str, Any]]:
-    """Returns the settings of the last run on a database; None if there was none."""
+    """Returns the settings of the last run on a database; None if there was no run."""
     if not os.path.exists(path):
         return None
     with explained(path), contextlib.closing(connect(path)) as connection:

@@ -2,8 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Processing of a chunk of pairs from its keys to its results, used by threads and by Dask workers.
-"""
+"""Processes a chunk of pairs from its keys to its results; used by threads and by Dask workers."""
 
 from __future__ import annotations
 
@@ -39,7 +38,8 @@ class Workers(typing.Protocol):
     """Base class of the workers, which process chunks."""
 
     def capacity(self) -> int:
-        """Returns the largest number of chunks that may be pending."""
+        """Returns the maximum number of chunks that may be submitted and not finished at the same
+        time."""
 
     def submit(self, keys: typing.Sequence[Key]) -> Future: ...
 
@@ -54,7 +54,7 @@ class Outcome(typing.NamedTuple):
 
     results: List[TwoView]  # in the order of the keys
     reading: float  # seconds
-    estimating: float
+    estimating: float  # seconds
 
 
 def faulty(fault: Fault) -> TwoView:
@@ -69,7 +69,8 @@ def process(source: Source, keys: typing.Sequence[Key], verify: Verify, settings
 
 
 def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, reading: float) -> Outcome:
-    """Estimates the pairs among the loaded items."""
+    """Estimates the pairs among the loaded items. Faults become results without models. `reading`
+    is the number of seconds that loading took."""
     start = time.perf_counter()
     pairs = [item for item in items if isinstance(item, Pair)]
     found = verify(pairs, settings) if pairs else []
@@ -81,24 +82,25 @@ def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings:
 
 
 def _named(result: TwoView, pair: Pair) -> TwoView:
-    """Adds the names of the images to the reason of a fault, which is useless without them."""
+    """Adds the names of the images to the reason of a fault, because the reason is useless without
+    these names."""
     if result.configuration != Configuration.UNDEFINED:
         return result
     return result._replace(reason="{} - {}: {}".format(pair.first.name, pair.second.name, result.reason))
 
 
 _kept: Dict[str, Source] = {}
-_checked: List[Source] = []  # at most one source of _kept: the one whose fingerprint was right
+_checked: List[Source] = []  # the source in _kept if its fingerprint was found to be correct, otherwise empty
 _lock = threading.Lock()
 
 
 def unpickled(source: bytes) -> Source:
-    """Returns the source in a process of a cluster. The same bytes always give the same object, so
-    its files are opened only once."""
+    """Unpickles a source in a process of a cluster. The same bytes always give the same object, so
+    that its files are opened only once."""
     digest = hashlib.sha256(source).hexdigest()
     with _lock:
         if digest not in _kept:
-            _kept.clear()  # only one run at a time
+            _kept.clear()  # a process works for only one run at a time
             _kept[digest] = pickle.loads(source)
         return _kept[digest]
 
@@ -107,9 +109,11 @@ def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequ
                     verify: Verify, settings: Any) -> Outcome:
     """Processes a chunk in another process.
 
-    fingerprint -- fingerprint of the source that this process must also find; None: the pairs are
-    sent
-    items, reading -- the pickled pairs, and the seconds that reading them took"""
+    source -- the pickled source
+    fingerprint -- fingerprint of the source, which this process must find, too; None: the pairs are
+    in `items`
+    items, reading -- the pickled pairs, and the number of seconds that reading them took; items
+    None: this process reads the pairs itself"""
     if items is not None:
         return finish(pickle.loads(items), verify, settings, reading)
     shared = unpickled(source)
