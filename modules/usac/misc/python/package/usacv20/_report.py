@@ -67,8 +67,8 @@ class Report:
         there is no model, or if the model did not come from a minimal sample, for example from Params.initialModel.""")
     inlierRatio = Field[float]("`inliers` as a fraction of all rows of the mask, 0..1.")
     independentInliers = Field[int]("""Number of inliers without repetitions: in each image, inliers in the same square of
-        a grid with the threshold as side count once; the smaller number of both images is returned. 0 (not computed) if the run was
-        stopped (Params.maxTime, progress) and has more than 50 000 inliers.""")
+        a grid with the threshold as side count once; the smaller number of both images is returned. 0 (not computed) if the
+        run was stopped (Params.maxTime, progress) and has more than 50 000 inliers.""")
     chance = Field[float]("""Upper bound of the probability that the same search finds a model with as many independent
         inliers in random matches of the same points, 0..1. Also set if the model was rejected because of this value; 1 if no
         model was found.""")
@@ -85,8 +85,8 @@ class Report:
         not determined (F and E without a translation, F of a plane, too few inliers, POLISHING_NONE). covarianceOfModel,
         covarianceOfPose and pointCovariance compute the covariance of the entries, of a motion and of points.""")
     priorChance = Field[float]("""Probability that the initial model and the model of the points differ by at least as much
-        as they do if Params.initialCovariance and the covariance of the points describe their errors, 0..1. If it is below 0.001, the
-        prior was not used. It is also 0 if there is no prior, or if the covariance of the points is not determined.""")
+        as they do if Params.initialCovariance and the covariance of the points describe their errors, 0..1. If it is below
+        0.001, the prior was not used. It is also 0 if there is no prior, or if the covariance of the points is not determined.""")
     wideThreshold = Field[bool]("""True if `threshold` is at least half of the longest side of the box that contains nearly all
         points of the second array. A model that maps all points to a single point then has all points as inliers, and the
         number of inliers means nothing. The threshold is probably in the wrong unit, for example in pixels with points of the

@@ -76,8 +76,8 @@ class TwoView(typing.NamedTuple):
     configuration: Configuration  # UNDEFINED: the pair is a fault
     inliers: npt.NDArray[np.uint32]  # K x 2: the rows of Pair.matches of the inliers
     F: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
-    E: Optional[npt.NDArray[np.float64]]  # likewise, for normalized image planes
-    H: Optional[npt.NDArray[np.float64]]  # like F
+    E: Optional[npt.NDArray[np.float64]]  # 3 x 3, for normalized image planes; None: not estimated or not found
+    H: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
     quaternion: Optional[npt.NDArray[np.float64]]  # w, x, y, z: x2 ~ R x1 + t; None: unknown
     translation: Optional[npt.NDArray[np.float64]]  # unit length; 0: pure rotation
     reason: str  # why the pair is refused or a fault, one line; empty: the pair is accepted
