@@ -86,7 +86,8 @@ class Report:
         covarianceOfPose and pointCovariance compute the covariance of the entries, of a motion and of points.""")
     priorChance = Field[float]("""Probability that the initial model and the model of the points differ by at least as much
         as they do if Params.initialCovariance and the covariance of the points describe their errors, 0..1. If it is below
-        0.001, the prior was not used. It is also 0 if there is no prior, or if the covariance of the points is not determined.""")
+        0.001, the prior was not used. It is also 0 if there is no prior, or if the covariance of the points is not
+        determined.""")
     wideThreshold = Field[bool]("""True if `threshold` is at least half of the longest side of the box that contains nearly all
         points of the second array. A model that maps all points to a single point then has all points as inliers, and the
         number of inliers means nothing. The threshold is probably in the wrong unit, for example in pixels with points of the
