@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of pairs from .corr, NPZ and HDF5 files: what is read, and which contents are faults or
-errors."""
+"""Tests of reading image pairs from .corr, NPZ and HDF5 files. Wrong contents of one pair must give a
+Fault (with the reason) in place of this pair. If nothing can be read, an error must be raised."""
 
 import multiprocessing
 import os
@@ -21,7 +21,7 @@ from usac_common import once, package
 try:
     from usacv20.collection import _lists
     from usacv20.collection._lists import inOrder
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 
 

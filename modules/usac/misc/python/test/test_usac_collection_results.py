@@ -29,7 +29,7 @@ try:
     from usacv20.collection._list_results import TABLE, openResults, readResults
     from usacv20.collection._pair import CollectionError, Configuration, TwoView
     from usacv20.collection._settings import Settings
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 
 FORMATS = (".sqlite", ".npz") + ((".h5",) if h5py is not None else ())
@@ -117,7 +117,7 @@ class ResultsTest(Files):
         self.assertEqual(list(readResults(self.path("none.npz"))), [])
 
     def test_arrays(self):
-        """The arrays must be readable without the package."""
+        """The arrays of an NPZ file must be readable with NumPy alone, without the package."""
         results = [result(i) for i in range(20)]
         sink = self.open("o.npz")
         sink.commit(results)
@@ -150,7 +150,7 @@ class ResultsTest(Files):
     def run_all(self, name, resume=False):
         sink = self.open(name, resume)
         keys = [key for key in self.pairs.keys() if sink.done(key)]
-        with contextlib.redirect_stderr(io.StringIO()):  # names of faults are printed on stderr
+        with contextlib.redirect_stderr(io.StringIO()):  # names of pairs that cannot be read are printed on stderr
             summary = run(self.pairs, sink, self.settings, verifyPairs, threads=2, chunk=5, progress=False)
         sink.close(not summary.interrupted)
         return keys
@@ -170,12 +170,12 @@ class ResultsTest(Files):
                     self.assertResults(partial, whole[:12 * times], times=False)
                 self.assertEqual(self.run_all(name, resume=True), [r.key for r in whole[:24]])
                 self.assertResults(name, whole, times=False)
-                self.assertEqual(self.run_all(name, resume=True), [r.key for r in whole])  # no pairs are left to do
+                self.assertEqual(self.run_all(name, resume=True), [r.key for r in whole])  # no pair is left to process
                 self.assertResults(name, whole, times=False)
 
     def test_grown(self):
-        """If the list gets more pairs or a repaired file, a resumed run must start from the
-        complete file of results."""
+        """File p03 is damaged during the first run and repaired before the run is resumed. The
+        resumed run must take all other results from the complete file and process only p03."""
         with open(self.path("list/p03.npz"), "rb+") as file:
             whole = file.read()
             file.truncate(100)
@@ -196,8 +196,8 @@ class ResultsTest(Files):
                 self.assertTrue(all(same(again[key], found[key]) for key in found if key != "p03"))
 
     def test_interrupted(self):
-        """An interrupted run must leave OUTPUT.part for --resume. An earlier OUTPUT must stay until
-        it is replaced."""
+        """An interrupted run must leave the file OUTPUT.part for --resume. A complete file OUTPUT of
+        an earlier run must stay until the resumed run has ended and replaces it."""
         sink = self.open("o.npz")
         sink.commit([result(i) for i in range(1, 8)])
         sink.close(False)
@@ -272,11 +272,11 @@ class ResultsTest(Files):
         self.assertFalse(os.path.exists(self.path("o.h5.part")))
 
     def test_memory(self):
-        """The memory of writing and reading must be that of a block, independent of the number of
+        """Results are written and read in blocks, so the memory must not depend on the number of
         pairs."""
         peaks, some = [], [result(i) for i in range(1, 98)]
         with mock.patch.object(_list_columns, "_BLOCK", 64):
-            for count in (200, 1000, 2500):  # the first run loads modules
+            for count in (200, 1000, 2500):  # the first run also loads modules, so only the others are compared
                 sink = self.open("o{}.npz".format(count))
                 tracemalloc.start()
                 for start in range(0, count, 100):
@@ -285,7 +285,7 @@ class ResultsTest(Files):
                 self.assertEqual(sum(1 for _ in readResults(self.path("o{}.npz".format(count)))), count)
                 peaks.append(tracemalloc.get_traced_memory()[1])
                 tracemalloc.stop()
-        self.assertLess(peaks[2], peaks[1] + 100000)  # less than the results of the larger file, a megabyte
+        self.assertLess(peaks[2], peaks[1] + 100000)  # in bytes; the results of the larger file have a megabyte
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ import numpy as np
 
 from usac_common import ERRORS, IN_TREE, package, usac
 
-SLACK = 0.5  # seconds that other processes on the machine may delay a run
+SLACK = 0.5  # seconds by which other processes on the machine may delay a run
 ENDLESS = dict(maxIterations=2**31 - 1, termination=0)
 
 
@@ -128,7 +128,7 @@ class StopTest(unittest.TestCase):
         scope = usac.progress(lambda report: True)
         with scope, self.assertRaisesRegex(ERRORS, "progress"), scope:
             pass
-        with scope:  # it must be reusable
+        with scope:  # the object must be usable again after the block
             pass
 
     def test_same_bits(self):
@@ -199,7 +199,8 @@ class InterruptTest(unittest.TestCase):
             child.send_signal(signal.SIGINT)
             self.assertEqual(child.stdout.readline(), "interrupted\n")
             self.assertLess(time.monotonic() - start, 1)
-            # the error class, which imports cv2, must not have been needed
+            # The first use of usacv20.error would import cv2. An interrupt must not need this class, so
+            # cv2 must be loaded only if cv2.usacv20 is tested.
             self.assertEqual(child.stdout.readline(), "usable 2000 {}\n".format(IN_TREE))
             self.assertEqual(child.wait(), 0)
         finally:

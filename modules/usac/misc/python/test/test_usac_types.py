@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of types: this file, the package and the samples must pass mypy --strict, the package also
-stubtest."""
+"""Tests of the type annotations: this file, the package and the samples must pass mypy --strict. The
+package must also pass mypy's stubtest."""
 
 from __future__ import annotations
 
@@ -104,8 +104,9 @@ class TypedTest(unittest.TestCase):
         self.assertEqual(code, -211)
 
 
-# One set of options for all runs, so that they share mypy's cache. Versions of NumPy's stubs differ
-# in what must be ignored or cast, so these warnings are off.
+# All runs have the same options, so that they share mypy's cache. Which `type: ignore` comments and
+# casts are needed depends on the version of NumPy's stubs, so warnings about superfluous ones are
+# off.
 OPTIONS = """[mypy]
 strict = True
 warn_redundant_casts = False

@@ -103,7 +103,8 @@ class Lens(NamedTuple):
 
     def split(self) -> Tuple[Floats, Floats]:
         """Returns (K, parameters of the lens)."""
-        own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1  # 2: the model has one focal length; 1: it has two
+        # 2 for models with a single focal length for x and y, 1 for models with fx and fy
+        own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1
         fx, fy, cx, cy = self.params[[0, 0, 1, 2]] if own == 2 else self.params[:4]
         return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), self.params[3 if own == 2 else 4:]
 
@@ -132,7 +133,7 @@ class Lens(NamedTuple):
 
 
 class Space(NamedTuple):
-    """The points of the scene."""
+    """The P points of the scene."""
 
     points: Floats  # P x 3
     normals: Floats  # P x 3, surface normals; points are visible only from the front
@@ -166,7 +167,7 @@ def frame(side: int) -> Tuple[Floats, Floats]:
     return np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
 
 
-HALF_WIDTH, HEIGHT = 2.5, 4.0  # of the building; its axis is the z axis
+HALF_WIDTH, HEIGHT = 2.5, 4.0  # half width and height of the building in units of the scene; its axis is the z axis
 COLUMNS, ROWS = 5, 3  # numbers of windows on a side
 
 
@@ -343,8 +344,9 @@ class Collection:
         return self._truth(first, second, matches[order], labels[order])
 
     def _copies(self, a: Integers, b: Integers, most: int) -> Integers:
-        """Matches parts of windows with the same parts of windows at a fixed offset; the offset
-        with the most matches is taken."""
+        """Returns at most `most` wrong matches by repeated structure: parts of windows matched to the
+        same parts of other windows. The offset between the windows is the same for all matches; the
+        offset with the most matches is chosen."""
         windows = self.space.windows
         best = np.zeros((0, 2), int)
         for across, up in ((1, 0), (-1, 0), (2, 0), (-2, 0), (0, 1), (0, -1)):
@@ -370,7 +372,7 @@ class Collection:
         return PairTruth(first, second, kind, matches, labels, share)
 
     def write(self, path: str) -> None:
-        """Writes a new database without descriptors and verified pairs."""
+        """Writes a new database, without descriptors and without verified pairs."""
         with sqlite3.connect(path) as database:
             database.executescript(SCHEMA)
             for number, lens in enumerate(self.lenses, 1):
@@ -393,7 +395,7 @@ class Collection:
 
 
 def _whereIn(pointOf: Integers, points: Integers) -> Integers:
-    """Returns the index of the keypoint of each point, or -1."""
+    """Returns, for each of the points, the index of the keypoint that shows it, or -1."""
     number = np.full(max(int(points.max(initial=0)), int(pointOf.max(initial=0))) + 1, -1)
     known = pointOf >= 0
     number[pointOf[known]] = np.flatnonzero(known)
