@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Draws what `usac_scale --csv=FILE` has written: time and error over the number of matches and
-over the inlier ratio, a column for each problem. A cross marks scenes where at least half of the
-runs failed. A curve ends where the method exceeded the time limit."""
+"""Draws the file that `usac_scale --csv=FILE` has written: time and error over the number of matches
+and over the inlier ratio, with a column of diagrams for each problem. A cross marks scenes on which at
+least half of the runs failed. A curve ends where the method exceeded the time limit of usac_scale."""
 
 import argparse
 import math
@@ -28,8 +28,8 @@ def _add(results, row):
 
 
 def read_scale(file, methods=()):
-    """Returns {(sweep, problem): {method: [point, ...]}}; a point has the numbers of a row.
-    `methods` selects methods and their order; empty: all."""
+    """Returns {(sweep, problem): {method: [point, ...]}}. A sweep is one of SWEEPS; a point is {column:
+    number} of a row. `methods` selects methods and their order; an empty list selects all."""
     results = {}
     read_rows(file, COLUMNS, "usac_scale --csv", lambda row: _add(results, row))
     results = plot.choose(results, methods)
@@ -64,7 +64,8 @@ def _panel(axes, runs, sweep, y, look):
 
 
 def draw(results, look, y, label):
-    """Draws one figure with a row for each sweep and a column for each problem."""
+    """Draws one figure with a row of diagrams for each sweep and a column for each problem. `y` is the
+    column of the file that is drawn."""
     sweeps = [s for s in SWEEPS if any(key[0] == s for key in results)]
     problems = [p for p in plot.TITLES if any(key[1] == p for key in results)]
     figure, panels = plt.subplots(len(sweeps), len(problems), figsize=(max(3.1 * len(problems) + 0.6, 4.8), 2.9 * len(sweeps) + 0.5),

@@ -72,7 +72,7 @@ class Matches(NamedTuple):
     K1: Floats
     K2: Floats
     right: Mask
-    threshold: float
+    threshold: float  # pixels
 
 
 class Truth(NamedTuple):
