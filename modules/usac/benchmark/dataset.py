@@ -79,7 +79,8 @@ def match(features1, features2, ratio, most):
 
 
 def _undistort(points, K, distortion):
-    """Returns where a camera without distortion and with the same K would see the points."""
+    """Returns the pixels at which a camera with the same K, but without distortion, would see the
+    points."""
     if distortion is None or not len(points):
         return points
     return cv2.undistortPoints(points.reshape(-1, 1, 2), K, np.array(distortion, float), P=K).reshape(-1, 2)

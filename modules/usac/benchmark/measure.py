@@ -309,7 +309,8 @@ def measure_covariance(run):
 
 
 def measure_sigmas(run):
-    """Measures what Params::sigmas gain if every second match has five times the noise of the others."""
+    """Measures how much Params::sigmas reduce the errors of models if every second match has five times
+    the noise of the other matches."""
     run.repeats = 1
     text = run.call("usac_covariance", "--spread=5", "--noises=0.1,0.3", "--by=problem,ratio", "--scenes=%d" % (run.chosen or 2000))
     return ("Scenes as in [covariance.md](covariance.md), with noise of 0.1 and 0.3 thresholds, five times that in every second match; the estimator gets "
@@ -377,8 +378,8 @@ def measure(name, build, data, repeats):
 
 
 def tested(time, commit):
-    """Returns (commit, digest) of the state that a log tested. If the commit is not known, the last
-    one before `time` is taken."""
+    """Returns (commit, digest of hashes.txt) of the state that a log has tested. If `commit` is empty,
+    the last commit before `time` is taken."""
     commit = commit or git("log", "-1", "--format=%h", "--before=" + time.isoformat())
     return commit or "-", KINDS["tests"].rows.digest(git("show", "%s:%s" % (commit, HASHES)) or read_text(os.path.join(ROOT, HASHES)))
 

@@ -64,8 +64,8 @@ class Runs:
 
 
 def choose(results, methods):
-    """Returns {key: {method: ...}} with the given methods only, in the given order; an empty list
-    stands for all."""
+    """Returns {key: {method: ...}} with only the given methods, in the given order; with all methods if
+    the list of methods is empty."""
     if not methods:
         return results
     return {key: {m: runs[m] for m in methods if m in runs} for key, runs in results.items()}
@@ -88,7 +88,7 @@ def _add(results, row, time, methods):
         return
     runs = results.setdefault((row["list"], row["problem"]), {}).setdefault(row["method"], Runs())
     runs.errors.append(math.inf if values[2] else values[0])
-    runs.times.append(max(values[1], 1e-4))  # zero cannot be shown on a log axis
+    runs.times.append(max(values[1], 1e-4))  # milliseconds; zero cannot be shown on a logarithmic axis
     runs.pairs.append(row["pair"])
 
 

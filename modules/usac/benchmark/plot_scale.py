@@ -39,8 +39,8 @@ def read_scale(file, methods=()):
 
 
 def split_failed(points, x, y):
-    """Returns two lists of (x, y): the points with a finite value for the curve, and those of them
-    where at least half of the runs failed, for the crosses."""
+    """Returns two lists of (x, y): the points with a finite value, for the curve, and those points among
+    them where at least half of the runs failed, for the crosses."""
     finite = [(p[x], p[y], p["failures_percent"] >= 50) for p in points if math.isfinite(p[y]) and p[y] > 0]
     return [p[:2] for p in finite], [p[:2] for p in finite if p[2]]
 
@@ -57,7 +57,7 @@ def _panel(axes, runs, sweep, y, look):
         plot.log_axis(axis)
         plot.thin(axis, *axis.get_view_interval())
     if sweep == "inliers":
-        axes.invert_xaxis()  # so that problems become harder to the right on both axes
+        axes.invert_xaxis()  # lower inlier ratios to the right, so that problems become harder to the right as for the size
     else:
         axes.xaxis.set_major_formatter(LogFormatterMathtext())
     axes.set_xlabel(SWEEPS[sweep])

@@ -5,7 +5,7 @@
 """Reads and writes motions of space, the data of usac_benchmark for the problems R and M;
 doc/benchmark.md describes the format.
 
-Lists of them are written with pairs.write_list(pairs.list_file(folder, dataset, "R"), paths)."""
+Lists of motions are written with pairs.write_list(pairs.list_file(folder, dataset, "R"), paths)."""
 
 import numpy as np
 
@@ -58,8 +58,8 @@ class Motion:
 
 
 def write_motion(path, motion, problem=None):
-    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `problem` is "R" or "M";
-    None chooses by the scale."""
+    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `problem` is "R" or "M"; with
+    None it is "R" if the scale is 1, otherwise "M"."""
     try:
         motion.check()
         problem = problem or motion.problem

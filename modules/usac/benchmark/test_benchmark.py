@@ -152,7 +152,7 @@ class PairsTest(FolderTest):
             rows = [line.rstrip("\n").split(",") for line in lines]
         self.assertEqual([row[:4] for row in rows[1:]], [['"set"', p, '"a"', "40"] for p in "FE"])
         for row in rows[1:]:
-            self.assertLess(float(row[6]), 0.1)  # the points are rounded to a thousandth of a pixel
+            self.assertLess(float(row[6]), 0.1)  # pixels; the points of the file are rounded to a thousandth of a pixel
             self.assertLess(float(row[8]), 0.5)
 
 

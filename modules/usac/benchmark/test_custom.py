@@ -74,8 +74,8 @@ class CustomTest(FolderTest):
                               universal_newlines=True)
 
     def runs(self, name, methods, stderr="", *arguments):
-        """Runs a program; returns the rows of --runs by problem and method, and the tables. @param
-        stderr regular expression of the expected messages"""
+        """Runs a program; returns the rows of its file --runs as {problem: {method: [row]}}, and its
+        output with the tables. `stderr` is a regular expression for the expected messages."""
         file = self.path("runs.csv")
         done = self.run_program(name, "--data=" + self.folder, "--runs=" + file, "--repeats=%d" % REPEATS,
                                 "--methods=" + ",".join(methods), *arguments)

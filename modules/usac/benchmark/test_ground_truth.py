@@ -67,7 +67,7 @@ class ReadersTest(FolderTest):
     def test_kitti(self):
         self.kitti()
         truths = ground_truth.kitti(self.folder)
-        self.assertEqual([t.name for t in truths], ["k06_000000_000001"])  # frames without motion in between give no pair
+        self.assertEqual([t.name for t in truths], ["k06_000000_000001"])  # frames 1 and 2 have the same pose and give no pair
         self.assertEqual(truths[0].image1, self.path("sequences", "06", "image_0", "000000.png"))
         self.check_cameras(truths[0])
         truths = ground_truth.kitti(self.folder, step=2)
@@ -78,7 +78,8 @@ class ReadersTest(FolderTest):
 
     def test_tum(self):
         quaternions = []
-        for axis, angle in (((1, 2, 0.5), -10), ((-0.3, 1, 0.2), 12)):  # quaternions of the transposed rotations
+        # TUM stores the rotation camera -> world, so the quaternions are those of R1 and R2 transposed.
+        for axis, angle in (((1, 2, 0.5), -10), ((-0.3, 1, 0.2), 12)):
             half = np.radians(angle) / 2
             quaternions.append(np.append(np.sin(half) * np.array(axis) / np.linalg.norm(axis), np.cos(half)))
         root = "rgbd_dataset_freiburg3_test"

@@ -145,7 +145,7 @@ class ProjectTest(FolderTest):
         self.change(figures.HASHES, "graf:fast 65", "graf:fast 66")
         self.complaints("README.md: its figures of lists are older than the last change", figures.INDEX + ": the block index is not")
         self.assertEqual(self.project().older(), ["lists"])
-        self.write("lists", "lists/a", "0.97 px")  # measured again, but not yet quoted
+        self.write("lists", "lists/a", "0.97 px")  # the measurement is new, but README.md still quotes the old one
         self.complaints("README.md: the block lists/a is not what was measured")
         self.project().fill()
         self.complaints()

@@ -96,7 +96,8 @@ class SyntheticMotionTest(ProgramTest):
             self.assertLess(distances[motion.right].max(), 1e-3)
             self.assertGreater(np.median(np.delete(distances, motion.right)), 50)
             self.assertLess(motion.scores[motion.right].max(), np.delete(motion.scores, motion.right).min(), "--scores=1 tells all")
-            self.assertAlmostEqual(motion.size() / (motion.scale * 100), 1, delta=0.15)  # for a cube, size() is half of the side
+            # The points fill a cube of side 200, for which size() is half of the side.
+            self.assertAlmostEqual(motion.size() / (motion.scale * 100), 1, delta=0.15)
 
     def test_noise(self):
         motion = self.motion("R", "--size=5000", "--inliers=1", "--noise=2")

@@ -62,10 +62,10 @@ class StructuredTest(FolderTest):
         self.assertTrue(200 < float(many["mean_iterations"]) <= 1000, many)
 
     def test_judged_by_a_start_at_the_true_model(self):
-        """With --judge=start, a miss is a failure only if a search that starts from the true model
-        keeps it. RANSAC with one sample misses models that it would keep, so its failures do not
-        change. In some scenes the score of MAGSAC++ prefers another model to the true one, so its
-        failures become fewer."""
+        """With --judge=start, a missed true model counts as a failure only if a search that starts from
+        this model also returns it. RANSAC with one sample misses models that it would return, so the
+        number of its failures must not change. In some scenes the score of MAGSAC++ prefers another
+        model to the true one, so it must have fewer failures than with --judge=cost."""
         few = ["--problems=F", "--methods=preset:ransac{maxIterations=1,significance=1}", "--kinds=generic", "--orders=none", "--sizes=100",
                "--ratios=0.5", "--runs=20"]
         wide = ["--problems=F", "--methods=USACV20_MAGSAC", "--kinds=shift35", "--orders=none", "--sizes=400", "--ratios=0.4,0.45",

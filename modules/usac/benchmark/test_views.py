@@ -170,8 +170,10 @@ class SyntheticViewTest(ProgramTest):
                 self.assertEqual(row["iterations"] != "", method in OWN)
                 self.assertLess(float(row["error"]), 0.5)
                 self.assertLess(float(row["center_error"]), 1)
+                # The mask of OpenCV's PnP methods may be that of a minimal sample's model, so its number of
+                # inliers may differ more from the number of right matches.
                 self.assertLess(abs(int(row["inliers"]) - (210 if row["list"] == "view" else 240)),
-                                40 if method.startswith("cv:PNP") else 10, method)  # OpenCV's mask may be that of a minimal sample's model
+                                40 if method.startswith("cv:PNP") else 10, method)
                 self.assertLess(float(row["cost"]), 0.35)
             rotations = [float(row["error"]) for row in rows if row["list"] == "view"]
             table = tables["view", method]

@@ -5,7 +5,7 @@
 """Reads and writes views of object points, the data of usac_benchmark for the problem P;
 doc/benchmark.md describes the format.
 
-Lists of them are written with pairs.write_list(pairs.list_file(folder, dataset, "P"), paths)."""
+Lists of views are written with pairs.write_list(pairs.list_file(folder, dataset, "P"), paths)."""
 
 import numpy as np
 

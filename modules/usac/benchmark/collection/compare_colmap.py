@@ -69,7 +69,7 @@ PLANE_OR_TURN = {4, 5, 6}
 
 
 class TrueCamera(NamedTuple):
-    K: Floats  # in COLMAP's convention: the corner of the first pixel is at 0, 0
+    K: Floats  # in COLMAP's convention: the outer corner of the first pixel is at (0, 0), its center at (0.5, 0.5)
     R: Floats
     t: Floats
 
@@ -120,7 +120,7 @@ class Rival(NamedTuple):
     """A verification that is compared: COLMAP's, or `usacv20-collection verify` with options."""
 
     name: str
-    options: Tuple[str, ...]  # of usacv20-collection verify; empty: run COLMAP instead
+    options: Tuple[str, ...]  # options of usacv20-collection verify; empty: COLMAP's verification is run
 
     def verify(self, database: str) -> float:
         """Verifies all pairs of the database; returns the CPU time in seconds."""

@@ -23,8 +23,9 @@ number of missed pairs for each limit. There are three kinds of pairs:
   cameras), 16 to 50 are drawn, and three times as many random pairs of keypoints are added.
 
 cost: measures CPU milliseconds of pairs without and with overlap, with --threshold auto. It also counts
-lost pairs: those that are found only with a confidence of 1 - 10^-12 and without the inlier ratios of
-the collection. A result is right if at least half of its inliers are right matches."""
+lost pairs: those that are found only with four times as many samples (confidence 1 - 10^-12 instead of
+0.999) and without the inlier ratios of the collection. A pair counts as found if at least half of its
+inliers are right matches."""
 
 from __future__ import annotations
 
@@ -196,7 +197,7 @@ def allInlier(right: npt.NDArray[np.int64], matches: npt.NDArray[np.int64], m: i
 
 
 def countedRows(kind: str, pairs: List[Matches]) -> None:
-    pairs.sort(key=lambda pair: pair.threshold)  # the order in which found() returns them
+    pairs.sort(key=lambda pair: pair.threshold)  # found() returns its results in this order
     matches = np.array([len(pair.right) for pair in pairs])
     for m, name in ((5, "E"), (7, "F")):
         tried = [found(pairs, m, limit) for limit in LIMITS[m]]

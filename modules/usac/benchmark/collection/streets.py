@@ -22,7 +22,7 @@ chance         --significance, the largest false-alarm probability of an accepte
 loops          whether pairs that contradict a path of other pairs are refused (--no-loops: no)
 overlap, kept  number of pairs with overlap (with matches and at least 30 common points), and how many
                of them are kept
-without, kept  number of pairs with matches but without a common point, and how many of them are kept
+without, kept  number of pairs with at least 15 matches but no common point, and how many are kept
 calibrated     how many of the latter are CALIBRATED, so that a mapper uses their wrong poses
 right          number of kept pairs with at least half of the inliers right
 lost           how many such pairs are refused by the check of loops
@@ -52,7 +52,7 @@ from usacv20.collection import verify  # noqa: E402
 Floats = npt.NDArray[np.float64]
 
 SIZE, FOCAL = (1600, 1200), 1400.0  # pixels
-DIMENSIONS = 8  # of a descriptor; few, so that different things can look alike
+DIMENSIONS = 8  # dimensions of a descriptor; few, so that descriptors of different points can be similar
 PLACES = 100  # upper limit of the number of windows of a facade
 OVERLAP = 30  # least number of points that both images of a pair with overlap can see
 # Standard deviations of the differences of scale (octaves) and angle (radians) of two key points.
@@ -72,9 +72,9 @@ class Points(NamedTuple):
 
     position: Floats  # P x 3, meters
     along: Floats  # P x 3, horizontal direction of the facade
-    normal: Floats  # P x 3, of the facade
-    size: Floats  # P, meters
-    angle: Floats  # P, radians, in the plane of the facade
+    normal: Floats  # P x 3, normal of the facade
+    size: Floats  # P, size of the feature in meters
+    angle: Floats  # P, orientation of the feature in the plane of the facade, radians
     descriptor: Floats  # P x DIMENSIONS
     change: Floats  # P x DIMENSIONS x 2: change of the descriptor with the viewing direction
 
@@ -82,12 +82,12 @@ class Points(NamedTuple):
 class Options(NamedTuple):
     layout: str = "street"
     images: int = 24
-    noise: float = 0.4  # pixels
+    noise: float = 0.4  # standard deviation of each coordinate of a key point, pixels
     # How different equal windows look: standard deviation of the descriptors of the same part of
     # different windows of a kind, relative to that of the descriptors of unrelated points.
     alike: float = 0.45
     shared: float = 0.5  # fraction of this variance that is common to windows at the same place of different facades of a kind
-    unique: int = 60  # number of points outside of windows on ten meters of facade
+    unique: int = 60  # number of points that do not belong to a window, for each ten meters of facade
     known: bool = True  # the focal length is known
     seed: int = 0
 
@@ -108,7 +108,7 @@ def facades(layout: str) -> List[Facade]:
 def buildPoints(rng: np.random.RandomState, options: Options) -> Points:
     parts: Dict[int, Tuple[Any, ...]] = {}
     columns: List[Tuple[Any, ...]] = []
-    period, storey = np.array([2.4, 3.4]), 3  # meters; rows of windows
+    period, storey = np.array([2.4, 3.4]), 3  # distances of windows along and up in meters; number of rows of windows
     for facade in facades(options.layout):
         if facade.kind not in parts:
             count = 24
@@ -246,7 +246,7 @@ class Street:
 class Count(NamedTuple):
     """Counts of the pairs of a verified database."""
 
-    overlap: int  # pairs with matches and OVERLAP common points
+    overlap: int  # pairs with matches and at least OVERLAP common points
     kept: int  # pairs with overlap that are kept
     lone: int  # pairs without a common point
     loneKept: int

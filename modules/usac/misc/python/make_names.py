@@ -63,7 +63,7 @@ def short(comment):
 
 
 class Enumeration:
-    """An enumeration of a header: name, comment and members (name, value, comment)."""
+    """An enumeration of a C++ header: name, comment and members (name, value, comment)."""
 
     def __init__(self, name, comment, body):
         self.name, self.comment, self.members = name, comment, []

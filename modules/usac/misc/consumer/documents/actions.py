@@ -39,7 +39,7 @@ class Place:
         self.project, self.checks, self.opencv = os.path.realpath(project), os.path.realpath(work), opencv
         self.build = os.path.join(self.checks, "build")
         self.work = os.path.join(self.checks, "documents")
-        self.printed: Dict[str, str] = {}  # the output of each block or command that has run
+        self.printed: Dict[str, str] = {}  # output of each block or command that has run, by its key without the document
         self.services: List[subprocess.Popen] = []
         for name in ("clone", "collection", "prefix", "bin", "python", "benchmark"):
             shutil.rmtree(self.folder(name), ignore_errors=True)
@@ -324,7 +324,7 @@ class Python(NamedTuple):
         loader = os.path.join(place.opencv, "python_loader") if place.opencv else ""
         if self.cv2 and os.path.isdir(loader):
             python, variables = "/usr/bin/python3", {"PYTHONPATH": loader}
-        elif self.cv2:  # usacv20.patch_cv2() adds the same functions to another cv2
+        elif self.cv2:  # without such an OpenCV, usacv20.patch_cv2() makes another cv2 take the flags
             before = ("import cv2, usacv20\nusacv20.patch_cv2()\ncv2.usacv20 = usacv20\n"
                       "for name in dir(usacv20):\n    if name.startswith('USACV20'): setattr(cv2, name, getattr(usacv20, name))\n") + before
         tasks = place.folder("python", block.name + ".json")

@@ -22,7 +22,7 @@ DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, THRE
 CHECK = "modules/usac/misc/consumer/check.sh"
 RUN_TESTS, MATRIX = "modules/usac/misc/run_tests.sh", "modules/usac/misc/matrix.sh"
 PYTHON_TESTS = "modules/usac/misc/python/test/"
-GATE = Elsewhere(RUN_TESTS, "consumer")  # the gate runs this check
+GATE = Elsewhere(RUN_TESTS, "consumer")  # commands that start the gate; they cannot run here, because the gate runs this table
 
 PIP = Elsewhere("samples/quickstart.sh", "python_package", ("install", "modules/usac"))
 
@@ -85,7 +85,7 @@ with h5py.File('matches.h5', 'w') as file:
 OPTIONS_OF_COLMAP = {"--SiftExtraction.use_gpu": "--FeatureExtraction.use_gpu", "--SiftMatching.use_gpu": "--FeatureMatching.use_gpu"}
 if not shutil.which("colmap") or b"FeatureExtraction.use_gpu" not in subprocess.run(
         ["colmap", "feature_extractor", "--help"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout:
-    OPTIONS_OF_COLMAP = {}  # the installed COLMAP is version 3
+    OPTIONS_OF_COLMAP = {}  # COLMAP is missing or of version 3, so nothing is replaced
 COURT = """PYTHONPATH={project}/modules/usac/benchmark/collection python3 -c "
 from streets import Options, Street
 Street(Options('court', 24, seed=0)).write('court.db')"

@@ -81,8 +81,8 @@ class GeneratorTest(Case):
         self.assertGreater(counts.min(), 30)
 
     def epipolarError(self, collection: Collection, pair: PairTruth) -> Any:
-        """Epipolar error of directions: the sine of the angle between a ray of image 2 and the
-        epipolar plane of the ray of image 1."""
+        """Returns the epipolar errors of a pair's matches, measured between directions: the sine of the
+        angle between the ray of image 2 and the epipolar plane of the ray of image 1."""
         rays = []
         for image, column in ((pair.first, 0), (pair.second, 1)):
             pixels = collection.keypoints[image][pair.matches[:, column]]

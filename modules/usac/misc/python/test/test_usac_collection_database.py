@@ -216,8 +216,8 @@ class FaultTest(DatabaseCase):
         self.faults(["58 rows of 2", "0 bytes"], [(2, 4)], ("UPDATE matches SET data = NULL WHERE pair_id = ?", key))
 
     def test_no_matches(self):
-        """COLMAP stores an empty row if no matches were found; such a pair must be read as a normal
-        pair."""
+        """COLMAP stores an empty row if no matches were found. Such a pair must be read as a Pair with
+        0 matches, not as a Fault."""
         smallDatabase(self.path)
         change(self.path, "UPDATE matches SET rows = 0, data = NULL")
         self.assertEqual([pair.matches.shape for pair in self.load()], [(0, 2)] * 15)
@@ -272,8 +272,8 @@ class FaultTest(DatabaseCase):
 @once
 @package
 class WholeTest(DatabaseCase):
-    """Tests of databases that cannot be used at all. Reading and writing must give an error
-    message."""
+    """Tests of databases that cannot be used at all. Reading them and writing to them must raise a
+    CollectionError with a helpful message."""
 
     def unusable(self, *words, **keywords):
         path = keywords.get("path", self.path)

@@ -74,7 +74,7 @@ class Scene(object):
         return np.degrees(np.arccos(np.clip([(turn - 1) / 2, move], -1, 1)))
 
     def marked(self, result):
-        """Returns for each match whether it is an inlier."""
+        """Returns for each match whether it is an inlier of the result."""
         inliers = set(map(tuple, result.inliers.tolist()))
         return np.array([tuple(match) in inliers for match in self.matches.tolist()])
 
@@ -355,8 +355,9 @@ class GeometryTest(unittest.TestCase):
             needed = next(n for n in itertools.count(500) if 1 - (1 - part)**n >= settings.confidence)
             self.assertEqual(settings.iterations(sample, matches), needed)
             self.assertAlmostEqual(settings.reached(sample, matches), 1 - (1 - part)**needed, places=12)
-        # For 75 matches and a ratio of 0.25, at least 19 matches are right. The number of samples
-        # for drawing with replacement, 7070, reaches only a confidence of 0.9915.
+        # For 75 matches and an inlier ratio of 0.25, at least 19 matches are right. 7070 samples would
+        # be enough if points were drawn with replacement. Without replacement they reach only a
+        # confidence of 0.9915, so more samples are needed.
         part = math.factorial(19) * math.factorial(70) / (math.factorial(14) * math.factorial(75))
         wide = Settings(maxIterations=20000, method="USACV20_FAST")  # USACV20_FAST: each sample counts once
         self.assertEqual(wide.iterations(5, 75), math.ceil(math.log(0.001) / math.log(1 - part)))

@@ -80,7 +80,8 @@ class LoopsTest(unittest.TestCase):
             self.assertEqual(len(contradicted(chain(ring) + [ring.edge(3, 3 + distance, 20, 90)])), count)
 
     def test_wrong_links_are_none(self):
-        """A pair that was found to be wrong must not be used as a link."""
+        """Pair (0, 2) is contradicted by pairs with more inliers. It must therefore not be a link of a
+        path that contradicts other pairs."""
         ring = Ring(8)
         links = [ring.edge(0, 1, 1000), ring.edge(1, 2, 1000), ring.edge(4, 3, 1000)]
         wrong = ring.edge(0, 2, 400, 90)

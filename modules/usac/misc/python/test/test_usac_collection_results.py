@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of results of the command `pairs` in SQLite, NPZ and HDF5 files: writing, reading,
-interrupting and resuming."""
+"""Tests of the files of results (SQLite, NPZ, HDF5) of the command `pairs`: writing, reading,
+interrupted and resumed runs."""
 
 import contextlib
 import io
@@ -34,7 +34,8 @@ except ImportError:  # cv2.usacv20 may be tested without the package; tests of t
 
 FORMATS = (".sqlite", ".npz") + ((".h5",) if h5py is not None else ())
 
-# A program that stores four pairs in each commit and kills itself just before the fourth commit.
+# A program that stores four pairs in each commit and kills itself just before its fourth commit, so that
+# only the results of three commits, 12 pairs, are stored.
 KILLED = """
 import os, signal, sys
 from usacv20.collection._geometry import verifyPairs
@@ -56,7 +57,8 @@ for start in range(0, len(keys), 4):
 
 
 def result(number, name=None):
-    """Makes an artificial result. Each optional part is missing in some of the results."""
+    """Returns a made-up result, which depends only on the number. Each optional part (models,
+    quaternion, translation) is missing in some of the results."""
     rng = np.random.RandomState(number)
     inliers = rng.randint(0, 2**32, (number % 5, 2), np.int64).astype(np.uint32)
     models = [None if number % (i + 2) == 0 else rng.normal(size=shape) for i, shape in enumerate(((3, 3),) * 3 + (4, 3))]
@@ -243,7 +245,7 @@ class ResultsTest(Files):
             self.write("text" + extension, "text")
             self.assertMistake("text" + extension, list, readResults(self.path("text" + extension)))
             self.assertMistake("text" + extension, self.open, "text" + extension, True)
-        with mock.patch.dict(sys.modules, {"h5py": None}):  # h5py is missing, but the error message must name the real problem
+        with mock.patch.dict(sys.modules, {"h5py": None}):  # the message must be about the file, not about the missing h5py
             self.assertMistake("text.sqlite: no results", list, readResults(self.path("text.sqlite")))
         with sqlite3.connect(self.path("other.db")) as connection:
             connection.execute("CREATE TABLE images (a)")

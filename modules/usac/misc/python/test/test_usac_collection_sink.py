@@ -145,8 +145,9 @@ class RowTest(SinkCase):
         self.assertEqual(rows(self.path, "SELECT chance FROM usacv20_pairs"), [(None,)])
 
     def test_tables_that_differ(self):
-        """A missing table must be created as COLMAP does it. Missing and additional columns of
-        other versions must be accepted."""
+        """A missing table two_view_geometries must be created with the same columns as COLMAP's.
+        Missing and additional columns of other versions of COLMAP must be accepted, but not a missing
+        column config."""
         smallDatabase(self.path)
         made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
         change(self.path, "DROP TABLE " + TABLE)
@@ -211,7 +212,8 @@ class RunTest(SinkCase):
         sink = self.sink(resume=True)
         self.assertTrue(sink.resumed)
         keys = [pairId(1, i) for i in range(2, 6)]
-        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])  # a fault is estimated again
+        # The third pair could not be read and must be processed again; the fourth one is new.
+        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])
         sink.commit([found(1, 4), found(1, 5)])
         self.assertEqual((self.pairs(), sink.removed), (keys, 0))
         self.assertEqual(rows(self.path, "SELECT run_id, configuration FROM usacv20_pairs ORDER BY pair_id"),
@@ -231,7 +233,7 @@ class RunTest(SinkCase):
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
 
     def test_two_at_once(self):
-        """A run begins with the first commit of its sink. All sinks that were opened before this
+        """A run begins with the first commit of its sink. All other sinks that were opened before this
         commit must then be refused, so that results of two runs are not mixed."""
         for resume in (False, True):
             with self.subTest(resume=resume):

@@ -112,7 +112,7 @@ class SamplerTest(unittest.TestCase):
         self.assertGreaterEqual(sampler.calls, report.iterations)  # samples are drawn in batches, and some are not used
         self.assertEqual((sampler.starts, sampler.points.sampleSize), (1, 4))
         again = usac_.run()
-        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers depend only on the seed
+        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers of a sampler depend only on the seed
         usac_.components.sampler = None
         self.assertEqual(bits(usac_.run()[:2]), bits(create(usac.HOMOGRAPHY, PLANE).run()[:2]))
 

@@ -285,7 +285,9 @@ class WordTest(NewcomerCase):
             bound = inspect.signature(getattr(usac, name)).bind(*args)
             bound.apply_defaults()
             del bound.arguments["params"]
-            function = getattr(usac, name)  # the signature must have the actual default values
+            # A call with the default values that the signature shows must give the same result as a call
+            # without these arguments.
+            function = getattr(usac, name)
             self.assertEqual(bits(function(**bound.arguments)), bits(function(*args)), name)
 
     def test_all(self):

@@ -21,7 +21,7 @@ from usac_pose import FEW, POSE, formsOfPose, paramsFormsOfPose
 
 
 def pose(scene, params, *args):
-    """Returns (model, mask, report)."""
+    """Estimates the pose of a PoseScene with its camera; returns (model, mask, report)."""
     return usac.estimateAbsolutePose(scene.X, scene.x, scene.K, scene.d, params, *args)
 
 

@@ -23,7 +23,8 @@ ENDLESS = dict(maxIterations=2**31 - 1, termination=0)
 
 
 def hard(count=2000):
-    """Matches with an inlier ratio of 5 %."""
+    """Returns points of two images with an inlier ratio of 5 %; the inliers obey an affinity without
+    noise."""
     rng = np.random.RandomState(3)
     points1, points2 = rng.uniform(0, 640, (count, 2)), rng.uniform(0, 640, (count, 2))
     points2[:count // 20] = points1[:count // 20] * [0.9, 1.1] + [20, -10]
@@ -65,7 +66,7 @@ class StopTest(unittest.TestCase):
         self.assertEqual(iterations, sorted(iterations))
         self.assertGreater(iterations[-1], iterations[0])
         _, _, report = usac.estimateHomography(*hard(), usac.Params(maxIterations=100))
-        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the block the function must not be called
+        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the with block, the function must not be called anymore
         self.assertEqual(len(seen), 5)
 
     def test_flags_batches_and_objects(self):

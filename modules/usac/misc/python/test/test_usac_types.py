@@ -48,7 +48,8 @@ class Uniform(usacv20.Sampler if not module.__name__.startswith("cv2.") else obj
 
 @package
 class TypedTest(unittest.TestCase):
-    """Calls as in a typed program: mypy checks the types, the test checks the values."""
+    """Calls as in a program with type annotations. mypy checks the types (test_this_file), and these
+    tests check the values."""
 
     def test_flags(self) -> None:
         a, b = points()
@@ -157,8 +158,8 @@ class ToolTest(unittest.TestCase):
         self.passes("mypy", "-p", "usacv20")
 
     def test_stubs(self) -> None:
-        # A function with overloads has only one signature for inspect, so stubtest must skip it.
-        # test_usac_newcomers.py tests these signatures.
+        # For functions with overloads, Python's module inspect shows only one signature, so stubtest must
+        # skip them. test_usac_newcomers.py tests their signatures.
         with open(os.path.join(self.cache, "allowed.txt"), "w") as file:
             file.write(r"usacv20(\._\w+)?\.({})".format("|".join(FUNCTIONS)))
         self.passes("mypy.stubtest", "usacv20", "--allowlist", "allowed.txt")

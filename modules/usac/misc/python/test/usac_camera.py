@@ -21,8 +21,8 @@ def rotation(vector):
 
 
 def distort(points, coefficients):
-    """Applies a lens distortion with the coefficients k1, k2, p1, p2, k3 to points of the
-    normalized image plane."""
+    """Returns points of the normalized image plane after a lens distortion with the coefficients k1,
+    k2, p1, p2, k3; None: no distortion."""
     if coefficients is None:
         return points
     k1, k2, p1, p2, k3 = np.ravel(coefficients)[:5]

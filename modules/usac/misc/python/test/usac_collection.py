@@ -28,8 +28,8 @@ Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 
 MAX_IMAGES = 2147483647  # pair_id = MAX_IMAGES * smaller image_id + larger image_id
-# For each camera model: COLMAP's number, and the parameters of the lens, radial ones before
-# tangential ones.
+# For each camera model: COLMAP's number, and the coefficients of the lens distortion, first the radial
+# ones, then the tangential ones.
 MODELS: Dict[str, Tuple[int, Tuple[float, ...]]] = {
     "SIMPLE_PINHOLE": (0, ()),
     "PINHOLE": (1, ()),
@@ -72,8 +72,8 @@ class Label(enum.IntEnum):
 
     RANDOM = 0
     RIGHT = 1
-    # A part of a window matched to the same part of another window. All copies of a pair of images
-    # have the same offset between the windows.
+    # A part of a window is matched to the same part of another window. In a pair of images, all matches
+    # of this kind have the same offset between the two windows.
     COPY = 2
     LOGO = 3
 
@@ -87,8 +87,10 @@ class Recipe(NamedTuple):
     wrong: Tuple[float, float] = (0.3, 0.7)  # range of the fraction of wrong matches in pairs with overlap
     lone: Tuple[float, float] = (0.1, 0.3)  # range of the number of matches in pairs without overlap, relative to the number of keypoints in an image
     lonePairs: float = 1.0  # fraction of the pairs without overlap that have matches at all
-    copies: float = 0.3  # fraction of the wrong matches that go to another window, if the pair shows enough windows
-    cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)  # model, focal length known; images use them in turn
+    copies: float = 0.3  # fraction of the wrong matches that are of Label.COPY, if the images show enough windows
+    # Camera model and whether the focal length is known, for each camera; the images use the cameras in
+    # turn.
+    cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)
     columns: int = 6  # number of columns of the table of keypoints: 2, 4 or 6
     size: Tuple[int, int] = (1600, 1200)
     seed: int = 0
@@ -102,7 +104,7 @@ class Lens(NamedTuple):
     focalKnown: bool
 
     def split(self) -> Tuple[Floats, Floats]:
-        """Returns (K, parameters of the lens)."""
+        """Returns (K, parameters of the lens distortion)."""
         # 2 for models with a single focal length for x and y, 1 for models with fx and fy
         own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1
         fx, fy, cx, cy = self.params[[0, 0, 1, 2]] if own == 2 else self.params[:4]
@@ -143,7 +145,7 @@ class Space(NamedTuple):
 
 
 class PairTruth(NamedTuple):
-    """A pair of images, numbered from 0, and its matches."""
+    """A pair of images, which are numbered from 0, and its matches with their ground truth."""
 
     first: int
     second: int
@@ -299,8 +301,8 @@ class Collection:
         self.pointOf.append(points[order])
 
     def _addLogo(self) -> Integers:
-        """Adds the logo to two images; returns its matches. It is near the border, as COLMAP
-        searches for watermarks within a tenth of the diagonal."""
+        """Adds the logo to two images; returns the matches of its points. The logo is near the border,
+        because COLMAP searches for watermarks only within a tenth of the diagonal from the border."""
         size, count = np.array(self.recipe.size), 40
         shape = size - self.rng.uniform([20, 15], [0.3 * size[0], 0.08 * size[1]], (count, 2))
         numbers = []
@@ -312,7 +314,7 @@ class Collection:
         return np.stack(numbers, axis=1)
 
     def _match(self, first: int, second: int) -> PairTruth:
-        """Makes one-to-one matches in random order: some of the common points, groups of copies,
+        """Returns one-to-one matches in random order: some of the common points, copies (Label.COPY),
         and random pairs of the remaining keypoints."""
         rng, enough = self.rng, 30
         a, b = self.pointOf[first], self.pointOf[second]

@@ -21,8 +21,8 @@ if not IN_TREE:
 
 IMAGES = 2147483647
 SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV = range(5)
-# Tables that differ between versions: poses of images moved to a separate table, and rigs and
-# frames were added.
+# Tables that differ between versions of COLMAP: prior poses of images have moved to a separate table,
+# and rigs and frames were added.
 _OLD_IMAGES = ", prior_qw REAL, prior_qx REAL, prior_qy REAL, prior_qz REAL, prior_tx REAL, prior_ty REAL, prior_tz REAL"
 _PRIORS = """CREATE TABLE pose_priors (image_id INTEGER PRIMARY KEY NOT NULL, position BLOB, coordinate_system INTEGER NOT NULL,
 position_covariance BLOB, FOREIGN KEY(image_id) REFERENCES images(image_id) ON DELETE CASCADE);"""
@@ -96,7 +96,7 @@ def writeDatabase(path, cameras, images, keypoints, matches, schema="3.8", wal=T
 
 
 def change(path, statement, *arguments):
-    """Executes a statement, for example to damage a database."""
+    """Executes an SQL statement that changes a database, for example to damage it."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         connection.execute(statement, arguments)
 

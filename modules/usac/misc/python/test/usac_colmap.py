@@ -78,7 +78,8 @@ def options(program: str, command: str) -> str:
 
 
 def withoutGpu(program: str, command: str) -> Dict[str, object]:
-    """Returns the options that run a command for features or matches on one core without GPU."""
+    """Returns the options with which a command of COLMAP that extracts or matches features runs on one
+    core, without GPU."""
     groups = ("FeatureExtraction", "FeatureMatching", "SiftExtraction", "SiftMatching")
     known = options(program, command)
     group = next(name for name in groups if "--{}.use_gpu".format(name) in known)
@@ -86,8 +87,8 @@ def withoutGpu(program: str, command: str) -> Dict[str, object]:
 
 
 def runProgram(command: Sequence[str]) -> Usage:
-    """Runs a program. No other child process may end during the call, since the CPU time is that of
-    all children."""
+    """Runs a program; raises ColmapError if it fails. No other child process may end during the call,
+    because the CPU time is measured for all child processes together."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
                          env=dict(os.environ, QT_QPA_PLATFORM="offscreen"))
@@ -118,7 +119,7 @@ def pairsOf(database: str) -> List[Tuple[str, str]]:
 
 
 def clear(database: str) -> None:
-    """Removes all verified pairs."""
+    """Removes all verified pairs from the database."""
     connection = sqlite3.connect(database)
     with connection:
         connection.execute("DELETE FROM two_view_geometries")
@@ -142,7 +143,7 @@ def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
 
 
 def verified(database: str) -> Dict[int, Verified]:
-    """Returns the table two_view_geometries by pair_id."""
+    """Returns the table two_view_geometries as {pair_id: row}."""
     connection = sqlite3.connect(database)
     rows = connection.execute("SELECT pair_id, rows, data, config, F, E, H FROM two_view_geometries").fetchall()
     connection.close()
@@ -181,7 +182,7 @@ def mapper(database: str, images: Optional[str] = None, program: Optional[str] =
 
 
 def readModel(folder: str) -> Model:
-    """Reads images.bin and points3D.bin."""
+    """Reads a reconstruction from the files images.bin and points3D.bin of COLMAP."""
     poses = {}
     with open(os.path.join(folder, "images.bin"), "rb") as file:
         data = file.read()

@@ -50,7 +50,7 @@ FLAGS = {flag.name: int(flag) for flag in usac.UsacV20Method}
 # Flags of OpenCV, defined here because the package also takes them without cv2.
 FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO = 1, 2, 4, 8, 16
 USAC_DEFAULT, USAC_PARALLEL, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
-# Some values differ between OpenCV 4 and 5.
+# Some of these values differ between OpenCV 4 and 5; the numbers given here are those of OpenCV 4.
 SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = (
     0, 1, 2, getattr(cv, "SOLVEPNP_AP3P", 5), getattr(cv, "SOLVEPNP_SQPNP", 8))
 THRESHOLD = 2.0  # pixels
@@ -213,7 +213,7 @@ def estimate(problem, scene, params, *args):
 
 
 def bits(result):
-    """Converts a result or an exception for an exact comparison."""
+    """Converts a result or an exception to a form that == compares exactly, arrays bit by bit."""
     if isinstance(result, (tuple, list)):
         return tuple(bits(item) for item in result)
     if isinstance(result, np.ndarray):
