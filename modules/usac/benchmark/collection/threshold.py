@@ -28,8 +28,8 @@ CONSTANTS = ("WIDEST", "CONFIDENCE", "ITERATIONS", "SIGNIFICANCE", "MOST", "LEAS
 
 
 def estimate(scenes):
-    """Returns the estimated threshold, or None if there is none, and the CPU milliseconds for a
-    pair."""
+    """Returns the result of estimateThreshold (threshold, noise and more), or None if it fails, and the
+    CPU milliseconds for a pair."""
     begin = time.process_time()
     try:
         found = _threshold.estimateThreshold([scene.pair for scene in scenes], Settings())
