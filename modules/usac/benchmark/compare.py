@@ -3,14 +3,17 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Compares methods pair by pair in what `usac_benchmark --runs=FILE` has written.
+"""Compares methods pair by pair, from the files that `usac_benchmark --runs=FILE` has written.
 
 The median over a list of few pairs is the error on one of these pairs; a comparison pair by pair
-uses all of them. The table has for each list: the ratio of the errors of two methods as a geometric
-mean over the pairs, with its 95 % interval (bootstrap over the pairs); the number of pairs on which
-the first method is better, and on which it is worse, by more than two per cent or because only one
-of the methods finds a model; and the number of those worse pairs on which its model has the lower
-cost, so that a better search would not help. Markdown, to the standard output."""
+uses all of them. The table goes to the standard output, in Markdown. For each list it has:
+
+- the ratio of the errors of the first method to those of another method, as a geometric mean over the
+  pairs, with its 95 % interval (bootstrap over the pairs);
+- the numbers of pairs on which the first method is better and worse: its error differs by more than two
+  per cent, or only one of the two methods finds a model;
+- the number of pairs on which the first method is worse although its model has the lower cost. A
+  better search would not help there."""
 
 import argparse
 import math
@@ -69,7 +72,8 @@ class Comparison:
         return math.exp(statistics.fmean(self.logs)) if self.logs else math.nan
 
     def interval(self, draws=2000):
-        """The 95 % bootstrap interval of the ratio; the seed is fixed, so it is reproducible."""
+        """Returns the 95 % bootstrap interval of the ratio. The random seed is fixed, so the same runs
+        give the same interval."""
         if len(self.logs) < 2:
             return math.nan, math.nan
         chance = random.Random(1)

@@ -5,10 +5,11 @@
 
 """Makes pairs for usac_benchmark from the images and the ground truth of public data sets.
 
-Matches: RootSIFT features. A feature of image 1 is matched with its nearest neighbor in image 2 if
-the ratio of the distances to the nearest and the second nearest neighbor is below a limit; this
-ratio is the score. Ground truth: points annotated by hand where the data set has them, otherwise
-the matches that agree with its homography, epipolar geometry or poses. No robust estimator is used.
+The matches are of RootSIFT features. A feature of image 1 is matched with its nearest neighbor in
+image 2 if the ratio of the distances to the nearest and the second nearest neighbor is below a limit.
+This ratio is the score of the match. The ground truth are points annotated by hand, if the data set
+has them; otherwise those matches that agree with the published homography, epipolar geometry or poses.
+No robust estimator is used.
 """
 
 import argparse
@@ -28,7 +29,8 @@ READERS = {"homogr": ground_truth.homogr, "evd": ground_truth.evd, "kusvod2": gr
            "strecha": ground_truth.strecha, "kitti": ground_truth.kitti, "tum": ground_truth.tum,
            "tanks_and_temples": ground_truth.tanks_and_temples, "cpc": ground_truth.cpc, "1dsfm": ground_truth.one_dsfm}
 VIDEOS = ("kitti", "tum")
-# Largest distance of a right match from the ground truth in pixels: for H; for F and E.
+# A match is right if its distance from the ground truth is below these limits in pixels, for H, and
+# for F and E.
 TOLERANCE_H, TOLERANCE_F = 3.0, 1.0
 
 
@@ -37,10 +39,10 @@ class NoPair(Exception):
 
 
 def detect(image, features):
-    """Returns points, N x 2, and RootSIFT descriptors, which are square roots of L1-normalized SIFT
-    descriptors, so that their Euclidean distance is the Hellinger distance. OpenCV doubles the
-    image for the finest scale, which shifts all points by a quarter of a pixel; the shift is
-    undone, so that the center of the first pixel is at 0,0."""
+    """Returns the points (N x 2, pixels) and RootSIFT descriptors of at most `features` features.
+    RootSIFT descriptors are square roots of L1-normalized SIFT descriptors. OpenCV doubles the image
+    for the finest scale, which shifts all points by a quarter of a pixel. This shift is undone here,
+    so that the center of the first pixel is at (0, 0)."""
     precise = "enable_precise_upscale" in cv2.SIFT_create.__doc__
     sift = cv2.SIFT_create(features, enable_precise_upscale=True) if precise else cv2.SIFT_create(features)
     keypoints, descriptors = sift.detectAndCompute(image, None)
@@ -52,8 +54,8 @@ def detect(image, features):
 
 @functools.lru_cache(maxsize=64)
 def _features_of(file, features):
-    """Returns size, points and descriptors of an image file. Cached, since most images are in
-    several pairs."""
+    """Returns size, points and descriptors of an image file. The results are cached, because most
+    images belong to several pairs."""
     # Cameras and poses refer to the image as it is stored, so the orientation in the EXIF data is
     # ignored.
     image = cv2.imread(file, cv2.IMREAD_GRAYSCALE | cv2.IMREAD_IGNORE_ORIENTATION)
@@ -77,14 +79,16 @@ def match(features1, features2, ratio, most):
 
 
 def _undistort(points, K, distortion):
-    """Returns where a camera without distortion and with the same K would see the points."""
+    """Returns the pixels at which a camera with the same K, but without distortion, would see the
+    points."""
     if distortion is None or not len(points):
         return points
     return cv2.undistortPoints(points.reshape(-1, 1, 2), K, np.array(distortion, float), P=K).reshape(-1, 2)
 
 
 def _true_points(truth, points1, points2, known, tolerance):
-    """Returns the pair's gt_points and gt_kind."""
+    """Returns the ground truth of a pair: gt_points and gt_kind, see pairs.Pair. `known` has the
+    cameras, if the data set has them."""
     if truth.points is not None:
         return truth.points, "annotated"
     if truth.H is not None:
@@ -98,8 +102,8 @@ def _true_points(truth, points1, points2, known, tolerance):
 
 
 def build(truth, args):
-    """Makes the pair of a Truth. Raises NoPair if there are too few matches, or too few right ones.
-    """
+    """Returns the pair for a Truth. Raises NoPair if there are too few matches or too few right
+    matches."""
     size1, *features1 = _features_of(truth.image1, args.features)
     size2, *features2 = _features_of(truth.image2, args.features)
     points1, points2, scores = match(features1, features2, args.ratio, args.max)

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Makes Markdown tables from what usac_benchmark and usac_tracking write with --csv."""
+"""Makes Markdown tables from the files that usac_benchmark and usac_tracking write with --csv."""
 
 import collections
 import csv
@@ -43,18 +43,19 @@ def number(value, form):
 
 
 def cell(row, digits=3, auc=True):
-    """The cell of one list: error / failures / milliseconds, and the AUC at 10 degrees where there
-    are poses."""
+    """Returns the cell of a list and a method: median error / failures in % / median CPU
+    milliseconds, and the AUC at 10 degrees if the errors are of poses."""
     parts = [number(row["median_error"], "%%.%df" % digits), number(row["failures_percent"], "%.1f"),
              number(row["median_cpu_ms"], "%.2f")]
     return " / ".join(parts + [number(row["auc10"], "%.0f")] if auc and not math.isnan(row["auc10"]) else parts)
 
 
 def averages(tables, methods, names=None, baseline=None, hopeless=()):
-    """A table with a row for each method and a column for each problem. A baseline adds a column:
-    the geometric mean of the method's time over the baseline's time. A list on which one of the
-    methods has an infinite error is left out of the average errors. `hopeless` names methods for
-    which no list is left out; their average error may be infinite."""
+    """Returns a table with a row for each method and a column for each problem. A baseline adds a
+    column: the geometric mean over the lists of the ratio of the method's time to the baseline's
+    time. A list on which one of the methods has an infinite median error is left out of the average
+    errors of all methods. `hopeless` names methods for whose failures no list is left out; their own
+    average error may then be infinite."""
     problems = list(dict.fromkeys(problem for problem, _ in tables))
     lists = {p: [table for (problem, _), table in tables.items() if problem == p] for p in problems}
     solved = {p: [t for t in lists[p] if all(math.isfinite(t[m]["median_error"]) for m in methods if m in t and m not in hopeless)]
@@ -84,7 +85,7 @@ def averages(tables, methods, names=None, baseline=None, hopeless=()):
 
 
 def best(table, rivals, column):
-    """Returns (value, name) of the rival with the lowest value in the column."""
+    """Returns (value, name) of the rival with the lowest value in a column of a list's table."""
     return min(((table[m][column], m) for m in rivals if m in table), default=(math.nan, ""))
 
 
@@ -99,9 +100,9 @@ def single_lists(tables, methods, rivals):
 
 
 def losses(tables, method, rivals, fastest, margin=1.02):
-    """A table of the lists on which the method has more failures than the best rival, a larger
-    error than the best rival (by the factor `margin`), or takes longer than the method `fastest`
-    (by the same factor)."""
+    """Returns a table of the lists on which the method is behind: it fails more often than the rival
+    with the fewest failures, its error is more than `margin` times the smallest error of the rivals,
+    or its time is more than `margin` times that of the method `fastest`."""
     rows = []
     for (problem, name), table in tables.items():
         own = table[method]
@@ -118,7 +119,8 @@ def losses(tables, method, rivals, fastest, margin=1.02):
 
 
 def ratios(table, methods, baseline):
-    """A table of the methods on one list, with the figures that only poses have."""
+    """Returns a table of the methods on one list of absolute poses, with the errors of the camera
+    centers and the AUC at one degree."""
     rows = []
     for m in methods:
         row = table[m]
@@ -130,8 +132,8 @@ def ratios(table, methods, baseline):
 
 
 def against(tables, methods, baseline):
-    """A table with a row for each list: errors and failures, then the baseline's time, then the
-    time of each method divided by it."""
+    """Returns a table with a row for each list: errors and failures of all methods, then the time of
+    the baseline, then the time of each method divided by that of the baseline."""
     rows = []
     for (_, name), table in tables.items():
         errors = ["%s / %s" % (number(table[m]["median_error"], "%.3f"), number(table[m]["failures_percent"], "%.1f"))
@@ -143,8 +145,8 @@ def against(tables, methods, baseline):
 
 
 def tracking(file):
-    """A table from what usac_tracking writes with --csv: a row for each limit of samples, a column
-    for each kind of initial model."""
+    """Returns a table of a file that usac_tracking has written with --csv: a row for each limit of
+    the number of samples, a column for each kind of initial model."""
     rows = collections.OrderedDict()
     with open(file, newline="") as lines:
         for row in csv.DictReader(lines):

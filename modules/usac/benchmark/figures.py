@@ -2,16 +2,16 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Checks and fills in the figures that documents quote from measurements.
+"""Checks and fills in the figures (numbers and tables) that documents quote from measurements.
 
 A measurement is a file doc/measurements/NAME.md: a stamp (command, commit, date, machine and so on)
 and a body. In the body and in the documents that quote it, a block is the text between a comment
-`figures: NAME/PART` and a comment `figures: end`. The text of a block in a document equals that in
-the file; measure.py writes both.
+`figures: NAME/PART` and a comment `figures: end`. The text of a block in a document must equal that in
+the file of the measurement; measure.py writes both.
 
-The stamp has a digest of the rows of test_data/hashes.txt that belong to the presets and problems
-of the measurement. If these rows differ today, results have changed since, and the measurement is
-older than the current results."""
+test_data/hashes.txt has hashes of the results of the estimator. The stamp of a measurement has a digest
+of those rows of this file that belong to its presets and problems. If this digest differs from that of
+the current rows, results have changed since the measurement, which then counts as older."""
 
 import glob
 import hashlib
@@ -48,9 +48,9 @@ def write_text(path, text):
 
 
 class Rows:
-    """The rows of hashes.txt that a measurement depends on: those of the given sets and parameters;
-    an empty tuple stands for all. Lines about the machine that made the file do not belong to them.
-    """
+    """The rows of hashes.txt that a measurement depends on: those of the given data sets and presets
+    (params). An empty tuple stands for all. Lines about the machine that made the file are not among
+    these rows."""
 
     def __init__(self, sets=(), params=()):
         self.sets, self.params = sets, params
@@ -60,8 +60,8 @@ class Rows:
         return (not self.sets or a in self.sets) and (not self.params or b in self.params)
 
     def digest(self, hashes):
-        """The digest of these rows, given the text of hashes.txt. Raises FiguresError if there are
-        none."""
+        """Returns the digest of these rows, given the text of hashes.txt. Raises FiguresError if there
+        is no such row."""
         rows = [line for line in hash_rows(hashes) if line.split()[0] in self]
         if not rows:
             raise FiguresError("%s: no row of the sets %s with the parameters %s" % (HASHES, self.sets, self.params))
@@ -69,12 +69,12 @@ class Rows:
 
 
 def hash_rows(hashes):
-    """The rows `set:parameters iterations inliers hash hash`, sorted by name."""
+    """Returns the rows `set:parameters iterations inliers hash hash` of hashes.txt, sorted by name."""
     return sorted(line for line in hashes.splitlines() if re.fullmatch(r"[^\s:#]+:\S+( \S+){4}", line))
 
 
 def find_blocks(text, file):
-    """Returns [(name, start, end)] of the text between the marks of each block."""
+    """Returns [(name, start, end)] for each block: start and end of the text between its marks."""
     found, position = [], 0
     for begin in BEGIN.finditer(text):
         if begin.group(1) == "end":
@@ -95,7 +95,7 @@ def blocks_of(text, file):
 
 
 def block(name, text):
-    """A block with its marks, as it appears in the body of a measurement."""
+    """Returns a block with its marks, as it appears in the body of a measurement."""
     return "<!-- figures: %s -->\n\n%s\n\n%s\n" % (name, text.strip(), END)
 
 
@@ -104,8 +104,8 @@ def inline_block(name, text):
 
 
 def filled(text, file, contents):
-    """Returns the text with the blocks named in `contents` replaced. A block within a line stays
-    within the line."""
+    """Returns the text of a document in which the blocks named in `contents` have their new text. A
+    block within a line stays within this line."""
     for name, start, end in reversed(find_blocks(text, file)):
         if name in contents:
             new = contents[name].strip()
@@ -151,14 +151,15 @@ class Measurement:
 
 
 def documents(root):
-    """Paths of the documents with blocks, relative to the root."""
+    """Returns the paths, relative to the root, of the documents that have blocks."""
     paths = [path for pattern in DOCUMENTS for path in sorted(glob.glob(os.path.join(root, pattern), recursive=True))]
     return [os.path.relpath(path, root) for path in paths if BEGIN.search(read_text(path))]
 
 
 class Project:
-    """The state of all figures. `rows` is {name of a measurement: its Rows}. `current` names the
-    measurements whose quotations in README.md must not be older than the results."""
+    """All measurements of the project, and the documents that quote them. `rows` is {name of a
+    measurement: its Rows}. `current` names the measurements that README.md may quote only if results
+    have not changed since."""
 
     def __init__(self, root, rows, current):
         self.root, self.rows, self.current = root, rows, current
@@ -180,14 +181,14 @@ class Project:
                 self.mistakes.append(str(error))
 
     def is_older(self, name):
-        """True if results have changed since the measurement."""
+        """Returns whether results have changed since the measurement."""
         return name in self.rows and self.measurements[name].stamp["results"] != self.rows[name].digest(self.hashes)
 
     def older(self):
         return [name for name in self.measurements if self.is_older(name)]
 
     def index(self):
-        """A table of all measurements, for the file INDEX."""
+        """Returns a table of all measurements, for the file INDEX."""
         lines = ["| measurement | what | OpenCV | commit | date | results |", "|---|---|---|---|---|---|"]
         for name, m in self.measurements.items():
             lines.append("| [%s](%s.md) | %s | %s | %s | %s | %s |" % (
@@ -217,7 +218,8 @@ class Project:
         return changed
 
     def check(self):
-        """Returns all mistakes as a list of messages."""
+        """Returns a message for each mistake: damaged files, and quotations that differ from the
+        measurement or are older than the results."""
         if self.mistakes:
             return self.mistakes
         contents, mistakes = self.contents(), []

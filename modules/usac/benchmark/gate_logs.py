@@ -3,8 +3,9 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Reads counts of tests, coverage and times from the files that run_tests.sh and sanitize.sh leave
-in USAC_BUILD_DIR. These are NAME.log, NAME.commit, and NAME.before and NAME.after with the
-processor times of the shell. A part without a log keeps its row in the table."""
+in USAC_BUILD_DIR. For each part NAME of the tests (PARTS) these are NAME.log, NAME.commit (the tested
+commit), and NAME.before and NAME.after with the processor times of the shell. In the table of
+measurements, a part without a log keeps its old row."""
 
 import datetime
 import os
@@ -14,7 +15,8 @@ PARTS = {"cpp": "C++", "perf": "performance", "python": "Python inside OpenCV", 
          "python_package_alone": "package without `cv2`", "benchmark": "benchmark", "opencv": "OpenCV's own", "sanitized": "C++ with sanitizers",
          "sources": "rules of the sources", "tsan": "ThreadSanitizer", "assertions": "assertions of libstdc++", "valgrind": "valgrind",
          "coverage": "coverage", "fuzz": "fuzzer", "lint": "lint"}
-GATE = ("cpp", "perf", "python", "consumer", "python_package", "python_package_alone", "benchmark", "opencv", "sanitized")  # of run_tests.sh
+# The parts with tests that run_tests.sh, the gate, runs.
+GATE = ("cpp", "perf", "python", "consumer", "python_package", "python_package_alone", "benchmark", "opencv", "sanitized")
 TOOLS = ("sanitized", "tsan", "assertions", "valgrind")
 COLUMNS = ("part", "passed", "failed", "more", "processor s", "commit", "date", "results")
 COUNTS = (r"^(\d+) passed, (\d+) failed$", r"^\[  PASSED  \] (\d+) tests?\.$")
@@ -26,8 +28,8 @@ class GateError(ValueError):
 
 
 def read_counts(log):
-    """Returns (passed, failed) from a log. As in run() of common.sh, the last line of a kind
-    counts."""
+    """Returns the numbers (passed, failed) of tests from a log. If there are several such lines, the
+    last one counts, as in run() of common.sh."""
     for pattern in COUNTS:
         found = re.findall(pattern, log, re.M)
         if found:
@@ -38,7 +40,8 @@ def read_counts(log):
 
 
 def read_more(name, log):
-    """Returns what the log has besides the counts: coverage, or the run time of the fuzzer."""
+    """Returns as text what the log of a part has besides the counts of tests: coverage, or the number
+    of inputs and the run time of the fuzzer; "-" for other parts."""
     if name == "coverage":
         found = re.findall(r"^(lines|branches): [\d.]+% \((\d+) out of (\d+)\)$", log, re.M)
         if len(found) != 2:
@@ -53,8 +56,8 @@ def read_more(name, log):
 
 
 def read_seconds(before, after):
-    """Processor seconds between two outputs of the shell's `times`, whose second line has the times
-    of the shell's child processes."""
+    """Returns the processor seconds, as text, between two outputs of the shell's command `times`. Their
+    second line has the user and system times of the shell's child processes."""
     def seconds(text):
         numbers = [float(n) for n in re.findall(r"[\d.]+", text.splitlines()[1])]
         return 60 * (numbers[0] + numbers[2]) + numbers[1] + numbers[3]
@@ -62,8 +65,9 @@ def read_seconds(before, after):
 
 
 def read_row(folder, name, stamp):
-    """Returns the row of a part, or None without a log. stamp(time, commit) returns the (commit,
-    digest) that was tested; `commit` is empty if there is no file NAME.commit."""
+    """Returns the row of a part as {column: text}, or None if it has no log. stamp(time, commit) must
+    return (commit, digest of hashes.txt) of the tested state; its `commit` is empty if there is no
+    file NAME.commit."""
     def text(suffix):
         with open(os.path.join(folder, name + suffix), encoding="utf-8", errors="replace") as file:
             return file.read()
@@ -89,7 +93,7 @@ def read_row(folder, name, stamp):
 
 
 def parse_table(text):
-    """Returns {part: row} of the table in an older file."""
+    """Returns {part: row} of the table in the text of an earlier file of this measurement."""
     lines = [line.strip("| ").split(" | ") for line in text.splitlines() if re.match(r"\| [a-z_]+ \|", line)]
     return {row[0]: dict(zip(COLUMNS, row)) for row in lines if len(row) == len(COLUMNS) and row[0] in PARTS}
 
@@ -101,7 +105,7 @@ def table(rows):
 
 
 def outcome(row):
-    """The number of failures in words, with the date and the commit that was tested."""
+    """Returns the number of failures in words, with the date and the commit that was tested."""
     failed = "none failed" if row["failed"] == "0" else "%s failed" % row["failed"]
     return "%s (%s, %s)" % (failed, row["date"], row["commit"])
 

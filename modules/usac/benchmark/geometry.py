@@ -9,7 +9,7 @@ import numpy as np
 
 
 def relative_pose(camera1, camera2):
-    """Returns R, t with x2 ~ R x1 + t."""
+    """Returns R, t of camera 2 relative to camera 1: x2 = R x1 + t for points in camera coordinates."""
     R = camera2.R @ camera1.R.T
     return R, camera2.t - R @ camera1.t
 
@@ -24,8 +24,8 @@ def _homogeneous(points):
 
 
 def sampson_distance(F, points1, points2):
-    """First-order distance in pixels of the correspondences from the epipolar geometry x2' F x1 =
-    0."""
+    """Returns the first-order (Sampson) distance in pixels of each correspondence from the epipolar
+    geometry x2' F x1 = 0."""
     x1, x2 = _homogeneous(points1), _homogeneous(points2)
     lines2, lines1 = x1 @ F.T, x2 @ F
     gradient = (lines1[:, :2] ** 2).sum(axis=1) + (lines2[:, :2] ** 2).sum(axis=1)
@@ -33,8 +33,8 @@ def sampson_distance(F, points1, points2):
 
 
 def transfer_error(H, points1, points2):
-    """Distance in image 2 between points2 and the points1 mapped by H; infinite where H maps a
-    point to infinity."""
+    """Returns the distances in pixels between points2 and the points1 mapped by H. The distance is
+    infinite if H maps a point to infinity."""
     mapped = _homogeneous(points1) @ H.T
     with np.errstate(divide="ignore", invalid="ignore"):
         distance = np.linalg.norm(mapped[:, :2] / mapped[:, 2:] - points2, axis=1)
@@ -42,7 +42,8 @@ def transfer_error(H, points1, points2):
 
 
 def in_front(K1, K2, R, t, points1, points2):
-    """Returns which correspondences have positive depths a, b in a R x1 + t = b x2."""
+    """Returns for each correspondence whether its point is in front of both cameras: the depths a and b
+    in a R x1 + t = b x2 are positive for normalized coordinates x1, x2."""
     rays1 = _homogeneous(points1) @ np.linalg.inv(K1).T @ R.T
     rays2 = _homogeneous(points2) @ np.linalg.inv(K2).T
     normals = np.cross(rays1, rays2)

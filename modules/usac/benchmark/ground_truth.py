@@ -5,9 +5,9 @@
 """Readers of the ground truth that public data sets publish about their image pairs, one function
 for each data set.
 
-Each function takes a folder and returns a list of Truth. A file that is missing or has another form
-raises DataError. Coordinates are taken as published, with the center of the first pixel at 0,0;
-with this convention the annotated points of homogr agree best with matched features."""
+Each function takes a folder and returns a list of Truth. It raises DataError if a file is missing or
+has another form. Coordinates are taken as they are published, and (0, 0) is taken as the center of the
+first pixel. With this convention the annotated points of homogr agree best with matched features."""
 
 import bisect
 import glob
@@ -19,7 +19,7 @@ import numpy as np
 from geometry import relative_pose
 
 IMAGE_TYPES = (".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".tif", ".tiff", ".bmp")
-_STILL = 1e-3  # meters; a smaller motion between two frames of a video counts as none
+_STILL = 1e-3  # meters; a smaller translation between two frames of a video counts as no translation
 
 
 class DataError(ValueError):
@@ -42,13 +42,14 @@ class Camera:
 
     @staticmethod
     def of_pose(image, R, center, **more):
-        """The camera at `center` whose axes are the columns of R, both in world coordinates."""
+        """Returns the camera at `center` whose axes are the columns of R, both in world coordinates."""
         R = np.asarray(R, float).T
         return Camera(image, R, -R @ np.asarray(center, float), **more)
 
 
 class Truth:
-    """The published ground truth of two images: points (M x 4), H, F or two cameras."""
+    """The published ground truth of two images, which is one of these: annotated points (M x 4: x1 y1
+    x2 y2), H, F, or two cameras. The others are None."""
 
     def __init__(self, name, image1, image2, problems, points=None, H=None, F=None, cameras=None):
         self.name, self.image1, self.image2, self.problems = name, image1, image2, problems
@@ -137,7 +138,7 @@ def strecha(folder):
 
 
 def _strecha_camera(file):
-    """Reads a camera; returns the folder of the scene and the camera."""
+    """Reads a file *.camera; returns the folder of its scene, and the camera."""
     values = _numbers(file, (26,))
     place, name = os.path.split(file[:-len(".camera")])
     parent = os.path.dirname(os.path.abspath(place))
@@ -181,13 +182,14 @@ def _kitti_matrix(file):
     raise DataError(file + ": no line 'P0:'")
 
 
-# Intrinsics and distortion of the color cameras, from the page of the data set.
+# fx, fy, cx, cy in pixels, and distortion coefficients of the color cameras, from the page of the data
+# set.
 _TUM_CAMERAS = {
     "freiburg1": ((517.3, 516.5, 318.6, 255.3), (0.2624, -0.9531, -0.0054, 0.0026, 1.1633)),
     "freiburg2": ((520.9, 521.0, 325.1, 249.7), (0.2312, -0.7849, -0.0033, -0.0001, 0.9172)),
     "freiburg3": ((535.4, 539.2, 320.1, 247.6), None),
 }
-_TUM_TOLERANCE = 0.02  # seconds between an image and its pose, as in the tools of the data set
+_TUM_TOLERANCE = 0.02  # largest time in seconds between an image and its pose, as in the tools of the data set
 
 
 def tum(folder, step=1):
@@ -303,8 +305,8 @@ def one_dsfm(folder):
 
 
 def _bundler_cameras(folder):
-    """Reads the cameras; None stands for an image without a camera. In Bundler's coordinates a
-    camera looks along -z with y up; here it looks along z with y down."""
+    """Returns the camera of each image, or None if it has no camera. In Bundler's coordinates a camera
+    looks along -z with y up. The returned cameras look along z with y down."""
     file, images_file = os.path.join(folder, "gt_bundle.out"), os.path.join(folder, "list.txt")
     images = [words[0] for _, words in _lines(images_file)]
     lines = _lines(file)
@@ -331,8 +333,8 @@ def _listed_image(folder, image):
 
 
 def _consecutive(label, views, names, step):
-    """Pairs of the frames i and i + step. Pairs between which the camera did not move are left out,
-    since they have no epipolar geometry."""
+    """Returns the pairs of frames i and i + step. Pairs between which the camera did not move are left
+    out, because they have no epipolar geometry."""
     truths = []
     for a, b, first, second in zip(views, views[step:], names, names[step:]):
         if np.linalg.norm(relative_pose(a, b)[1]) > _STILL:
@@ -363,8 +365,8 @@ def _image(folder, stem):
 
 
 def _lines(file):
-    """Yields number and words of each line that is neither empty nor a comment. Commas separate
-    words, too."""
+    """Yields number and words of each line that is neither empty nor a comment. Blanks and commas
+    separate the words."""
     try:
         with open(file) as text:
             for number, line in enumerate(text, 1):
@@ -386,7 +388,8 @@ def _floats(file, number, words, count):
 
 
 def _numbers(file, shape):
-    """Returns all numbers of a file in an array. The first length of the shape may be -1 (any)."""
+    """Returns all numbers of a file in an array of this shape. The first length may be -1, which means
+    any length."""
     values = [_floats(file, number, words, len(words)) for number, words in _lines(file)]
     values = np.concatenate(values) if values else np.empty(0)
     size = abs(int(np.prod(shape)))

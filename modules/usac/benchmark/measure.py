@@ -15,8 +15,9 @@
     measure.py --fill
                 writes the quotations again from the files
     measure.py --copied NAME
-                to be run after a table of constants_tables, structured_tables or
-                collections_tables was replaced by the output of its command
+                renews date and digest of constants_tables, structured_tables or
+                collections_tables, after a table there was replaced by hand by the output of its
+                command
     measure.py --check
                 fails if a quotation differs from the measurement, if a file was changed by hand,
                 or if README.md quotes a measurement older than the last change of results
@@ -60,8 +61,8 @@ PICTURES = ("summary", "accuracy_over_time", "EVD_tent.H", "strecha.F", "strecha
 
 
 def processor_times():
-    """Returns (busy seconds of all processors, those of this process and its children), or None
-    where the system does not provide them."""
+    """Returns (busy seconds of all processors, processor seconds of this process and its ended
+    children), or None if the system does not provide them."""
     try:
         numbers = [int(n) for n in read_text("/proc/stat").splitlines()[0].split()[1:9]]
     except (OSError, ValueError):
@@ -76,8 +77,9 @@ def machine_name():
 
 
 def busy_words(before, after, seconds):
-    """A remark on the load by other programs, if it was more than half of the machine; otherwise
-    empty."""
+    """Returns a remark on other programs, if they took more than half of the processors during the
+    `seconds` of a measurement; otherwise an empty text. `before` and `after` are of
+    processor_times()."""
     if not before or not after or seconds <= 0:
         return ""
     others = (after[0] - before[0] - (after[1] - before[1])) / seconds
@@ -99,8 +101,8 @@ class Run:
         self.opencv = self.find_opencv()
 
     def find_opencv(self):
-        """The OpenCV version that the programs were built with: that of an installation, or of the
-        build itself."""
+        """Returns the version of OpenCV that the programs were built with: that of an installed
+        OpenCV, or that of the build itself if the build folder is OpenCV's."""
         cache = read_text(os.path.join(self.build, "CMakeCache.txt"))
         folder = re.search(r"^OpenCV_DIR:\w+=(.*)$", cache, re.M)
         for path in [folder.group(1)] if folder else [self.build]:
@@ -113,7 +115,8 @@ class Run:
         return os.path.join(self.scratch, name)
 
     def times(self, default):
-        """Sets the number of repeats; returns the option for it."""
+        """Sets the number of repeats, `default` if the user has chosen none; returns the option of the
+        programs for it."""
         self.repeats = self.chosen or default
         return "--repeats=%d" % self.repeats
 
@@ -306,7 +309,8 @@ def measure_covariance(run):
 
 
 def measure_sigmas(run):
-    """Measures what Params::sigmas gain if every second match has five times the noise of the others."""
+    """Measures how much Params::sigmas reduce the errors of models if every second match has five times
+    the noise of the other matches."""
     run.repeats = 1
     text = run.call("usac_covariance", "--spread=5", "--noises=0.1,0.3", "--by=problem,ratio", "--scenes=%d" % (run.chosen or 2000))
     return ("Scenes as in [covariance.md](covariance.md), with noise of 0.1 and 0.3 thresholds, five times that in every second match; the estimator gets "
@@ -336,7 +340,7 @@ KINDS = collections.OrderedDict((
     ("constants_tables", Kind("Half and double of the chosen numbers; choices between variants", None, Rows(), False)),
     ("structured_tables", Kind("Structured scenes", None, Rows(), False)),
     ("collections_tables", Kind("Collections of images", None, Rows(), False))))
-COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # the commands of their tables are in the files
+COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # files with copied tables, and the commands that made these
 PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_scale", "usac_synthetic", "usac_tracking")
 
 
@@ -345,7 +349,7 @@ def project():
 
 
 def state():
-    """The commit of the sources, with a remark if the working tree differs from it."""
+    """Returns the commit of the sources, with a remark if the working tree differs from it."""
     changed = git("status", "--porcelain", "--", "modules/usac/src", "modules/usac/include", "modules/usac/benchmark")
     return (git("rev-parse", "--short", "HEAD") or "-") + (" and changes" if re.search(r"\.[ch]pp$", changed, re.M) else "")
 
@@ -355,7 +359,7 @@ def today():
 
 
 def stamp_line(stamp):
-    """The stamp as one line, for a document."""
+    """Returns the stamp as one line, for a document."""
     return "%s, commit %s, OpenCV %s, %s" % (stamp["date"], stamp["commit"], stamp["OpenCV"], stamp["machine"])
 
 
@@ -374,8 +378,8 @@ def measure(name, build, data, repeats):
 
 
 def tested(time, commit):
-    """Returns (commit, digest) of the state that a log tested. If the commit is not known, the last
-    one before `time` is taken."""
+    """Returns (commit, digest of hashes.txt) of the state that a log has tested. If `commit` is empty,
+    the last commit before `time` is taken."""
     commit = commit or git("log", "-1", "--format=%h", "--before=" + time.isoformat())
     return commit or "-", KINDS["tests"].rows.digest(git("show", "%s:%s" % (commit, HASHES)) or read_text(os.path.join(ROOT, HASHES)))
 
@@ -403,8 +407,8 @@ def write_tests(rows):
 
 
 def take_copied(root, name):
-    """Sets the date of a file with copied tables to today and renews the digest of its text.
-    `results` stays that of the oldest table."""
+    """Sets the date of a file with copied tables to today and renews the digest of its text. `results`
+    in the stamp stays, because it belongs to the oldest table of the file."""
     if name not in COPIED:
         raise FiguresError("%s is none of %s" % (name, ", ".join(COPIED)))
     m = Measurement.read(root, name)
@@ -413,8 +417,8 @@ def take_copied(root, name):
 
 
 def measure_structured(build, sections):
-    """Runs the commands of structured_tables.md and replaces the tables. `results` stays that of
-    the oldest table."""
+    """Runs the commands of structured_tables.md and replaces the tables. `results` in the stamp stays,
+    because it belongs to the oldest table of the file."""
     m = Measurement.read(ROOT, "structured_tables")
     run = Run(build, "", None, "")
     m.body = structured_tables.renewed(m.body, sections, state(), lambda arguments: run.call(structured_tables.PROGRAM, *arguments))
@@ -423,7 +427,7 @@ def measure_structured(build, sections):
 
 
 def check(out):
-    """Prints all mistakes; returns their number."""
+    """Prints all mistakes of the figures in documents; returns their number."""
     state_of_all = project()
     mistakes = state_of_all.check()
     for mistake in mistakes:

@@ -23,10 +23,11 @@ class PairError(ValueError):
 class Pair:
     """Tentative correspondences of two images with their ground truth.
 
-    points1, points2: N x 2, pixels, the center of the first pixel is 0,0. scores: N, lower is
-    better.
-    size1, size2: width, height. H: image 1 -> 2. R, t: x2 ~ R x1 + t. gt_points: M x 4, true
-    correspondences. Unknown values are None. extra: further members of the description."""
+    points1, points2: N x 2, pixels; the center of the first pixel is at (0, 0). scores: N, lower is
+    better. size1, size2: width and height in pixels. H: maps image 1 to image 2. K1, K2: camera
+    matrices. R, t: x2 = R x1 + t in camera coordinates. gt_points: M x 4, true correspondences.
+    gt_kind: origin of the ground truth, one of KINDS. extra: further members of the description
+    (.json). H, K1, K2, R and t are None if unknown."""
 
     def __init__(self, problems, points1, points2, scores, size1, size2, gt_points, gt_kind,
                  H=None, K1=None, K2=None, R=None, t=None, extra=None):
@@ -72,8 +73,8 @@ def require(condition, what):
 
 
 def to_array(value, shape, name):
-    """Converts to an array of double; None stays None. Raises PairError if the shape does not fit.
-    """
+    """Converts a value to an array of double; None stays None. Raises PairError, with the name of the
+    value, if it does not have this shape."""
     if value is None:
         return None
     try:
@@ -135,8 +136,8 @@ def _read_correspondences(file):
 
 
 def write_rows(path, rows, digits, scores, description):
-    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `digits` is the format
-    of the numbers of a row."""
+    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `digits` is the format of
+    the numbers in a row, for numpy.savetxt."""
     os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
     text = json.dumps(description, separators=(",", ":"), allow_nan=False)
     np.savetxt(path + ".txt", rows, digits)
@@ -155,7 +156,7 @@ def read_scored_rows(path, count, expected):
 
 
 def read_description(file):
-    """Returns the object of a JSON file. Raises PairError with file and line."""
+    """Returns the object of a JSON file. Raises PairError with file and line if there is none."""
     with open(file) as text:
         try:
             description = json.load(text)
@@ -188,7 +189,7 @@ def read_pair(path):
 
 
 def list_file(folder, dataset, problem):
-    """The path of the list of a data set and a problem."""
+    """Returns the path of the list of a data set for a problem."""
     require(problem in LISTS, "problem: expected one of " + ", ".join(LISTS))
     return os.path.join(folder, "lists", "%s.%s.list" % (dataset, problem))
 

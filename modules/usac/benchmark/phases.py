@@ -23,8 +23,8 @@ import figure_tables
 
 SCENES = collections.OrderedDict((("H", "planar"), ("F", "general"), ("E", "general"), ("P", "view"), ("A", "affinity"), ("S", "similarity"),
                                   ("T", "translation"), ("R", "rigid"), ("M", "rigidScaled")))
-# For each phase: functions whose calls belong to it, and functions whose calls of these functions
-# do not count, because they are part of the same phase.
+# For each phase two regular expressions: the functions whose calls belong to it, and callers from
+# which such calls do not count, because the caller itself already belongs to the phase.
 PHASES = collections.OrderedDict((
     ("samples", (r"Ransac::drawBatch", None)),
     ("their models", (r"Ransac::solve", None)),
@@ -33,12 +33,13 @@ PHASES = collections.OrderedDict((
     ("graph cut", (r"Labeling::cut", None)),
     ("local fits", (r"\w*Optimizer::optimize", None)),
     ("polishing", (r"\w*Polisher::polish|Leverage::improve|Restarts::improve", r"Restarts::|Leverage::"))))
-METHOD = "*ModuleMethod::run*"  # only what is called by this function is counted
+METHOD = "*ModuleMethod::run*"  # callgrind counts only the instructions during calls of this function
 
 
 def read_calls(file):
-    """Reads a file of callgrind. Returns the instructions in total, and {(caller, callee):
-    instructions of the callee and of what it calls}."""
+    """Reads an output file of callgrind. Returns the total number of instructions, and {(caller,
+    callee): number of instructions in these calls, including those of functions that the callee
+    calls}."""
     names, calls, total, caller, callee = {}, collections.Counter(), 0, "", None
     for line in file:
         found = re.match(r"(c?)fn=\((\d+)\)(?: (.*))?", line)
@@ -53,7 +54,7 @@ def read_calls(file):
 
 
 def shares(total, calls):
-    """Returns {phase: part of all instructions}; the last phase is the rest: reading of the input,
+    """Returns {phase: fraction of all instructions}. The last phase is the rest: reading of the input,
     normalization, runners-up, termination, mask."""
     result = collections.OrderedDict()
     for phase, (inside, part) in PHASES.items():
@@ -65,7 +66,7 @@ def shares(total, calls):
 
 
 def measure(build, problem, size, part, pairs, method):
-    """Returns the instructions of a call, and the shares of the phases."""
+    """Returns the mean number of instructions of a call, and the fractions of the phases."""
     programs = os.path.join(build, "bin")
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([os.path.join(programs, "usac_synthetic"), "--out=" + folder, "--scene=" + SCENES[problem], "--name=scene",

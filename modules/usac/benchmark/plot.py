@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Draws what `usac_benchmark --runs=FILE` has written.
+"""Draws the runs that `usac_benchmark --runs=FILE` has written.
 
-For each list: the cumulative distributions of error and of time, with one curve for each method. A
-failed run has no error, so a curve of errors ends at the fraction of successful runs. Over all
-lists: error over time, and a summary picture."""
+For each list there is a picture of the cumulative distributions of error and of time, with one curve
+for each method. A failed run has no error, so a curve of errors ends at the fraction of successful
+runs. Two more pictures are of all lists: error over time, and a summary of the distributions."""
 
 import argparse
 import math
@@ -42,7 +42,8 @@ STYLE = {"font.size": 9, "axes.titlesize": 10, "axes.spines.top": False, "axes.s
 
 
 class Runs:
-    """The runs of one method on one list. `errors` has infinity for failures."""
+    """The runs of one method on one list. The error of a failed run is infinity; times are in
+    milliseconds."""
 
     def __init__(self):
         self.errors, self.times, self.pairs = [], [], []
@@ -51,7 +52,8 @@ class Runs:
         return float(np.median(self.errors))
 
     def median_time(self):
-        """The median over the pairs of the median over the repeats of a pair, as in the tables."""
+        """Returns the median over the pairs of the median over the repeats of a pair, in milliseconds,
+        as in the tables of usac_benchmark."""
         of_pair = {}
         for pair, time in zip(self.pairs, self.times):
             of_pair.setdefault(pair, []).append(time)
@@ -62,16 +64,16 @@ class Runs:
 
 
 def choose(results, methods):
-    """Returns {key: {method: ...}} with the given methods only, in the given order; an empty list
-    stands for all."""
+    """Returns {key: {method: ...}} with only the given methods, in the given order; with all methods if
+    the list of methods is empty."""
     if not methods:
         return results
     return {key: {m: runs[m] for m in methods if m in runs} for key, runs in results.items()}
 
 
 def read_runs(files, time, methods):
-    """Returns {(list, problem): {method: Runs}} in the order of the files. `methods` selects
-    methods and their order; empty: all."""
+    """Returns {(list, problem): {method: Runs}} in the order of the files. `time` is "cpu" or "wall".
+    `methods` selects methods and their order; an empty list selects all."""
     results = {}
     for file in files:
         read_rows(file, COLUMNS, "usac_benchmark --runs", lambda row: _add(results, row, time, methods))
@@ -86,13 +88,13 @@ def _add(results, row, time, methods):
         return
     runs = results.setdefault((row["list"], row["problem"]), {}).setdefault(row["method"], Runs())
     runs.errors.append(math.inf if values[2] else values[0])
-    runs.times.append(max(values[1], 1e-4))  # zero cannot be shown on a log axis
+    runs.times.append(max(values[1], 1e-4))  # milliseconds; zero cannot be shown on a logarithmic axis
     runs.pairs.append(row["pair"])
 
 
 class Look:
-    """Color, line and marker of each method, equal in all pictures. Methods of OpenCV have dashed
-    lines and hollow markers."""
+    """Color, line and marker of each method, which are the same in all pictures. Methods of OpenCV
+    have dashed lines and hollow markers."""
 
     def __init__(self, results):
         self.methods = list(dict.fromkeys(m for runs in results.values() for m in runs))
@@ -123,8 +125,9 @@ class Look:
 
 
 def cumulative(values, weights=None):
-    """Returns the steps of the cumulative distribution. Infinite values have no step but count in
-    the total."""
+    """Returns the steps of the cumulative distribution: sorted values, and the fraction of all values
+    up to each. Infinite values have no step but count in the total, so the last fraction may be below
+    1."""
     values = np.asarray(values, float)
     weights = np.full(len(values), 1 / len(values)) if weights is None else np.asarray(weights, float)
     order = np.argsort(values, kind="stable")
@@ -151,7 +154,7 @@ def log_axis(axis):
 
 
 def thin(axis, low, high):
-    """On a wide axis, keeps only the labels at powers of ten."""
+    """Keeps only the labels at powers of ten, if a logarithmic axis has more than 1.7 decades."""
     if math.log10(max(high / max(low, 1e-9), 1)) > 1.7:
         axis.set_major_locator(LogLocator(10))
 
@@ -201,8 +204,8 @@ def geometric_mean(values):
 
 
 def draw_scatter(results, look, time):
-    """Draws median error over median time: small markers for the lists, large markers for the
-    geometric means over the lists on which each method solves more than half of the runs."""
+    """Draws median error over median time. Small markers are of single lists. Large markers are the
+    geometric means over those lists on which all methods solve more than half of the runs."""
     problems = _problems(results)
     figure, panels = plt.subplots(1, len(problems), figsize=(max(3.4 * len(problems) + 0.8, 4.8), 3.9), layout="constrained",
                                   squeeze=False)
@@ -234,7 +237,8 @@ def _scatter(axes, runs, style):
 
 
 def _pooled(results, problem, look, what):
-    """All runs of each method on the lists of a problem; each list has the same total weight."""
+    """Returns {method: (values, weights)} of all runs on the lists of a problem. `what` is "errors" or
+    "times". Each list has the same total weight."""
     samples = {}
     for method in look.methods:
         parts = [getattr(runs[method], what) for key, runs in results.items() if key[1] == problem and method in runs]
@@ -264,7 +268,7 @@ def draw_summary(results, look, time):
 def save(figure, folder, name, form):
     os.makedirs(folder, exist_ok=True)
     file = os.path.join(folder, name + "." + form)
-    # Without the date, the same runs give an identical file.
+    # The files have no date, so that the same runs give identical files.
     figure.savefig(file, dpi=110, metadata={"Date": None} if form == "svg" else {"Software": None})
     plt.close(figure)
     return file

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Reads the CSV files that the benchmark's programs write."""
+"""Reads the CSV files that the programs of the benchmark write."""
 
 import csv
 

@@ -5,7 +5,7 @@
 """Reads and writes motions of space, the data of usac_benchmark for the problems R and M;
 doc/benchmark.md describes the format.
 
-Lists of them are written with pairs.write_list(pairs.list_file(folder, dataset, "R"), paths)."""
+Lists of motions are written with pairs.write_list(pairs.list_file(folder, dataset, "R"), paths)."""
 
 import numpy as np
 
@@ -15,8 +15,9 @@ from pairs import PairError, read_description, read_scored_rows, require, to_arr
 class Motion:
     """Points of two spaces and the motion between them, X2 = scale R X1 + t.
 
-    points1, points2: N x 3. scores: N, lower is better. R, t: the motion. scale: 1 for R. right:
-    indices of the right matches, None if unknown. extra: further members of the description."""
+    points1, points2: N x 3. scores: N, lower is better. R, t: rotation and translation. scale: 1 for
+    the problem R (rigid motion). right: indices of the right matches, None if unknown. extra: further
+    members of the description (.json)."""
 
     def __init__(self, points1, points2, scores, R, t, scale=1.0, right=None, extra=None):
         self.points1, self.points2 = to_array(points1, (-1, 3), "points1"), to_array(points2, (-1, 3), "points2")
@@ -27,16 +28,16 @@ class Motion:
 
     @property
     def problem(self):
-        """The letter of the problem."""
+        """The letter of the problem: R (rigid motion) or M (with a scale)."""
         return "R" if self.scale == 1 else "M"
 
     def moved(self):
-        """The points1 moved to space 2 by the motion."""
+        """Returns points1 moved to space 2 by the motion."""
         return self.scale * self.points1 @ self.R.T + self.t
 
     def size(self):
-        """Size of the scene: root mean square distance of the right points of space 2 from their
-        mean."""
+        """Returns the size of the scene: the root mean square distance of the right points of space 2
+        from their mean."""
         points = self.points2[slice(None) if self.right is None else self.right]
         return np.sqrt(((points - points.mean(0)) ** 2).sum(1).mean())
 
@@ -57,8 +58,8 @@ class Motion:
 
 
 def write_motion(path, motion, problem=None):
-    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `problem` is "R" or "M";
-    None chooses by the scale."""
+    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `problem` is "R" or "M"; with
+    None it is "R" if the scale is 1, otherwise "M"."""
     try:
         motion.check()
         problem = problem or motion.problem

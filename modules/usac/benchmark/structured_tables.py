@@ -17,8 +17,8 @@ COMMIT = re.compile(r"^Commit `[^`]+`(, of an earlier state)?", re.M)
 
 
 def sections(body):
-    """Returns [(heading, text with the heading)]; the text before the first heading has the heading
-    ""."""
+    """Returns the sections as [(heading, text with the heading)]. The heading of the text before the
+    first heading is ""."""
     parts = re.split(r"^(?=## )", body, flags=re.M)
     return [(part[3:part.index("\n")] if part.startswith("## ") else "", part) for part in parts]
 
@@ -30,12 +30,13 @@ def commands(block):
 
 
 def tables_of(output):
-    """Returns the tables of an output, separated by a blank line."""
+    """Returns the tables in the output of a command, separated by blank lines."""
     return "\n\n".join(table.strip() for table in re.findall(r"(?:^\|.*\n)+", output + "\n", re.M))
 
 
 def measured(section, commit, run):
-    """Returns the section with new tables. run(arguments) returns the output of the program."""
+    """Returns the text of a section with new tables and the new commit. run(arguments) must return the
+    output of the program."""
     result, end = "", 0
     for match in BLOCK.finditer(section):
         result += section[end:match.end()]

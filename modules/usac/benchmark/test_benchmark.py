@@ -6,8 +6,9 @@
 """Tests of pairs, lists and pictures on tiny files that the tests write, and helpers for the other
 tests in this folder.
 
-USAC_BENCHMARK is the path of the C++ program; with it a test checks that the program reads files
-written by pairs.py. Tests that need matplotlib are skipped without it."""
+The environment variable USAC_BENCHMARK is the path of the C++ program usac_benchmark. If it is set, a
+test checks that the program reads the files that pairs.py writes. Tests of plot.py are skipped if
+matplotlib is missing."""
 
 import contextlib
 import io
@@ -33,7 +34,7 @@ SIZE = (640, 480)
 
 
 def rotation(axis, degrees):
-    """Rotation matrix by Rodrigues' formula."""
+    """Returns a rotation matrix, by Rodrigues' formula."""
     x, y, z = np.asarray(axis, float) / np.linalg.norm(axis)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     angle = np.radians(degrees)
@@ -57,7 +58,7 @@ def text(*rows):
 
 
 class FolderTest(unittest.TestCase):
-    """Base of tests that need a temporary folder."""
+    """Base class of tests that need a temporary folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -151,7 +152,7 @@ class PairsTest(FolderTest):
             rows = [line.rstrip("\n").split(",") for line in lines]
         self.assertEqual([row[:4] for row in rows[1:]], [['"set"', p, '"a"', "40"] for p in "FE"])
         for row in rows[1:]:
-            self.assertLess(float(row[6]), 0.1)  # the points are rounded to a thousandth of a pixel
+            self.assertLess(float(row[6]), 0.1)  # pixels; the points of the file are rounded to a thousandth of a pixel
             self.assertLess(float(row[8]), 0.5)
 
 
@@ -243,8 +244,8 @@ class CompareTest(FolderTest):
     HEAD = "list,problem,pair,correspondences,method,repeat,error,failed,pose_error,cpu_ms,wall_ms,iterations,inliers,cost\n"
 
     def runs(self, *pairs):
-        """Writes a file of runs. Each of `pairs` is (error of a, cost of a, error of b, cost of b),
-        with one run of each method."""
+        """Writes a file of runs of two methods, a and b, with one run of each method on each pair.
+        Each of `pairs` is (error of a, cost of a, error of b, cost of b)."""
         rows = []
         for i, (error_a, cost_a, error_b, cost_b) in enumerate(pairs):
             for method, error, cost in (("a", error_a, cost_a), ("b", error_b, cost_b)):

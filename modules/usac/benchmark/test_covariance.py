@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the program that measures how well covariances describe errors, and what the noise of
-each match gains.
+"""Tests of usac_covariance, which measures how well Report::covariance describes the errors of models,
+and how much more accurate models become if the noise of each match is given (Params::sigmas).
 
-USAC_BENCHMARK is the path of the program usac_benchmark; usac_covariance is taken from the same
-folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_covariance is
+taken from the same folder."""
 
 import os
 import unittest
@@ -19,7 +19,7 @@ from test_problems import ProgramTest, program
 class CovarianceTest(ProgramTest):
 
     def table(self, *options):
-        """Runs the program for one table; returns its rows by problem, as numbers by column."""
+        """Runs the program; returns the rows of its table as {problem: {column: number}}."""
         done = self.call("usac_covariance", "--sizes=100", "--ratios=0.7", "--noises=0.3", "--by=problem", *options)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in done.stdout.splitlines() if line]

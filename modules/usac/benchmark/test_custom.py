@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of programs that register their own methods and run the benchmark.
+"""Tests of programs that register their own methods and run the benchmark with them.
 
-USAC_BENCHMARK is the path of the program usac_benchmark. The other programs (usac_custom_benchmark,
-usac_test_methods, example_usac_custom_quality) are taken from the same folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark. The other programs
+(usac_custom_benchmark, usac_test_methods, example_usac_custom_quality) are taken from the same folder.
+"""
 
 import csv
 import os
@@ -23,7 +24,7 @@ PROGRAMS = os.path.dirname(os.environ.get("USAC_BENCHMARK", ""))
 TEST_DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "test_data")
 PARAMS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "include", "opencv2", "usac", "params.hpp")
 REPEATS = 5
-#: The columns of a run that do not depend on time.
+#: The columns of a run (file of --runs) that do not depend on time, so that runs can be compared exactly.
 FIGURES = ("pair", "repeat", "error", "failed", "pose_error", "iterations", "inliers", "cost")
 
 
@@ -73,8 +74,8 @@ class CustomTest(FolderTest):
                               universal_newlines=True)
 
     def runs(self, name, methods, stderr="", *arguments):
-        """Runs a program; returns the rows of --runs by problem and method, and the tables. @param
-        stderr regular expression of the expected messages"""
+        """Runs a program; returns the rows of its file --runs as {problem: {method: [row]}}, and its
+        output with the tables. `stderr` is a regular expression for the expected messages."""
         file = self.path("runs.csv")
         done = self.run_program(name, "--data=" + self.folder, "--runs=" + file, "--repeats=%d" % REPEATS,
                                 "--methods=" + ",".join(methods), *arguments)
@@ -119,9 +120,10 @@ class CustomTest(FolderTest):
 
     @unittest.skipUnless(os.path.isfile(program("example_usac_custom_quality")), "there is no such sample beside USAC_BENCHMARK")
     def test_same_quality_as_the_program_beside(self):
-        """samples/custom_quality.cpp runs the same two estimators on the matches of a text file.
-        Inliers and iterations must agree. The noise makes the two estimators find different
-        inliers."""
+        """The sample custom_quality runs the same two estimators as the benchmark, MSAC and a custom
+        quality function (Tukey), on the matches of a text file. The numbers of inliers and iterations
+        must agree with those of the benchmark. The noise of 1 pixel makes the two estimators find
+        different inliers, so that a confusion of the two is noticed."""
         noisy, path = read_test_data("graf", (800, 640), 1.0), self.path("pairs", "noisy", "graf")
         pairs.write_pair(path, noisy)
         pairs.write_list(pairs.list_file(self.folder, "set", "H"), [path])
@@ -141,8 +143,9 @@ class CustomTest(FolderTest):
         self.assertNotEqual(told["MSAC"], told["Tukey"])
 
     def test_fields_and_scores(self):
-        """Fields and scores in names must reach methods of the module and a whole estimator. The
-        latter, custom:echo, encodes its input in its number of iterations."""
+        """Fields {...} and +scores in the name of a method must reach methods of the module as well as
+        estimators that are not of the module. Such an estimator is custom:echo, which encodes its
+        input in its number of iterations."""
         limited, plain = "custom:same{maxIterations=7}", "custom:same"
         echo, scored = "custom:echo{maxIterations=5}", "custom:echo+scores{number=8,seed=2,maxIterations=6}"
         rows, _ = self.runs("usac_test_methods", [limited, plain, echo, scored])
@@ -165,8 +168,8 @@ class CustomTest(FolderTest):
         self.check_mistake("usac_custom_benchmark", "custom:ransac+scores", "custom:ransac+scores: takes no scores")
 
     def test_options_by_their_names(self):
-        """The names of options are the enumerators of params.hpp in the same order, and have the
-        same effect as their numbers."""
+        """The names that fields accept as values must be the enumerators of params.hpp in the same
+        order, and must have the same effect as the numbers of these enumerators."""
         with open(PARAMS) as lines:
             header = re.sub(r"//.*", "", lines.read())
         for field, enumeration in (("sampler", "SamplerType"), ("ordering", "OrderingType"), ("scoreOrder", "ScoreOrder"),
@@ -217,8 +220,8 @@ class CustomTest(FolderTest):
             "wholeEstimator: the function is empty", problems % "HX", problems % ""])
 
     def test_what_an_estimator_does_wrong(self):
-        """A wrong result of an estimator counts as a failure and is reported once for each problem.
-        """
+        """A wrong result of an estimator (an exception, a mask or model of wrong size) must count as a
+        failure, and must be reported only once for each problem."""
         for method, what in (("custom:complain", "not today"), ("custom:shortMask", "expected a mask with a byte for each"),
                              ("custom:smallModel", "expected a model of 3 x 3 doubles"), ("custom:noSampler", "components().sampler")):
             message = r"%s threw on graf \(H\), which counts as a failure; not told again: .*%s.*\n" % (method, re.escape(what))

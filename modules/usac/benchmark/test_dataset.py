@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of making pairs from images and ground truth. Skipped if cv2 has no SIFT."""
+"""Tests of dataset.py, which makes pairs from images and ground truth. The tests are skipped if cv2 has
+no SIFT."""
 
 import contextlib
 import io
@@ -88,7 +89,7 @@ class BuildTest(FolderTest):
         np.testing.assert_array_equal(np.sort(best.scores), np.sort(every.scores)[:30])
         rows = every.points1.tolist()
         order = [rows.index(row) for row in best.points1.tolist()]
-        self.assertEqual(order, sorted(order))  # matches stay in the order of the features
+        self.assertEqual(order, sorted(order))  # --max must keep the matches in the order of the features
         code, _, err = self.run_dataset("evd", "--least", "100000")
         self.assertEqual(code, 1)
         self.assertRegex(err, r"wall: left out: \d+ matches")
@@ -107,8 +108,9 @@ class BuildTest(FolderTest):
         self.assertEqual(drawn, set("acd"))
 
     def test_poses(self):
-        """A plane is seen by two cameras, the second with lens distortion. The distortion must be
-        removed from the points."""
+        """A plane is seen by two cameras with known poses (1DSfM format), the second with lens
+        distortion. The distortion must be removed from the points, so that they agree with the
+        homography of the plane."""
         normal, R, t = np.array([0, 0, 0.2]), rotation((0.2, 1, 0), 8), np.array([-0.5, 0.1, 0.05])
         matrix = np.array([[300.0, 0, 159.5], [0, 300, 119.5], [0, 0, 1]])
         image, _ = self.images()
@@ -137,8 +139,9 @@ class BuildTest(FolderTest):
         self.assertLess(np.median(geometry.transfer_error(H, pair.gt_points[:, :2], pair.gt_points[:, 2:])), 0.5)
 
     def test_points_and_fundamental_matrices(self):
-        """Published points must be taken unchanged; a published F must select among the matches. F
-        = [e]x H agrees with all matches of the plane."""
+        """Published points must become the ground truth unchanged. If F is published, the ground truth
+        must be the matches that agree with it. Here F = [e]x H, which agrees with all right matches of
+        the plane."""
         self.evd("wall")
         files = [self.path("in", part, "wall.png") for part in "12"]
         args = dataset.parse(["cpc", "--images", self.folder, "--out", self.folder])

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the readers of ground truth on tiny files in each published format."""
+"""Tests of the readers of ground truth (ground_truth.py) on tiny files in the format of each data
+set, and of the distances of geometry.py."""
 
 import os
 import unittest
@@ -23,8 +24,8 @@ except ImportError:
 class ReadersTest(FolderTest):
 
     def check_cameras(self, truth, R=None, center=None):
-        """The relative pose must be that of the scene. The points must fulfill the epipolar
-        constraint and have positive depths."""
+        """Cameras and relative pose must be those of the scene in test_benchmark.py. Its points must
+        fulfill the epipolar constraint and have positive depths."""
         a, b = truth.cameras
         np.testing.assert_allclose(a.matrix(SIZE), K, atol=1e-9)
         R12, t = geometry.relative_pose(a, b)
@@ -59,14 +60,14 @@ class ReadersTest(FolderTest):
     def kitti(self):
         still = np.column_stack((R2.T, C2))
         self.put("poses/06.txt", text(np.column_stack((R1.T, C1)), still, still))
-        self.put("poses/07.txt", text(still))  # a sequence without images, which must be skipped
+        self.put("poses/07.txt", text(still))  # the folder of this sequence is missing, so it must be skipped
         matrix = np.column_stack((K, np.zeros(3)))
         self.put("sequences/06/calib.txt", "P1: 1 2\nP0: " + text(matrix) + "P2: 3\n")
 
     def test_kitti(self):
         self.kitti()
         truths = ground_truth.kitti(self.folder)
-        self.assertEqual([t.name for t in truths], ["k06_000000_000001"])  # frames without motion in between give no pair
+        self.assertEqual([t.name for t in truths], ["k06_000000_000001"])  # frames 1 and 2 have the same pose and give no pair
         self.assertEqual(truths[0].image1, self.path("sequences", "06", "image_0", "000000.png"))
         self.check_cameras(truths[0])
         truths = ground_truth.kitti(self.folder, step=2)
@@ -77,7 +78,8 @@ class ReadersTest(FolderTest):
 
     def test_tum(self):
         quaternions = []
-        for axis, angle in (((1, 2, 0.5), -10), ((-0.3, 1, 0.2), 12)):  # quaternions of the transposed rotations
+        # TUM stores the rotation camera -> world, so the quaternions are those of R1 and R2 transposed.
+        for axis, angle in (((1, 2, 0.5), -10), ((-0.3, 1, 0.2), 12)):
             half = np.radians(angle) / 2
             quaternions.append(np.append(np.sin(half) * np.array(axis) / np.linalg.norm(axis), np.cos(half)))
         root = "rgbd_dataset_freiburg3_test"
@@ -113,7 +115,8 @@ class ReadersTest(FolderTest):
         a, b = truth.cameras
         self.assertEqual((a.distortion, b.distortion), (None, (0.01, 0, 0, 0)))
         np.testing.assert_allclose(b.matrix((641, 481)), [[650, 0, 320], [0, 650, 240], [0, 0, 1]])
-        # Bundler's formula: p = -P / P.z, with y upwards from the middle of the image.
+        # Bundler's formula for the image point is p = -P / P.z, with y upwards from the middle of the
+        # image. It must agree with the camera that was read.
         inCamera = (POINTS - C2) @ (flip @ R2).T
         p = 650 * -inCamera[:, :2] / inCamera[:, 2:]
         np.testing.assert_allclose(np.column_stack((320 + p[:, 0], 240 - p[:, 1])), project(b.R, C2, b.matrix((641, 481))))
@@ -178,8 +181,8 @@ class ReadersTest(FolderTest):
         H = np.array([[2.0, 0, 1], [0, 2, 0], [0, 0.01, 1]])
         errors = geometry.transfer_error(H, np.array([[1.0, 0], [1, 0], [3, -100]]), np.array([[3.0, 0], [0, 4], [0, 0]]))
         np.testing.assert_allclose(errors, [0, 5, np.inf])
-        # The camera moves along x, so epipolar lines are rows. Each of the two points is off by
-        # half of the row difference.
+        # The camera moves along x, so epipolar lines are rows of the image. The rows 3 and 7 differ by
+        # 4 pixels, so both points must move by 2 pixels, together 4 / sqrt(2).
         F = np.array([[0.0, 0, 0], [0, 0, -1], [0, 1, 0]])
         np.testing.assert_allclose(geometry.sampson_distance(F, np.array([[5.0, 3]]), np.array([[9.0, 7]])), 4 / np.sqrt(2))
 

@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of figures in documents: blocks, stamps, digests of stored hashes, tables, and logs of the
-test scripts.
+"""Tests of measure.py and its modules, which keep the figures in documents: blocks, stamps, digests of
+stored hashes, tables, and logs of the test scripts.
 
-USAC_BENCHMARK is the path of the C++ program. A test makes a measurement with it if it is in a
-build folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark. If this program is in
+a build folder, a test makes a measurement with it."""
 
 import contextlib
 import datetime
@@ -90,7 +90,8 @@ class RowsTest(unittest.TestCase):
 
 
 class ProjectTest(FolderTest):
-    """Tests a project of two measurements. README quotes the first, which has to be current."""
+    """Tests with a small project of two measurements, "lists" and "rigid". README.md quotes "lists",
+    which must therefore not be older than the last change of results."""
 
     ROWS = {"lists": Rows(("graf",)), "rigid": Rows(("rigid3D",))}
     README = "\n".join(figures.inline_block(name, "?") for name in ("hashes/cpp", "hashes/python", "lists/a")) + "\n"
@@ -144,7 +145,7 @@ class ProjectTest(FolderTest):
         self.change(figures.HASHES, "graf:fast 65", "graf:fast 66")
         self.complaints("README.md: its figures of lists are older than the last change", figures.INDEX + ": the block index is not")
         self.assertEqual(self.project().older(), ["lists"])
-        self.write("lists", "lists/a", "0.97 px")  # measured again, but not yet quoted
+        self.write("lists", "lists/a", "0.97 px")  # the measurement is new, but README.md still quotes the old one
         self.complaints("README.md: the block lists/a is not what was measured")
         self.project().fill()
         self.complaints()
@@ -232,7 +233,7 @@ class StructuredTablesTest(unittest.TestCase):
                 structured_tables.renewed(self.BODY, [name], "abcdef0", None)
 
     def test_document(self):
-        """All arguments of the commands in the document must have the form --option=value."""
+        """All arguments of the commands in structured_tables.md must have the form --option=value."""
         body = Measurement.read(measure.ROOT, "structured_tables").body
         found = [c for _, text in structured_tables.sections(body) for block in structured_tables.BLOCK.findall(text)
                  for c in structured_tables.commands(block)]
@@ -384,8 +385,8 @@ class MeasureTest(FolderTest):
         self.assertEqual(measure.busy_words(None, None, 10), "")
 
     def test_project_is_consistent_in_itself(self):
-        """The project must have no mistakes other than outdated figures in README, which
-        check_sources.sh checks."""
+        """The real documents must have no mistakes in their figures. Figures in README.md that are
+        older than the results are ignored here, because check_sources.sh checks them."""
         mistakes = [m for m in measure.project().check() if "older than the last change" not in m]
         self.assertEqual(mistakes, [])
 
@@ -396,8 +397,8 @@ class MeasureTest(FolderTest):
         return code, out.getvalue(), err.getvalue()
 
     def copy(self):
-        """Copies the files with figures to the temporary folder and uses it as the project's root.
-        """
+        """Copies the files with figures to the temporary folder, which measure.py then takes as the
+        root of the project until the test ends."""
         measurements = os.listdir(os.path.join(measure.ROOT, figures.FOLDER))
         for path in [figures.HASHES, figures.PYTHON_HASHES] + figures.documents(measure.ROOT) + \
                 [os.path.join(figures.FOLDER, name) for name in measurements if name.endswith(".md")]:
@@ -437,7 +438,8 @@ class MeasureTest(FolderTest):
     @unittest.skipUnless(os.path.isfile(os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "..", "CMakeCache.txt")) and
                          shutil.which("cmake"), "USAC_BENCHMARK is in no build folder")
     def test_measurement(self):
-        """Makes a measurement that needs no data, with one repeat."""
+        """Makes the measurement "affine", which needs no data, with one repeat. Its file must have a
+        complete stamp and tables with plausible errors."""
         self.copy()
         build = os.path.dirname(os.path.dirname(os.path.abspath(os.environ["USAC_BENCHMARK"])))
         with contextlib.redirect_stderr(io.StringIO()):

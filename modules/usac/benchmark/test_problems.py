@@ -3,9 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Affinities, similarities and translations: scenes that usac_synthetic writes, and what usac_benchmark measures on them.
+"""Tests of affinities, similarities and translations: scenes that usac_synthetic writes, and the
+measures of usac_benchmark on them.
 
-USAC_BENCHMARK: path of the program usac_benchmark; usac_synthetic and usac_test_methods are taken from the same folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_synthetic and
+usac_test_methods are taken from the same folder."""
 
 import csv
 import os
@@ -26,14 +28,14 @@ def program(name):
 
 
 class ProgramTest(FolderTest):
-    """Tests with scenes in a folder of their own."""
+    """Base class of tests that run the programs on scenes in a temporary folder."""
 
     def call(self, name, *arguments):
         return subprocess.run([program(name)] + list(arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               universal_newlines=True)
 
     def write_scenes(self, scene, *options):
-        """Of the kind `scene`, as a data set of that name."""
+        """Writes scenes of the kind `scene` with usac_synthetic, as a data set of the same name."""
         done = self.call("usac_synthetic", "--out=" + self.folder, "--scene=" + scene, "--name=" + scene, *options)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
@@ -42,7 +44,8 @@ class ProgramTest(FolderTest):
             return contents.read()
 
     def benchmark(self, methods, *options, name="usac_benchmark"):
-        """The rows of --runs by method, and those of --csv by list and method, and the tables."""
+        """Runs the benchmark with one repeat. Returns the rows of its file --runs as {method: [row]},
+        those of its file --csv as {(list, method): row}, and its output with the tables."""
         runs, tables = self.path("runs.csv"), self.path("tables.csv")
         done = self.call(name, "--data=" + self.folder, "--methods=" + ",".join(methods), "--runs=" + runs, "--csv=" + tables,
                          "--repeats=1", *options)
@@ -81,7 +84,8 @@ class PlaneMapTest(ProgramTest):
             self.assertEqual(np.array_equal(A[:, :2], np.eye(2)), letter == "T", A)
 
     def test_outliers(self):
-        """From one small square to another, and right matches of another map."""
+        """Wrong matches of the kind "clustered" must go from one small square to another one. Those of
+        the kind "second" must agree with another affinity than the true one."""
         self.write_scenes("affinity", "--pairs=1", "--size=200", "--outliers=clustered", "--noise=0")
         pair = pairs.read_pair(self.path("pairs", "affinity", "0000"))
         wrong = np.delete(np.hstack((pair.points1, pair.points2)), pair.extra["gt_mask"], 0)
@@ -123,7 +127,7 @@ class PlaneMapTest(ProgramTest):
 
     @unittest.skipUnless(os.path.isfile(program("usac_test_methods")), "there is no usac_test_methods beside USAC_BENCHMARK")
     def test_measures(self):
-        """Of the identity, which numpy knows, too."""
+        """The measures of the identity as a model must agree with values computed with numpy."""
         for scene in self.SCENES.values():
             self.write_scenes(scene, "--pairs=1", "--size=50")
         runs = self.benchmark(["custom:identity"], name="usac_test_methods")[0]["custom:identity"]

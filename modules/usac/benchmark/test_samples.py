@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the samples stabilize and absolute_pose, in C++ and Python, on images made here and on
-the samples' own synthetic data.
+"""Tests of the samples stabilize and absolute_pose, in C++ and Python, on images that the tests make
+and on synthetic data that the samples make themselves.
 
-USAC_BENCHMARK is the path of the program usac_benchmark; the C++ samples are taken from the same
-folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; the C++ samples are
+taken from the same folder."""
 
 import os
 import subprocess
@@ -34,7 +34,7 @@ needsPython = unittest.skipUnless(hasattr(cv2, "_native") and hasattr(cv2, "usac
 
 
 def texture(width, height):
-    """An image with features everywhere: blurred noise of three sizes."""
+    """Returns an image with features everywhere: the sum of smooth noise of three sizes."""
     rng, image = np.random.RandomState(1), np.zeros((height, width, 3))
     for size in (4, 12, 40):
         noise = rng.uniform(-1, 1, (height // size + 2, width // size + 2, 3))
@@ -79,7 +79,9 @@ class StabilizeTest(SampleTest):
         picture = cv2.imread(self.output)
         left, right = picture[:240, :320], picture[:240, 320:640]
         sharpness = [cv2.Laplacian(half[30:-30, 30:-30], cv2.CV_64F).var() for half in (left, right)]
-        self.assertGreater(sharpness[1], 2 * sharpness[0])  # the mean of the stabilized frames is sharper than that of the original frames
+        # The right half of the picture is the mean of the stabilized frames. It must be sharper than the
+        # mean of the original frames in the left half.
+        self.assertGreater(sharpness[1], 2 * sharpness[0])
 
     @needsCpp
     def test_cpp(self):
@@ -93,7 +95,8 @@ class StabilizeTest(SampleTest):
 class AbsolutePoseTest(SampleTest):
 
     def row(self, text, method, which=0):
-        """The columns of the which-th line of a method in a table."""
+        """Returns the columns of the line of a method in a table of the output. If the method has
+        several lines, `which` chooses one, from 0."""
         return [line for line in text.splitlines() if line.startswith(method + " ")][which][len(method):].split()
 
     def check(self, command):
@@ -124,7 +127,7 @@ class AbsolutePoseTest(SampleTest):
         self.assertIn("unknown", self.row(given, "with the last"))
         pose = np.float64([float(number) for number in "".join(
             c if c in "0123456789.-+e" else " " for c in given.rsplit("[R t] =", 1)[1].split("]\n\n")[0]).split()]).reshape(3, 4)
-        place = 800 * pose[:2, 3] / pose[2, 3] + [319.5, 239.5]  # the image of the object's middle, pixels
+        place = 800 * pose[:2, 3] / pose[2, 3] + [319.5, 239.5]  # image point of the object's center in pixels
         self.assertLess(np.abs(place - [300, 220]).max(), 1, given)
         self.assertLess(abs(pose[2, 3] - 2), 0.02, given)  # depth 2: the object (width 1) is 400 pixels wide at focal length 800
         self.assertLess(np.abs(pose[:, :3] - np.diag([1, -1, -1])).max(), 0.02, given)

@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of usac_scale, its plots, and the program that measures the sensitivity to the threshold.
+"""Tests of usac_scale, of its plots (plot_scale.py), and of threshold.py, which measures the
+sensitivity of errors to the threshold.
 
-USAC_BENCHMARK is the path of that C++ program; usac_scale is taken from the same folder. Tests that
-need matplotlib are skipped without it."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_scale is taken
+from the same folder. Tests that need matplotlib are skipped if it is missing."""
 
 import contextlib
 import csv
@@ -28,8 +29,8 @@ except ImportError:
 SCALE = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_scale")
 HEAD = "sweep,problem,size,inliers,method,runs,median_cpu_ms,median_wall_ms,median_error,failures_percent,median_iterations\n"
 
-# A program that replaces usac_benchmark. Its errors are known functions of the threshold, method
-# and list.
+# A program that stands for usac_benchmark in the tests of threshold.py. Its errors are known functions
+# of threshold, method and list, so the expected tables can be computed by hand.
 PROGRAM = """#!%s
 import sys
 options = dict(a.lstrip("-").split("=", 1) for a in sys.argv[1:])
@@ -141,8 +142,8 @@ class ThresholdTest(FolderTest):
         self.assertTrue(math.isnan(threshold.Ratios([math.inf], [1]).mean()))
 
     def test_right_thresholds(self):
-        """The output names the right thresholds of the problems in the lists, and the unit of
-        errors if it is not pixels."""
+        """The output must name the right thresholds of H, F and E and of the other problems in the
+        lists, and the unit of errors if it is not pixels."""
         for names, more in ((["easy.F"], ""), (["easy.S"], ", A, S and T 3 px"), (["easy.P"], ", P 4 px (errors in degrees)")):
             lists = ["--list=" + self.put("lists/%s.list" % name) for name in names]
             with contextlib.redirect_stdout(io.StringIO()) as out:

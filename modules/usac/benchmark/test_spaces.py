@@ -6,8 +6,8 @@
 """Tests of rigid motions of space: scenes that usac_synthetic and spaces.py write, and the measures
 of usac_benchmark on them.
 
-USAC_BENCHMARK is the path of the program usac_benchmark; usac_synthetic and usac_test_methods are
-taken from the same folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_synthetic and
+usac_test_methods are taken from the same folder."""
 
 import os
 import unittest
@@ -25,7 +25,8 @@ RIVALS = ["cv:AFFINE3D", "cv:AFFINE3D_REFIT"]
 
 
 def near_motion(count=30, **changes):
-    """A motion close to the identity."""
+    """Returns `count` points without noise and a motion close to the identity (0.4 degrees). The first
+    five matches are not marked as right."""
     points = np.random.RandomState(5).uniform(-50, 50, (count, 3))
     values = dict(points1=points, points2=points, scores=np.linspace(0, 1, count), R=rotation((1, 2, 0.5), 0.4), t=(0.3, -0.2, 0.1),
                   right=range(5, count))
@@ -95,7 +96,8 @@ class SyntheticMotionTest(ProgramTest):
             self.assertLess(distances[motion.right].max(), 1e-3)
             self.assertGreater(np.median(np.delete(distances, motion.right)), 50)
             self.assertLess(motion.scores[motion.right].max(), np.delete(motion.scores, motion.right).min(), "--scores=1 tells all")
-            self.assertAlmostEqual(motion.size() / (motion.scale * 100), 1, delta=0.15)  # for a cube, size() is half of the side
+            # The points fill a cube of side 200, for which size() is half of the side.
+            self.assertAlmostEqual(motion.size() / (motion.scale * 100), 1, delta=0.15)
 
     def test_noise(self):
         motion = self.motion("R", "--size=5000", "--inliers=1", "--noise=2")
@@ -119,8 +121,9 @@ class SyntheticMotionTest(ProgramTest):
         self.assertGreater(np.median(np.linalg.norm(motion.moved() - motion.points2, axis=1)[wrong]), 10)
 
     def test_second_motion(self):
-        """Half as many wrong matches as right matches agree with a second motion. If only the wrong
-        matches are given, an estimator must find this motion, which differs from the true one."""
+        """Half of the 100 wrong matches agree with a second motion. From the wrong matches alone, an
+        estimator must find this motion. The result must count as failed, because the second motion
+        differs from the true one."""
         motion = self.motion("R", "--size=200", "--outliers=second")
         wrong = np.delete(np.arange(200), motion.right)
         alone = spaces.Motion(motion.points1[wrong], motion.points2[wrong], motion.scores[wrong], motion.R, motion.t)
@@ -187,7 +190,9 @@ class MeasuredMotionTest(ProgramTest):
             self.assertAlmostEqual(float(row["center_error"]) / distance, 1, delta=1e-4)
             self.assertAlmostEqual(float(row["cost"]), np.mean(np.minimum(1, (distances / 3) ** 2)), delta=1e-4)
             self.assertEqual((row["failed"], row["inliers"]), (str(int(distance > 5)), "30"))
-        for degrees in (4.9, 5.1):  # the points are close to the axis of rotation, so that only the rotation's error decides
+        # A rotation error of more than 5 degrees is a failure. The points are close to the axis of the
+        # rotation, so that the error of the points does not decide.
+        for degrees in (4.9, 5.1):
             points = np.column_stack((np.linspace(-50, 50, 30), np.linspace(-3, 3, 30), np.zeros(30)))
             row = self.measure(near_motion(points1=points, points2=points, R=rotation((1, 0, 0), degrees), t=(0, 0, 0)))
             self.assertEqual(row["failed"], str(int(degrees > 5)))

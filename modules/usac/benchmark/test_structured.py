@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the program that counts search failures and measures accuracy on structured scenes.
+"""Tests of usac_structured, which counts failures of the search and measures accuracy on scenes with
+structure (planes, clusters, repeated patterns, ...).
 
-USAC_BENCHMARK is the path of the program usac_benchmark; usac_structured is taken from the same
-folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_structured is
+taken from the same folder."""
 
 import csv
 import math
@@ -61,10 +62,10 @@ class StructuredTest(FolderTest):
         self.assertTrue(200 < float(many["mean_iterations"]) <= 1000, many)
 
     def test_judged_by_a_start_at_the_true_model(self):
-        """With --judge=start, a miss is a failure only if a search that starts from the true model
-        keeps it. RANSAC with one sample misses models that it would keep, so its failures do not
-        change. In some scenes the score of MAGSAC++ prefers another model to the true one, so its
-        failures become fewer."""
+        """With --judge=start, a missed true model counts as a failure only if a search that starts from
+        this model also returns it. RANSAC with one sample misses models that it would return, so the
+        number of its failures must not change. In some scenes the score of MAGSAC++ prefers another
+        model to the true one, so it must have fewer failures than with --judge=cost."""
         few = ["--problems=F", "--methods=preset:ransac{maxIterations=1,significance=1}", "--kinds=generic", "--orders=none", "--sizes=100",
                "--ratios=0.5", "--runs=20"]
         wide = ["--problems=F", "--methods=USACV20_MAGSAC", "--kinds=shift35", "--orders=none", "--sizes=400", "--ratios=0.4,0.45",
@@ -82,7 +83,9 @@ class StructuredTest(FolderTest):
         self.assertIn("--judge: expected cost or start", done.stderr)
 
     def test_models_of_wrong_matches(self):
-        """RANSAC without a test of significance returns a model of any matches; the significance test refuses models of clusters of random points."""
+        """All matches are wrong: random points in clusters or near the center. RANSAC without a
+        significance test must return a model in each scene. USACV20 with its significance test must
+        refuse the models in all but at most one of ten scenes."""
         methods = ["USACV20", "preset:ransac{significance=1}", "cv:RANSAC"]
         rows, text = self.rows("--mode=random", "--problems=H,S,E", "--methods=" + ",".join(methods), "--sizes=200", "--kinds=clusters,center",
                                "--runs=10", "--maxIters=300")
@@ -147,8 +150,9 @@ class StructuredTest(FolderTest):
         self.assertNotEqual(first["mean_iterations"], other["mean_iterations"])
 
     def test_accuracy(self):
-        """The errors of least squares must be proportional to the noise. The error of a method divided
-        by that of least squares must be 1 for least squares itself, and 0.9 to 10 for USACV20_ACCURATE."""
+        """The error of the least-squares fit to the right matches must be proportional to the noise.
+        The error of a method divided by that of least squares must be 1 for least squares itself, and
+        0.9 to 10 for USACV20_ACCURATE."""
         rows, text = self.rows("--mode=accuracy", "--methods=USACV20_ACCURATE", "--motions=sideways,forward",
                                "--noises=0,0.05,0.1", "--runs=10")
         self.assertEqual(sum(line.startswith("## ") for line in text.splitlines()), 3)
@@ -164,8 +168,9 @@ class StructuredTest(FolderTest):
                 self.assertTrue(0.9 < ratio < 10, (problem, motion, ratio))
 
     def test_pose(self):
-        """With a hundredth of the baseline the parallax is hardly a pixel. Without noise the pose
-        must be found; with noise of one threshold it cannot be found."""
+        """The baseline of the motion "narrow" is a hundredth of the usual one, so the parallax is hardly
+        a pixel. Without noise the least-squares pose must be right. With noise of one threshold it
+        must always be wrong."""
         rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=narrow", "--noises=0,1", "--runs=10")
         poses = {(row["noise"], row["method"]): float(row["median_pose"]) for row in rows}
         wrong = {(row["noise"], row["method"]): float(row["wrong_percent"]) for row in rows}

@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the program that measures how the model of the previous frame helps a tracker.
+"""Tests of usac_tracking, which measures how much the model of the previous frame helps a tracker as
+initial model.
 
-USAC_BENCHMARK is the path of the program usac_benchmark; usac_tracking is taken from the same
-folder."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_tracking is
+taken from the same folder."""
 
 import csv
 import os
@@ -19,7 +20,7 @@ from test_problems import ProgramTest, program
 class TrackingTest(ProgramTest):
 
     def rows(self, *options):
-        """Runs the program; returns its rows by initial model and limit."""
+        """Runs the program; returns its rows as {(initial model, limit of samples): row}."""
         file = self.path("out.csv")
         done = self.call("usac_tracking", "--csv=" + file, *options)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -52,8 +53,8 @@ class TrackingTest(ProgramTest):
             self.assertLess(float(again["mean_samples"]), float(rows["no", default]["mean_samples"]) / 2)
 
     def test_no_motion(self):
-        """Without motion, one sample per frame suffices once a model is found, until the camera
-        jumps."""
+        """Without motion, one sample per frame suffices once a model is found, because the previous
+        model stays right until the camera jumps. So fewer than 30 % of the frames may fail."""
         row = self.rows("--problems=P", "--ratios=0.9", "--limits=1", "--frames=20", "--size=100", "--sequences=2",
                         "--speed=0")["yes", 1]
         self.assertEqual(row["frames"], "40")

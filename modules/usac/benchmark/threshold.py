@@ -3,11 +3,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Measures how much larger the errors of a method become if the threshold is too wide: runs
-usac_benchmark on the same lists with multiples of the right threshold and compares the median
-errors. With --estimated it measures a method that estimates the threshold and gets a multiple of
-the right threshold as upper limit; it compares the errors with those of the best of several given
-thresholds for each list. Tables go to the standard output, in Markdown."""
+"""Measures how much larger the errors of a method become if the threshold is too wide. For this it runs
+usac_benchmark on the same lists with multiples of the right threshold and compares the median errors.
+
+With --estimated it measures a method that estimates the threshold, such as USACV20_AUTO, and that gets
+a multiple of the right threshold as upper limit. For each list its errors are compared with those of
+USACV20 with the best of several given thresholds.
+
+The tables go to the standard output, in Markdown."""
 
 import argparse
 import csv
@@ -20,10 +23,14 @@ import tempfile
 
 import pairs
 
-RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0, "A": 3.0, "S": 3.0, "P": 4.0, "R": 3.0, "M": 3.0, "T": 3.0}  # the defaults of usac_benchmark
+# The right thresholds, which are the defaults of usac_benchmark: in pixels, for R and M in the unit of
+# the points.
+RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0, "A": 3.0, "S": 3.0, "P": 4.0, "R": 3.0, "M": 3.0, "T": 3.0}
 METHODS = "USACV20_MAGSAC,USACV20,cv:USAC_MAGSAC"
-FAR, MOST = 1.15, 30  # for ratios of errors: ratios above FAR are counted; larger ones than MOST are taken as MOST
-GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)  # with --estimated: multiples of the right threshold
+FAR, MOST = 1.15, 30  # ratios of errors: lists with a ratio above FAR are counted; ratios above MOST are taken as MOST
+# With --estimated, multiples of the right threshold: the given thresholds, and the upper limits of the
+# estimated threshold.
+GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)
 
 
 def find_lists(folders, files):
@@ -36,7 +43,7 @@ def find_lists(folders, files):
 
 
 def read_rows(file):
-    """Returns {(list, method): row} of a file that usac_benchmark --csv has written, without its
+    """Returns {(list, method): row} of a file that usac_benchmark --csv has written, without the rows of
     averages."""
     with open(file, newline="") as lines:
         return {(row["list"], row["method"]): row for row in csv.DictReader(lines)
@@ -44,7 +51,7 @@ def read_rows(file):
 
 
 def read_errors(file):
-    """Returns {(list, method): median error} of such a file."""
+    """Returns {(list, method): median error} of a file that usac_benchmark --csv has written."""
     return {key: float(row["median_error"]) for key, row in read_rows(file).items()}
 
 
@@ -56,22 +63,23 @@ def measure(program, lists, problem, factor, methods, more, read=read_errors):
         command = [program] + ["--list=" + name for name in lists] + more + [
             "--methods=" + methods, "--threshold=%g" % (factor * RIGHT[problem]), "--csv=" + file]
         done = subprocess.run(command, stdout=subprocess.DEVNULL)
-        if done.returncode not in (0, 2):  # 2: some pairs could not be read, for which it has printed messages
+        if done.returncode not in (0, 2):  # 2: some pairs could not be read; usac_benchmark has printed messages about them
             raise ValueError("%s: exit code %d" % (program, done.returncode))
         return read(file)
 
 
 class Ratios:
-    """Ratios of a method's error with the wide threshold to that with the right threshold, for each
-    list. A list on which the method fails on at least half of the runs with the right threshold is
-    left out. A list on which it does so only with the wide threshold counts as broken."""
+    """For each list, the ratio of a method's median error with a wide threshold to that with the right
+    threshold. The median error is infinite if at least half of the runs fail. A list on which it is
+    infinite with the right threshold is left out. A list on which it is infinite only with the wide
+    threshold counts as broken."""
 
     def __init__(self, right, wide):
         self.values = [w / r for r, w in zip(right, wide) if math.isfinite(r) and math.isfinite(w) and r > 0 and w > 0]
         self.broken = sum(math.isfinite(r) and not math.isfinite(w) for r, w in zip(right, wide))
 
     def mean(self):
-        """The geometric mean."""
+        """Returns the geometric mean of the ratios; NaN if there are none."""
         return math.exp(sum(map(math.log, self.values)) / len(self.values)) if self.values else math.nan
 
     def __str__(self):
@@ -106,13 +114,14 @@ def geometric_mean(values):
 
 
 def ratios_to(best, rows):
-    """Ratios of the median errors in `rows`, {list: row}, to the smallest median errors in `best`,
-    {list: error}."""
+    """Returns the ratios of the median errors in `rows`, {list: row}, to those in `best`, {list:
+    smallest median error with a given threshold}; at most MOST."""
     return [min(float(row["median_error"]) / best[key], MOST) for key, row in rows.items()]
 
 
 def estimated_row(problem, name, rows, best, usual):
-    """A row of the table. `usual` has the rows with the right threshold."""
+    """Returns a row of the table of --estimated. `usual` has the rows of USACV20 with the right
+    threshold, {list: row}."""
     ratios = ratios_to(best, rows)
     aucs = [float(row["auc10"]) for row in rows.values() if row.get("auc10")]
     times = [float(row["mean_cpu_ms"]) / float(usual[key]["mean_cpu_ms"]) for key, row in rows.items()]
@@ -123,7 +132,8 @@ def estimated_row(problem, name, rows, best, usual):
 
 
 def draw(curves, file):
-    """Draws `curves`, which is {problem: {"given" or "estimated": {factor: ratio}}}."""
+    """Draws `curves`, which is {problem: {"given" or "estimated": {factor of the threshold: ratio of
+    errors}}}."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot

@@ -5,7 +5,7 @@
 """Reads and writes views of object points, the data of usac_benchmark for the problem P;
 doc/benchmark.md describes the format.
 
-Lists of them are written with pairs.write_list(pairs.list_file(folder, dataset, "P"), paths)."""
+Lists of views are written with pairs.write_list(pairs.list_file(folder, dataset, "P"), paths)."""
 
 import numpy as np
 
@@ -17,10 +17,10 @@ _DISTORTION = (0, 4, 5, 8, 12, 14)
 class View:
     """Object points, their image points and the pose of the camera.
 
-    object_points: N x 3. points: N x 2, pixels, the center of the first pixel is 0,0. scores: N,
-    lower is better. K: camera matrix. R, t: x ~ K (R X + t). dist_coeffs: lens distortion as in
-    calib3d; empty: none. right: indices of the right matches, None if unknown. extra: further
-    members of the description."""
+    object_points: N x 3. points: N x 2, pixels; the center of the first pixel is at (0, 0). scores: N,
+    lower is better. K: camera matrix. R, t: pose, x ~ K (R X + t). dist_coeffs: lens distortion as in
+    OpenCV's calib3d; empty: no distortion. right: indices of the right matches, None if unknown.
+    extra: further members of the description (.json)."""
 
     def __init__(self, object_points, points, scores, K, R, t, dist_coeffs=(), right=None, extra=None):
         self.object_points, self.points = to_array(object_points, (-1, 3), "object_points"), to_array(points, (-1, 2), "points")
@@ -31,7 +31,7 @@ class View:
         self.extra = dict(extra or {})
 
     def depths(self):
-        """Depths of the object points along the camera's axis."""
+        """Returns the depths of the object points along the optical axis."""
         return self.object_points @ self.R[2] + self.t[2]
 
     def check(self):

@@ -9,25 +9,34 @@ the same matches.
     compare_colmap.py WORK --images FOLDER --cameras cameras.json --repeats 3
     compare_colmap.py WORK --database matches.db --cameras cameras.json --pairs
 
-WORK is a folder for databases; databases that already exist there are reused. Without --database,
-colmap first extracts and matches features of the images. Both verifications then fill
-two_view_geometries in copies of the database (COLMAP 4's geometric_verifier, or the matcher of
-COLMAP 3.8, which verifies only where there are matches). `colmap mapper`, or `global_mapper`
-(--mapper), continues from each copy. --colmap is the program; the default is colmap on the PATH.
-cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with x ~ K (R X + t) and the center of the
-first pixel at 0, 0.
+WORK is a folder for databases. A database of matches that exists there from an earlier run is reused.
+Without --database, colmap first extracts and matches features of the images. Then each verification
+fills two_view_geometries in its own copy of the database. COLMAP's verification is the command
+geometric_verifier of version 4, or matches_importer of version 3.8. Finally `colmap mapper`, or
+`global_mapper` (--mapper), reconstructs the scene from each copy. --colmap names the program; the
+default is colmap on the PATH. cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with x ~ K (R
+X + t) and the center of the first pixel at (0, 0).
 
-Focal lengths (--focal). known: the K of cameras.json, prior_focal_length 1, not refined by the
-mapper. unknown: as COLMAP guesses them, prior_focal_length 0. given: as the database has them.
+Focal lengths (--focal):
+known    K of cameras.json with prior_focal_length 1; the mapper does not refine it
+unknown  as COLMAP guesses them, with prior_focal_length 0
+given    as the database has them
 
-Columns: CPU seconds of the verification (user and system time of the whole process, median of
---repeats; the runs of both verifications alternate); number of verified pairs. Of the
-reconstruction (median over --seeds runs of the mapper): number of registered images; mean
-reprojection error in pixels; area under the curve (AUC) of the errors of the relative poses of all
-pairs of images up to 1, 3 and 5 degrees, where images that are not registered count as wrong; in
-brackets the range of AUC 1. With --pairs, a list follows of the pairs whose configurations differ,
-with the number of their inliers that agree with the true cameras (at most --limit pixels from the
-epipolar lines in both images).
+Columns about the verification:
+CPU s         user and system time of the whole process in seconds, median of --repeats runs (the runs
+              of the verifications alternate), and its range
+pairs         number of verified pairs
+
+Columns about the reconstruction, medians over --seeds runs of the mapper:
+registered    number of registered images
+reprojection  mean reprojection error in pixels
+AUC 1, 3, 5   area under the cumulative curve of the errors of the relative poses of all pairs of
+              images, up to 1, 3 and 5 degrees; images that are not registered count as wrong
+(range)       largest minus smallest AUC 1
+
+With --pairs, a list follows of the pairs whose configurations differ. For each pair it has the number
+of inliers, and in brackets how many of these agree with the true cameras (at most --limit pixels from
+the epipolar lines in both images).
 
 Needs colmap (Debian 12 has 3.8, sid 4.2.1), NumPy and the package usacv20."""
 
@@ -54,11 +63,13 @@ PINHOLE = 1  # COLMAP's number of this camera model
 PROGRAM: Optional[str] = None  # the value of --colmap
 CONFIGURATIONS = ("-", "degenerate", "calibrated", "uncalibrated", "planar", "panoramic", "planar or panoramic", "watermark",
                   "multiple", "calibrated rig")
-PLANE_OR_TURN = {4, 5, 6}  # COLMAP's matcher separates these configurations only with an option
+# COLMAP distinguishes these configurations (planar, panoramic, one of the two) only with an option, so
+# --pairs does not list differences among them.
+PLANE_OR_TURN = {4, 5, 6}
 
 
 class TrueCamera(NamedTuple):
-    K: Floats  # in COLMAP's convention: the corner of the first pixel is at 0, 0
+    K: Floats  # in COLMAP's convention: the outer corner of the first pixel is at (0, 0), its center at (0.5, 0.5)
     R: Floats
     t: Floats
 
@@ -106,13 +117,13 @@ def setFocal(database: str, mode: str, cameras: Dict[str, TrueCamera]) -> None:
 
 
 class Rival(NamedTuple):
-    """A verification program: COLMAP, or `usacv20-collection verify` with options."""
+    """A verification that is compared: COLMAP's, or `usacv20-collection verify` with options."""
 
     name: str
-    options: Tuple[str, ...]  # of usacv20-collection verify; empty: run COLMAP instead
+    options: Tuple[str, ...]  # options of usacv20-collection verify; empty: COLMAP's verification is run
 
     def verify(self, database: str) -> float:
-        """Verifies all pairs; returns the CPU seconds."""
+        """Verifies all pairs of the database; returns the CPU time in seconds."""
         if not self.options:
             return uc.verifyByColmap(database, PROGRAM).cpuSeconds
         uc.clear(database)
@@ -121,7 +132,8 @@ class Rival(NamedTuple):
 
 
 def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], seeds: int, command: str) -> List[List[float]]:
-    """One row for each seed: registered images, reprojection error, AUC at 1, 3 and 5 degrees."""
+    """Returns a row for each seed of the mapper: number of registered images, mean reprojection error
+    in pixels, and AUC up to 1, 3 and 5 degrees."""
     truth = {name: (camera.R, camera.t) for name, camera in cameras.items()}
     lines = []
     for seed in range(seeds):
@@ -159,7 +171,8 @@ def compare(options: argparse.Namespace, source: str, mode: str, cameras: Dict[s
 
 
 def epipolarErrors(points: Tuple[Floats, Floats], first: TrueCamera, second: TrueCamera) -> Floats:
-    """The larger of the two distances to the true epipolar lines, one in each image, in pixels."""
+    """Returns for each match the larger of two distances in pixels: of its point in each image from
+    the true epipolar line of its point in the other image."""
     R, t = uc.between((first.R, first.t), (second.R, second.t))
     cross = np.array([[0, -t[2], t[1]], [t[2], 0, -t[0]], [-t[1], t[0], 0]])
     F = np.linalg.inv(second.K).T @ cross @ R @ np.linalg.inv(first.K)

@@ -9,21 +9,23 @@
     samples.py counted --database DB --cameras cameras.json # and pairs of photographs
     samples.py cost
 
-counted: as how many samples a sample counts (countedAs() of src/two_view/rules.cpp). Pairs are
-estimated with several limits of samples. If a sample of m matches counts as c samples, a model with
-I right ones of N matches is missed by n samples with the probability (1 - p)^(c n), where p is
-C(I, m) / C(N, m). For each range of I, the table has the number of pairs, the c of maximum
-likelihood, the range of c whose logarithm of the likelihood is at most 2 below the maximum, and the
-missed pairs for each limit. Three kinds of pairs:
+counted: measures c, the number of samples that a sample of USACV20 counts as (countedAs() of
+src/two_view/rules.cpp). c exceeds 1 because models are also found from samples with outliers. Pairs
+are estimated with several limits of the number of samples. If I of N matches are right, a fraction p =
+C(I, m) / C(N, m) of the samples of m matches has only right ones, and n samples miss the model with
+probability (1 - p)^(c n). For each range of I, the table has the number of pairs, the c of maximum
+likelihood, in brackets the range of c whose log-likelihood is less than 2 below the maximum, and the
+number of missed pairs for each limit. There are three kinds of pairs:
 
-- collections: rings of cameras, streets and courts, with the matches that they have;
-- scattered: a quarter of the matches is right; right and wrong ones are anywhere in both images;
+- collections: synthetic collections (rings of cameras, streets and courts) with all their matches;
+- scattered: a quarter of the matches is right; right and wrong matches are anywhere in both images;
 - photographs: of the right matches of a pair in COLMAP's database (error below 0.6 px with the true
   cameras), 16 to 50 are drawn, and three times as many random pairs of keypoints are added.
 
-cost: CPU milliseconds of pairs without and with overlap, with --threshold auto, and how many right
-pairs are lost, of those that are found if four times as many samples are drawn and the inlier ratios
-of the collection are not used. A pair is right if at least half of its inliers are right."""
+cost: measures CPU milliseconds of pairs without and with overlap, with --threshold auto. It also counts
+lost pairs: those that are found only with four times as many samples (confidence 1 - 10^-12 instead of
+0.999) and without the inlier ratios of the collection. A pair counts as found if at least half of its
+inliers are right matches."""
 
 from __future__ import annotations
 
@@ -58,10 +60,11 @@ from usacv20.collection._threshold import estimateThreshold, samplePairs  # noqa
 Floats = npt.NDArray[np.float64]
 Mask = npt.NDArray[np.bool_]
 
-# Limits of the number of samples, by the size of a sample.
+# Limits of the number of samples, by the size of a minimal sample: 5 for E, 7 for F.
 LIMITS = {5: (125, 500, 2000, 10000), 7: (125, 500, 2000, 10000, 60000)}
-RANGES = ((15, 20), (20, 25), (25, 30), (30, 40), (40, 50), (50, 70), (70, 10**6))  # numbers of right matches
-LIKELY = 2  # values of c are in the range if their log-likelihood is less than this below the maximum
+# Ranges of the number of right matches, one row of the table for each; the upper end is excluded.
+RANGES = ((15, 20), (20, 25), (25, 30), (30, 40), (40, 50), (50, 70), (70, 10**6))
+LIKELY = 2  # the range of c has the values whose log-likelihood is less than this below the maximum
 
 
 class Matches(NamedTuple):
@@ -70,12 +73,12 @@ class Matches(NamedTuple):
     K1: Floats
     K2: Floats
     right: Mask
-    threshold: float
+    threshold: float  # pixels
 
 
 class Truth(NamedTuple):
-    right: Set[Tuple[int, int]]  # right matches
-    overlap: Optional[bool]  # None: hardly any common points
+    right: Set[Tuple[int, int]]  # right matches: indices of their keypoints in both images
+    overlap: Optional[bool]  # None: there are common points, but fewer than OVERLAP, so the pair is not counted
 
 
 def ofRing(collection: Collection) -> Dict[int, Truth]:
@@ -94,7 +97,8 @@ def ofStreet(street: Street) -> Dict[int, Truth]:
 
 
 def collections(seeds: int, known: bool, folder: str) -> Iterator[Tuple[str, str, Dict[int, Truth]]]:
-    """Yields name, path of the database, and truth."""
+    """Makes synthetic collections; yields the name, the path of the database and the truth of each
+    pair by pair_id."""
     for seed in range(seeds):
         for name, wrong, noise in (("ring, 30 to 70 % wrong", (0.3, 0.7), 0.5), ("ring, 40 to 80 %", (0.4, 0.8), 0.5),
                                    ("ring, 50 to 80 %, noisy", (0.5, 0.8), 1.0)):
@@ -171,8 +175,9 @@ def photographs(seeds: int, path: str, cameras: str) -> Iterator[Matches]:
 
 
 def found(pairs: Sequence[Matches], m: int, limit: int) -> Tuple[npt.NDArray[np.int64], Mask]:
-    """Returns the number of right matches among the inliers of each pair, and whether they are at
-    least half of its inliers, of which there are at least 15."""
+    """Estimates the pairs with samples of m matches, at most `limit` of them. Returns two arrays over
+    the pairs, sorted by their threshold: the number of right matches among the inliers, and whether
+    the result is right (at least 15 inliers, of which at least half are right)."""
     right, good = [], []
     for threshold in sorted({pair.threshold for pair in pairs}):
         params = Params(threshold=threshold, confidence=0.9999, maxIterations=limit, significance=1e-4)
@@ -192,11 +197,11 @@ def allInlier(right: npt.NDArray[np.int64], matches: npt.NDArray[np.int64], m: i
 
 
 def countedRows(kind: str, pairs: List[Matches]) -> None:
-    pairs.sort(key=lambda pair: pair.threshold)  # the order in which found() returns them
+    pairs.sort(key=lambda pair: pair.threshold)  # found() returns its results in this order
     matches = np.array([len(pair.right) for pair in pairs])
     for m, name in ((5, "E"), (7, "F")):
         tried = [found(pairs, m, limit) for limit in LIMITS[m]]
-        most = np.max([right for right, _ in tried], axis=0)  # what can be found
+        most = np.max([right for right, _ in tried], axis=0)  # largest number of right inliers with any of the limits
         hit = np.array([good & (2 * right >= most) for right, good in tried])
         values = 2.0**np.arange(-2, 10, 0.25)
         for low, high in RANGES:

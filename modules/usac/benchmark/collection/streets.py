@@ -4,7 +4,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Makes synthetic collections of photographs of streets and courts with repeated windows and known
-cameras, and counts which pairs the verification accepts (keeps).
+cameras, and counts the pairs that the verification keeps, that is, accepts.
 
     streets.py --seeds 3 --layout street court
     streets.py --significance 1e-4 1e-8 1e-12
@@ -17,11 +17,16 @@ different windows, and many of these agree with a motion that no camera has made
 of key points follow from the surface, with the noise of photographs (0.13 octaves and 3.5 degrees
 for the Gaussian part, measured with COLMAP's SIFT on eleven surveyed collections).
 
-Columns: --significance; whether pairs that contradict other pairs are refused (--no-loops: no);
-number of pairs with overlap (that have matches and at least 30 common points), and how many of them
-are kept; number of pairs without a common point, how many of them are kept, and how many of these
-are CALIBRATED, so that a mapper uses their poses; number of kept pairs with at least half of the
-inliers right, and how many such pairs the check of loops loses; CPU seconds."""
+Columns:
+chance         --significance, the largest false-alarm probability of an accepted pair
+loops          whether pairs that contradict a path of other pairs are refused (--no-loops: no)
+overlap, kept  number of pairs with overlap (with matches and at least 30 common points), and how many
+               of them are kept
+without, kept  number of pairs with at least 15 matches but no common point, and how many are kept
+calibrated     how many of the latter are CALIBRATED, so that a mapper uses their wrong poses
+right          number of kept pairs with at least half of the inliers right
+lost           how many such pairs are refused by the check of loops
+CPU s          CPU time in seconds"""
 
 from __future__ import annotations
 
@@ -47,10 +52,11 @@ from usacv20.collection import verify  # noqa: E402
 Floats = npt.NDArray[np.float64]
 
 SIZE, FOCAL = (1600, 1200), 1400.0  # pixels
-DIMENSIONS = 8  # of a descriptor; few, so that different things can look alike
-PLACES = 100  # at least the number of windows of a facade
-OVERLAP = 30  # least number of points that both images see
-SCALE_NOISE, ANGLE_NOISE = 0.13, np.radians(3.5)  # octaves, radians; of two points' difference
+DIMENSIONS = 8  # dimensions of a descriptor; few, so that descriptors of different points can be similar
+PLACES = 100  # upper limit of the number of windows of a facade
+OVERLAP = 30  # least number of points that both images of a pair with overlap can see
+# Standard deviations of the differences of scale (octaves) and angle (radians) of two key points.
+SCALE_NOISE, ANGLE_NOISE = 0.13, np.radians(3.5)
 
 
 class Facade(NamedTuple):
@@ -58,7 +64,7 @@ class Facade(NamedTuple):
     along: Floats
     normal: Floats
     length: float  # meters
-    kind: int  # number of the kind of its windows
+    kind: int  # facades with the same number have the same windows
 
 
 class Points(NamedTuple):
@@ -66,9 +72,9 @@ class Points(NamedTuple):
 
     position: Floats  # P x 3, meters
     along: Floats  # P x 3, horizontal direction of the facade
-    normal: Floats  # P x 3, of the facade
-    size: Floats  # P, meters
-    angle: Floats  # P, radians, in the plane of the facade
+    normal: Floats  # P x 3, normal of the facade
+    size: Floats  # P, size of the feature in meters
+    angle: Floats  # P, orientation of the feature in the plane of the facade, radians
     descriptor: Floats  # P x DIMENSIONS
     change: Floats  # P x DIMENSIONS x 2: change of the descriptor with the viewing direction
 
@@ -76,12 +82,12 @@ class Points(NamedTuple):
 class Options(NamedTuple):
     layout: str = "street"
     images: int = 24
-    noise: float = 0.4  # pixels
-    # Standard deviation of the descriptors of the same point of windows of a kind, relative to that
-    # of descriptors of unrelated points.
+    noise: float = 0.4  # standard deviation of each coordinate of a key point, pixels
+    # How different equal windows look: standard deviation of the descriptors of the same part of
+    # different windows of a kind, relative to that of the descriptors of unrelated points.
     alike: float = 0.45
-    shared: float = 0.5  # fraction of this variance that windows with the same number in all facades of a kind have in common
-    unique: int = 60  # unique points for each ten meters of facade
+    shared: float = 0.5  # fraction of this variance that is common to windows at the same place of different facades of a kind
+    unique: int = 60  # number of points that do not belong to a window, for each ten meters of facade
     known: bool = True  # the focal length is known
     seed: int = 0
 
@@ -102,7 +108,7 @@ def facades(layout: str) -> List[Facade]:
 def buildPoints(rng: np.random.RandomState, options: Options) -> Points:
     parts: Dict[int, Tuple[Any, ...]] = {}
     columns: List[Tuple[Any, ...]] = []
-    period, storey = np.array([2.4, 3.4]), 3  # meters; rows of windows
+    period, storey = np.array([2.4, 3.4]), 3  # distances of windows along and up in meters; number of rows of windows
     for facade in facades(options.layout):
         if facade.kind not in parts:
             count = 24
@@ -185,7 +191,7 @@ def photograph(rng: np.random.RandomState, points: Points, camera: Tuple[Floats,
 
 
 def match(first: Image, second: Image) -> npt.NDArray[np.uint32]:
-    """Mutual nearest neighbors that pass a ratio test in both directions."""
+    """Returns the indices of mutual nearest neighbors that pass a ratio test in both directions."""
     a, b = (side.descriptors / np.linalg.norm(side.descriptors, axis=1, keepdims=True) for side in (first, second))
     angles = np.arccos(np.clip(a @ b.T, -1, 1))
     forth, back = angles.argmin(1), angles.argmin(0)
@@ -214,7 +220,8 @@ class Street:
                 self.common[key] = len(np.intersect1d(self.images[i].visible, self.images[j].visible))
 
     def right(self, key: int) -> int:
-        """Number of matches whose two key points are the same point of the scene."""
+        """Returns the number of matches of a pair whose two key points are the same point of the
+        scene."""
         i, j = divmod(key, MAX_IMAGES)
         a, b = self.images[i - 1].points[self.matches[key][:, 0]], self.images[j - 1].points[self.matches[key][:, 1]]
         return int(np.count_nonzero((a == b) & (a >= 0)))
@@ -239,7 +246,7 @@ class Street:
 class Count(NamedTuple):
     """Counts of the pairs of a verified database."""
 
-    overlap: int  # pairs with matches and OVERLAP common points
+    overlap: int  # pairs with matches and at least OVERLAP common points
     kept: int  # pairs with overlap that are kept
     lone: int  # pairs without a common point
     loneKept: int
@@ -249,7 +256,8 @@ class Count(NamedTuple):
 
 
 def verified(street: Street, path: str, options: Dict[str, Any]) -> Tuple[Count, List[int]]:
-    """Verifies the collection; returns the counts and the keys of the kept pairs that are right."""
+    """Verifies the database; returns the counts, and the keys of the kept pairs of which at least half
+    of the inliers are right."""
     begin = time.process_time()
     verify(path, threads=1, **options)
     cpu = time.process_time() - begin

@@ -3,10 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tables on the threshold that `--threshold auto` of the collection tool estimates from scenes with
-known noise: its accuracy, its effect on the verification, and the effect of halving and doubling
-each constant of the estimation. It uses the scenes of the tests of the Python package. The tables
-go to the standard output, in Markdown."""
+"""Makes tables on the threshold that `--threshold auto` of the collection tool estimates, from scenes
+with known noise: its accuracy, its effect on the verification, and the effect of halving and doubling
+each constant of the estimation. The scenes are those of the tests of the Python package. The tables go
+to the standard output, in Markdown; the first line of a function's docstring is the table's heading."""
 
 import argparse
 import math
@@ -28,7 +28,8 @@ CONSTANTS = ("WIDEST", "CONFIDENCE", "ITERATIONS", "SIGNIFICANCE", "MOST", "LEAS
 
 
 def estimate(scenes):
-    """Returns the estimate, or None if there is none, and the CPU milliseconds a pair."""
+    """Returns the result of estimateThreshold (threshold, noise and more), or None if it fails, and the
+    CPU milliseconds for a pair."""
     begin = time.process_time()
     try:
         found = _threshold.estimateThreshold([scene.pair for scene in scenes], Settings())
@@ -79,8 +80,8 @@ def angle(cosine):
 
 
 def poseError(scene, result):
-    """Error of the relative pose in degrees; for a true pose without translation, the rotation's.
-    """
+    """Returns the larger of the errors of the rotation and of the direction of the translation in
+    degrees; 180 if there is no pose. Without a true translation only the rotation counts."""
     if result.quaternion is None:
         return 180.0
     w, x, y, z = result.quaternion
@@ -114,8 +115,9 @@ def poses(args):
 
 
 def deviation(args, **options):
-    """Of the logarithm of estimated over true noise, over all sizes and noise levels: root mean
-    square and worst value; also CPU milliseconds a pair."""
+    """Estimates the noise for all image sizes and noise levels. Returns the root mean square and the
+    largest deviation of the logarithm of estimated over true noise, and the mean CPU milliseconds for
+    a pair."""
     wrong, cpus = [], []
     for size in SIZES:
         for sigma in SIGMAS:
@@ -127,7 +129,9 @@ def deviation(args, **options):
 
 
 def constants(args):
-    """Deviation of the noise from the true one."""
+    """Deviation of the noise from the true one.
+
+    Each of CONSTANTS is halved and doubled in turn."""
     printHead("constant", "value", "20 % without overlap: rms, worst", "90 % without overlap: rms, worst", "heavy tails: threshold, px",
               "CPU ms a pair")
     for name in ("",) + CONSTANTS:

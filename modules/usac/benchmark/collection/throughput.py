@@ -9,11 +9,11 @@ COLMAP database of any size.
 usage: throughput.py [--images N] [--overlap PART] [--matches M] [--threads N ...] [--folder FOLDER]
 [-- options of verify]
 
-The database has all N (N - 1) / 2 pairs of N images. A fraction PART of the pairs sees the same
-points, and half of the M matches of such a pair are right; every other pair has M / 4 matches, all
-wrong. The database is written row by row and kept in the folder for the next run. For each number
-of threads the program prints pairs a second, CPU milliseconds a pair, the seconds of reading,
-estimating and writing, and the largest resident memory, which must not depend on N."""
+The database has all N (N - 1) / 2 pairs of N images. A fraction PART of the pairs has overlap: these
+have M matches, half of them right. All other pairs have M / 4 matches, all wrong. The database is
+written row by row and stays in FOLDER for the next run. For each number of threads, the program prints
+the number of pairs in a second, CPU milliseconds for a pair, the seconds of reading, estimating and
+writing, and the largest resident memory in megabytes, which must not depend on N."""
 
 import argparse
 import os
@@ -40,7 +40,8 @@ def rotation(rng):
 
 
 def images(count, rng):
-    """Yields the number, name and keypoints of each image; keypoint i is point i of the scene."""
+    """Yields the number, name and keypoints (pixels) of each image. Keypoint i of all images is the
+    same point of the scene."""
     X = rng.uniform([-3, -2.2, 7], [3, 2.2, 12], (KEYPOINTS, 3))
     for number in range(count):
         x = (X + rng.uniform(-1, 1, 3)) @ rotation(rng).T

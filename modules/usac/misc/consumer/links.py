@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Finds links of the HTML pages in a folder that lead to no file or to no anchor of a page. usage:
-links.py FOLDER"""
+"""Finds links in the HTML pages of a folder whose file, or whose anchor within a page, does not exist.
+usage: links.py FOLDER"""
 
 import os
 import re
@@ -22,7 +22,7 @@ def main(folder):
         links += [(page, unescape(link)) for link in re.findall(r'(?:href|src)="([^"]+)"', text)]
     bad = set()
     for page, link in links:
-        # doxygen 1.17 makes links to letters that a short index does not have
+        # In a short index, doxygen 1.17 makes links to letters without making their anchors.
         if re.match(r"(https?|mailto|javascript):|#index_\w+$", link):
             continue
         target, _, place = link.partition("#")

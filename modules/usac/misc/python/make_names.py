@@ -11,9 +11,10 @@ _problems.py and a list of names in __init__.py.
                         (src/problems/registry.inl.hpp) and the declarations in the public headers
                         differ
 
-Enumerators and their comments come from the headers. Each row of the table becomes two functions.
-Their descriptions of model and threshold come from the comment of the declaration in estimate.hpp,
-the other text from the kind of the arguments (class Arguments)."""
+Enumerators and their comments come from the headers. Each row of the table of problems becomes two
+functions in _problems.py: one for a single estimation and one for many estimations. Their
+descriptions of model and threshold come from the comment of the C++ declaration in estimate.hpp. The
+other text depends on the kind of the arguments (class Arguments)."""
 
 import os
 import re
@@ -38,7 +39,7 @@ def read(*path):
         return file.read()
 
 
-# --- what the headers say ---------------------------------------------------------------------------------------------------------
+# --- reading the headers and the table of problems --------------------------------------------------------------------------
 
 def plain(comment):
     """Converts a Doxygen comment to plain text with Python names."""
@@ -50,18 +51,19 @@ def plain(comment):
 
 
 def sentence(comment):
-    """The first sentence of a comment, without the period."""
+    """Returns the first sentence of a comment as plain text, without the period."""
     return re.split(r"\.(?:\s|$)", plain(comment))[0]
 
 
 def short(comment):
-    """The comment of an enumerator; only its first sentence if it is long."""
+    """Returns the comment of an enumerator as plain text. If it fills two lines or more, only its
+    first sentence is returned."""
     text = plain(comment)
     return text if len(text) < 2 * WIDTH else sentence(comment)
 
 
 class Enumeration:
-    """An enumeration of a header: name, comment and members (name, value, comment)."""
+    """An enumeration of a C++ header: name, comment and members (name, value, comment)."""
 
     def __init__(self, name, comment, body):
         self.name, self.comment, self.members = name, comment, []
@@ -80,15 +82,16 @@ def enumerations():
 
 
 class Arguments:
-    """The arguments of a kind of problem, without the options. The column ARGUMENTS of the table
-    names the kind.
+    """The arguments of the functions of a kind of problem, except options such as params and mask.
+    The column ARGUMENTS of the table of problems names the kind.
 
-    cpp, many -- names of the arguments in C++, for one set of points and for many
-    python, pythonMany -- declarations of the arguments in Python
-    about, aboutMany -- their descriptions in the docstrings
-    call, callMany -- the arguments in the call of estimate() and estimateMany()
-    forms -- forms of the call that the declaration does not show; `prepare` is code that converts
-    one form to another"""
+    cpp, many -- names of the arguments in C++, for a single estimation and for many estimations
+    python, pythonMany -- declarations of these arguments in Python
+    about, aboutMany -- descriptions of these arguments in the docstrings
+    call, callMany -- the arguments, with options, in the call of estimate() and estimateMany()
+    names -- constant with the argument names for error messages; empty: the default names
+    forms -- forms of the call that the Python declaration does not show
+    prepare -- code that converts these forms to the declared one"""
 
     def __init__(self, cpp, many, about, optional=(), names="", prepare="", forms=""):
         self.cpp, self.many, self.about, self.names, self.prepare, self.forms = cpp, many, about, names, prepare, forms
@@ -104,7 +107,7 @@ class Arguments:
                           "without one for image 2, that of image 1 holds for both images. Distortion coefficients of None mean no "
                           "distortion"
                           ) if rest else ""
-        one, two = (cpp[2:4], cpp[4:]) if len(cpp) == 6 else (cpp[2:3], cpp[3:])  # camera matrices, distortions
+        one, two = (cpp[2:4], cpp[4:]) if len(cpp) == 6 else (cpp[2:3], cpp[3:])  # camera matrices, distortion coefficients
         self.call = list(points) + ["params", "mask"] + list(one) + (["None"] if len(cpp) == 4 else []) + list(two)
         self.callMany = list(points) + ["params", "threads", "returnExceptions"] + list(many[2:])
         if len(cpp) == 4:
@@ -136,15 +139,15 @@ ARGUMENTS = {
 
 
 class Problem:
-    """A row of the table of problems."""
+    """A row of the table of problems (src/problems/registry.inl.hpp)."""
 
     def __init__(self, type, name, plural, arguments):
         self.type, self.function, self.batch, self.kind = type, "estimate" + name, "estimate" + plural, arguments
         self.arguments = ARGUMENTS[arguments]
 
     def documented(self):
-        """Returns the brief description, the meaning of the threshold, and the model's description
-        from the comment of the declaration; None if they are missing."""
+        """Returns the brief description, the meaning of the threshold and the description of the
+        model from the comment of the C++ declaration; None if one of the three is missing."""
         pattern = r"/\*\* @brief ((?:(?!\*/)(?:.|\n))*)\*/\nCV_EXPORTS Mat {}\(".format(self.function)
         found = re.search(pattern, read(HEADERS, "estimate.hpp"))
         if not found:
@@ -165,7 +168,7 @@ def problems():
     return [Problem(*row) for row in rows]
 
 
-# --- what is written --------------------------------------------------------------------------------------------------------------
+# --- writing the Python files ------------------------------------------------------------------------------------------------
 
 def docstring(text, indent="    "):
     lines = []
@@ -177,7 +180,8 @@ def docstring(text, indent="    "):
 
 
 def wrapped(start, items, end):
-    """Returns start + items + end with line breaks between the items."""
+    """Returns start + items + end, with commas between the items and line breaks where a line would
+    be longer than WIDTH."""
     lines, line = [], start
     for i, item in enumerate(items):
         piece = item + (", " if i + 1 < len(items) else end)
@@ -241,8 +245,8 @@ interpreter's lock is released meanwhile."""
 
 
 def functions(problem, first):
-    """The two functions of a problem. The docstring of a function for many sets refers to that of
-    the first problem."""
+    """Returns the Python code of the two functions of a problem. The function for many estimations
+    has a full docstring only for the first problem; those of the other problems refer to it."""
     brief, threshold, model = problem.documented()
     kind = problem.arguments
     options = ["params: Optional[Params] = None", "mask: _Mask = None"]
@@ -272,11 +276,11 @@ def problemsFile():
     return text + "".join(functions(row, rows[0]) for row in rows)
 
 
-# --- what must agree --------------------------------------------------------------------------------------------------------------
+# --- checking the table against the headers ----------------------------------------------------------------------------------
 
 def parameters(header, pattern, name):
     """Returns the names of the arguments in the first declaration of a function, without options
-    and results."""
+    and results; None if the function is not declared."""
     found = re.search(pattern + name + r"\(((?:[^()]|\(\))*)\);", header)
     if not found:
         return None
@@ -309,8 +313,9 @@ def mistakes():
 
 
 def packageFile():
-    """Returns __init__.py with a list of the names in both files. The list is written out because
-    type checkers do not evaluate expressions in __all__."""
+    """Returns the text of __init__.py with a list of all public names of _enumerations.py and
+    _problems.py. The list is written out because type checkers do not evaluate expressions in
+    __all__."""
     rows = problems()
     names = [member for enumeration in enumerations() for member, _, _ in enumeration.members]
     names += [row.function for row in rows] + [row.batch for row in rows]

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Actions for a block of a document. An action has a method run(place, block), which returns what
-the block has printed, or raises Wrong."""
+"""Actions that run or check a block of code of a document. An action has a method run(place, block),
+which returns what the block has printed. It raises Wrong if the block fails."""
 
 import json
 import os
@@ -31,15 +31,15 @@ class Place:
     """The folders in which blocks run. They are in `work`, where check.sh has put the build and the
     prefix of the library.
 
-        clone                         laid out as a checkout: links to all files of the project;
+        clone                         a folder as after a checkout: links to all files of the project;
                                       `build` is a link to the library's build
-        collection, programs, python  for blocks of these kinds"""
+        collection, programs, python  folders for blocks on collections, in C++ and in Python"""
 
     def __init__(self, project: str, work: str, opencv: str = "") -> None:
         self.project, self.checks, self.opencv = os.path.realpath(project), os.path.realpath(work), opencv
         self.build = os.path.join(self.checks, "build")
         self.work = os.path.join(self.checks, "documents")
-        self.printed: Dict[str, str] = {}  # the output of each block or command that has run
+        self.printed: Dict[str, str] = {}  # output of each block or command that has run, by its key without the document
         self.services: List[subprocess.Popen] = []
         for name in ("clone", "collection", "prefix", "bin", "python", "benchmark"):
             shutil.rmtree(self.folder(name), ignore_errors=True)
@@ -60,13 +60,15 @@ class Place:
         return os.path.join(self.work, *names)
 
     def images(self) -> str:
-        """The folder of OpenCV's sample images, as quickstart.sh finds it; "" if there is none."""
+        """Returns the folder of OpenCV's sample images, which is searched for as in quickstart.sh;
+        "" if there is none."""
         folders = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), "/usr/share/doc/opencv-doc/examples/data",
                    self.folder("quickstart", "opencv-doc", "usr", "share", "doc", "opencv-doc", "examples", "data"))
         return next((name for name in folders if os.path.isfile(os.path.join(name, "graf1.png"))), "")
 
     def environment(self, *path: str, **variables: str) -> Dict[str, str]:
-        """The environment of a process. `path` has folders that are searched first."""
+        """Returns the environment variables of a process. `path` has the folders in which programs
+        are searched first."""
         folders = [*path, self.folder("bin"), os.path.join(self.build, "bin"), os.environ["PATH"]]
         return dict(os.environ, PATH=os.pathsep.join(folders), USAC_DOCUMENTS_PROJECT=self.project, PYTHONDONTWRITEBYTECODE="1",
                     MPLBACKEND="Agg", **variables)
@@ -94,10 +96,12 @@ class Place:
 
 
 class Elsewhere(NamedTuple):
-    """Action of a command that another check or test of the gate (run_tests.sh) runs.
+    """Action of a command that is not run here, because another check or test of the gate
+    (run_tests.sh) runs it. Only the existence of that check is tested.
 
-    words -- parts of the command that must also be in the file of that check, so that a changed
-    command must be changed there, too"""
+    file, name -- file of that check or test, and its name there
+    words -- parts of the command that must also be in that file, so that a change of the command in
+    the document requires a change there, too"""
 
     file: str
     name: str
@@ -132,12 +136,18 @@ class Impossible(NamedTuple):
 class Shell(NamedTuple):
     """Runs the commands of a shell block in one shell.
 
-    where -- folder; names -- replacements for words of the text such as <prefix> ({clone} and so on
-    stand for folders, {port} for a free port); elsewhere -- commands that are not run here; before
-    -- commands that run first; prints -- regular expressions that the output must have; leaves --
-    files that must exist afterwards; after -- a command that must succeed; always -- a command that
-    runs at the end, even after a failure; service -- true: keeps running; more -- additional
-    arguments"""
+    where -- folder of Place in which they run
+    names -- replacements for words of the text such as <prefix>; in them, {work}, {build} and so on
+    stand for folders and {port} for a free port
+    variables, path -- environment variables, and folders in which programs are searched first
+    elsewhere -- commands of the block that are not run here
+    before -- commands that run before the block
+    prints -- regular expressions that the output must match
+    leaves -- files that must exist afterwards
+    after -- commands that must succeed afterwards
+    always -- commands that run at the end, even after a failure
+    service -- true: the command is a server, which keeps running until Place.close()
+    more -- text that is appended to the block, such as additional options"""
 
     where: str = "clone"
     names: Dict[str, str] = {}
@@ -203,9 +213,10 @@ class Shell(NamedTuple):
 class Printed(NamedTuple):
     """Compares the output of a command with the output that a document shows.
 
-    of -- key of the block that has printed it; before -- a command to run instead; tolerance --
-    relative tolerance of numbers; free -- regular expressions for parts of lines whose numbers may
-    have any value, such as times"""
+    of -- key (without the document) of the block whose output is compared
+    tolerance -- largest relative difference of numbers
+    free -- regular expressions for parts of lines whose numbers may have any value, such as times
+    before -- a command whose output is compared instead of that of a block"""
 
     of: str
     tolerance: float = 0.0
@@ -238,10 +249,11 @@ class Printed(NamedTuple):
 
 
 class Numbers(NamedTuple):
-    """Runs a command of the text and compares the numbers that the text gives for it.
+    """Runs a command of the text and compares numbers of its output with those that the text gives.
 
-    text, printed -- regular expressions for the numbers in the document (one group for each) and in
-    the output (one match for each)"""
+    text -- regular expression for the document, with one group for each number
+    printed -- regular expression for the output, with one match for each number
+    tolerance -- largest absolute difference"""
 
     text: str
     printed: str
@@ -261,11 +273,14 @@ class Numbers(NamedTuple):
 
 
 class Cpp(NamedTuple):
-    """Compiles a part of a program with warnings as errors, and runs it.
+    """Compiles a part of a C++ program, with warnings as errors, and runs it. frame.hpp defines the
+    variables that the part uses.
 
-    before, after -- code around the part (frame.hpp); within -- code that follows a given line of
-    the part, for example to fill the reader's points after their declaration; top -- code above
-    everything; folders -- folders of the project with headers"""
+    before, after -- code that is inserted before and after the part
+    within -- {beginning of a line of the part: code that is inserted after this line}, for example to
+    fill the reader's points after their declaration
+    top -- code above main(), such as #include
+    folders -- folders of the project with headers"""
 
     before: str = ""
     after: str = ""
@@ -293,9 +308,11 @@ class Cpp(NamedTuple):
 
 
 class Python(NamedTuple):
-    """Runs a part of a Python program with the names of frame.py.
+    """Runs a part of a Python program. frame.py defines the variables that the part uses.
 
-    cv2 -- true: it calls the functions of an OpenCV that contains the module"""
+    before, after -- code that runs before and after the part
+    cv2 -- true: the part calls functions of cv2 with the flags of the module
+    where -- folder of Place in which the part runs"""
 
     before: str = ""
     after: str = ""
@@ -307,7 +324,7 @@ class Python(NamedTuple):
         loader = os.path.join(place.opencv, "python_loader") if place.opencv else ""
         if self.cv2 and os.path.isdir(loader):
             python, variables = "/usr/bin/python3", {"PYTHONPATH": loader}
-        elif self.cv2:  # usacv20.patch_cv2() adds the same functions to another cv2
+        elif self.cv2:  # without such an OpenCV, usacv20.patch_cv2() makes another cv2 take the flags
             before = ("import cv2, usacv20\nusacv20.patch_cv2()\ncv2.usacv20 = usacv20\n"
                       "for name in dir(usacv20):\n    if name.startswith('USACV20'): setattr(cv2, name, getattr(usacv20, name))\n") + before
         tasks = place.folder("python", block.name + ".json")
@@ -320,13 +337,15 @@ class Python(NamedTuple):
 
 
 class CMake(NamedTuple):
-    """Makes a project from the lines of a CMakeLists.txt. They are appended to lines that define a
-    target `program`.
+    """Makes a CMake project of a block with lines of a CMakeLists.txt. They are appended to lines that
+    define a target `program`.
 
-    options -- of the configuration; names -- replacements for words of the text; links -- links to
-    make in the folder, by name; build -- true: the program is built and run; whole -- if not empty,
-    the block is a complete CMakeLists.txt, and this name in it is replaced by the path of main.cpp
-    """
+    options -- options of the configuration
+    names -- replacements for words of the text
+    links -- {name: target} of symbolic links that are made in the folder of the project
+    build -- true: the program is built and run; false: the project is only configured
+    whole -- if not empty, the block is a complete CMakeLists.txt, and this word in it is replaced by
+    the path of main.cpp"""
 
     options: Tuple[str, ...] = ()
     names: Dict[str, str] = {}
@@ -369,8 +388,9 @@ def write(path: str, text: str) -> None:
 
 
 def preparePrograms(place: Place, programs: List[Tuple[Block, Cpp]]) -> None:
-    """Makes one project of all programs and builds it; programs that are up to date are not
-    compiled again. Errors are ignored here, since the actions report them."""
+    """Makes one CMake project of all C++ programs and builds it. Programs that are up to date are not
+    compiled again. Errors of the build are ignored here, because the actions of the programs build
+    again and report them."""
     folder = place.folder("programs")
     os.makedirs(os.path.join(folder, "source"), exist_ok=True)
     lines = ["cmake_minimum_required(VERSION 3.13)", "project(documents CXX)", "find_package(opencv_usac REQUIRED)",

@@ -2,14 +2,15 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Finds blocks of code in a Markdown document, fenced in the manner of Markdown or of doxygen, and
-commands within its text."""
+"""Finds blocks of code in a Markdown document (between ``` or @code and @endcode), and commands within
+its text."""
 
 import re
 from typing import Iterator, List, NamedTuple
 
 LANGUAGES = {"": "text", "txt": "text", "py": "python", "sh": "sh", "cpp": "cpp", "cmake": "cmake", "python": "python"}
-# The beginning of a command within a text; at least one more word must follow.
+# Code within the text (`...`) counts as a command if it begins like this. Most of these programs must
+# have at least one argument, since their name alone does not mean a command to run.
 COMMAND = re.compile(r"(?:\S*/)?(?:cmake|python3|pip3?|pkg-config|apt|sudo|sh|bash|colmap|dask-\w+|(?:example_)?usac_\w+) \S"
                      r"|(?:pairs|verify|report) \S|\S*\.ci/run$|dask-scheduler$")
 
@@ -19,7 +20,7 @@ class DocumentError(Exception):
 
 
 class Block(NamedTuple):
-    """A block of code, or a command within the text (which has the language "inline")."""
+    """A block of code, or a command within the text, whose language is "inline"."""
 
     document: str
     line: int  # of the first line of the code, from 1
@@ -34,14 +35,15 @@ class Block(NamedTuple):
 
     @property
     def key(self) -> str:
-        """The key that rules use for the block. It does not change when the code changes."""
+        """The key by which the table of rules names the block. The key of a block (not of a command)
+        does not change when its code changes."""
         if self.language == "inline":
             return "{} | {} | `{}`".format(self.document, self.heading, self.text)
         return "{} | {} | {} {}".format(self.document, self.heading, self.language, self.number)
 
     @property
     def name(self) -> str:
-        """The key as a file name."""
+        """The key in a form that can be a file name."""
         return re.sub(r"[^a-z0-9]+", "_", self.key.replace("|", "_").lower()).strip("_")
 
 

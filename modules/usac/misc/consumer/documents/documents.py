@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs the commands and compiles the code that the documents show. Each block is run unchanged in a
-folder laid out as the text says; a table gives the action of each block. A block without a rule in
-the table, or a rule without a block, is a failure.
+"""Runs the commands and compiles the code that the documents show. Each block is run in a folder with
+the files that the text assumes. A table (table.py) has a rule with the action of each block. A block
+without a rule, or a rule without a block, is a failure.
 
 usage: documents.py PROJECT CHECKS [OPENCV [WORD...]]
 

@@ -2,12 +2,13 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs the parts of Python programs in the documents: frame.py TASKS.json, a list of {key,
-document, line, code, before, after}.
+"""Runs the parts of Python programs that the documents show: frame.py TASKS.json. The file has a list
+of {key, document, line, code, before, after}.
 
-The variables that a part assumes have a known true model, as in frame.hpp. `before` and `after`
-come from the table; the latter uses `require(...)`. The code of a part keeps its line number in the
-document, so that a traceback names this line."""
+The points and other variables that a part uses are defined here, with a known true model, as in
+frame.hpp. `before` and `after` are code of the table that runs before and after the part; `after`
+checks the results by `require(...)`. A traceback names the line of the document, because the code
+keeps its line number."""
 
 import json
 import sys
@@ -18,7 +19,7 @@ import numpy as np
 K = np.array([[700.0, 0, 320], [0, 700, 240], [0, 0, 1]])
 R = np.array([[np.cos(0.1), -np.sin(0.1), 0], [np.sin(0.1), np.cos(0.1), 0], [0, 0, 1]])
 T = np.array([1, 0.2, 0])
-DEPTH = 10.0  # depth of the plane
+DEPTH = 10.0  # distance of the plane z = DEPTH from camera 1; T has the same unit
 H = K @ (R + np.outer(T, [0, 0, 1 / DEPTH])) @ np.linalg.inv(K)
 E = np.array([[0, -T[2], T[1]], [T[2], 0, -T[0]], [-T[1], T[0], 0]]) @ R
 F = np.linalg.inv(K).T @ E @ np.linalg.inv(K)
@@ -31,7 +32,8 @@ def project(X):
 
 
 def near(a, b, error=1e-3):
-    """Compares arrays up to scale and sign, with a relative tolerance."""
+    """Returns whether two arrays are equal up to scale and sign. `error` is the largest relative
+    difference."""
     if a is None or np.size(a) != np.size(b):
         return False
     a, b = np.ravel(a) / np.linalg.norm(a), np.ravel(b) / np.linalg.norm(b)
@@ -48,7 +50,8 @@ def require(condition):
 
 
 def given():
-    """Returns the variables that a part can use; new ones for each part."""
+    """Returns new copies of the variables that a part can use. A third of the points of space lie in
+    a plane; a fifth of the correspondences is wrong."""
     rng = np.random.RandomState(1)
     i = np.arange(300)
     z = np.where(i % 3 == 0, DEPTH, rng.uniform(4, 8, 300))

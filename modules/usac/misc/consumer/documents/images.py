@@ -14,14 +14,14 @@ import numpy as np
 
 SIZE = (320, 240)
 K = np.array([[300.0, 0, 160], [0, 300, 120], [0, 0, 1]])
-# For each plane: a corner and its edges along columns and rows. z points away from the camera.
-# Sorted from far to near.
+# For each textured rectangle: a corner, and its edges along the columns and the rows of the texture.
+# z points away from the camera. Far ones come first, so that nearer ones are drawn over them.
 PLANES = [((-9, -7, 12), (18, 0, 0), (0, 14, 0)), ((-5, -3, 9), (4, 0, 1.5), (0, 5, 0)), ((1, -3.5, 9), (4, 0, -1.5), (0, 5, 0.8)),
           ((-3, 0.5, 7), (3, 0, -0.5), (0, 2, 0.5)), ((0.2, -2, 7), (2, 0, 0.6), (0, 3.5, 0))]
 
 
 def texture(rng, width, height):
-    """An image with features everywhere: blurred noise of three sizes."""
+    """Returns an image with features everywhere: the sum of smooth noise of three sizes."""
     image = np.zeros((height, width))
     for size in (6, 16, 48):
         noise = rng.uniform(-1, 1, (height // size + 2, width // size + 2))
@@ -30,7 +30,8 @@ def texture(rng, width, height):
 
 
 def view(textures, degrees):
-    """Renders the view of a camera on an arc around a point in front of the middle camera."""
+    """Returns the image of a camera on an arc around the point (0, 0, 9). At 0 degrees the camera is
+    in the middle of the arc, at the origin."""
     angle = np.radians(degrees)
     R = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
     t = np.array([0, 0, 9]) - R @ [0, 0, 9]

@@ -6,9 +6,11 @@
 """Replaces cmake, apt, apt-get and sudo when commands of the documents run.
 
 cmake: the sources of the scratch checkout are replaced by those of the project, and the folder
-`build` by the existing build. apt install: does not install; the packages must be installed already
-or, if they are files, installable. apt-get: the same for scripts, which may also download. sudo:
-runs apt without it."""
+`build` by the existing build.
+apt install: installs nothing. Packages must be installed already. Files of packages must be
+installable, which is only simulated.
+apt-get: only downloads and updates are allowed, which scripts need.
+sudo: only `sudo apt` is allowed, and runs as apt above, without other rights."""
 
 import os
 import subprocess
@@ -18,7 +20,7 @@ PROJECT = os.environ.get("USAC_DOCUMENTS_PROJECT", "")
 
 
 def elsewhere(name):
-    """The path of the real program."""
+    """Returns the path of the real program with this name."""
     for folder in os.environ["PATH"].split(os.pathsep):
         path = os.path.join(folder, name)
         if os.path.realpath(path) != os.path.realpath(__file__) and os.access(path, os.X_OK):

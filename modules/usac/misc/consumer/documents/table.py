@@ -2,8 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The action of each block in the order in which the blocks run: (document, heading, language and
-number below the heading or the command itself, action)."""
+"""The table of rules, in the order in which the blocks run. Each rule is (document, heading, block,
+action). A block of code is named by its language and its number below the heading, a command within
+the text by itself."""
 
 import os
 import shutil
@@ -21,7 +22,7 @@ DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, THRE
 CHECK = "modules/usac/misc/consumer/check.sh"
 RUN_TESTS, MATRIX = "modules/usac/misc/run_tests.sh", "modules/usac/misc/matrix.sh"
 PYTHON_TESTS = "modules/usac/misc/python/test/"
-GATE = Elsewhere(RUN_TESTS, "consumer")  # the gate runs this check
+GATE = Elsewhere(RUN_TESTS, "consumer")  # commands that start the gate; they cannot run here, because the gate runs this table
 
 PIP = Elsewhere("samples/quickstart.sh", "python_package", ("install", "modules/usac"))
 
@@ -80,19 +81,19 @@ with h5py.File('matches.h5', 'w') as file:
             group = file.create_group(names[first] + '/' + names[second])
             group['matches0'], group['matching_scores0'] = partners, scores
 " """
-# The names of options in COLMAP 4, as the text below the commands says.
+# The commands have the option names of COLMAP 3; with COLMAP 4 they are replaced, as the text says.
 OPTIONS_OF_COLMAP = {"--SiftExtraction.use_gpu": "--FeatureExtraction.use_gpu", "--SiftMatching.use_gpu": "--FeatureMatching.use_gpu"}
 if not shutil.which("colmap") or b"FeatureExtraction.use_gpu" not in subprocess.run(
         ["colmap", "feature_extractor", "--help"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout:
-    OPTIONS_OF_COLMAP = {}  # the installed COLMAP is version 3
+    OPTIONS_OF_COLMAP = {}  # COLMAP is missing or of version 3, so nothing is replaced
 COURT = """PYTHONPATH={project}/modules/usac/benchmark/collection python3 -c "
 from streets import Options, Street
 Street(Options('court', 24, seed=0)).write('court.db')"
 python3 -m usacv20.collection verify court.db"""
 
 TABLE = [
-    # Blocks of README. Most commands run in a scratch checkout; its folder build is the build of
-    # check.sh.
+    # Blocks of README. Most commands run in a scratch checkout (Place), whose folder build is a link to
+    # the build that check.sh has made.
     (README, "Two commands", "sh 1", Shell(
         before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON" + LINKED),
         elsewhere={"sh modules/usac/misc/run_tests.sh --installed":
@@ -207,7 +208,8 @@ const Ptr<usacv20::Usac> usac = usacv20::Usac::create(cv::usacv20::HOMOGRAPHY, s
     (COLLECTIONS, "Features and matches", "sh 1", Shell(
         "collection", names=OPTIONS_OF_COLMAP, before="/usr/bin/python3 {project}/modules/usac/misc/consumer/documents/images.py images", leaves=("scene.db",))),
     (COLLECTIONS, "Verification", "sh 1", Shell("collection", path=ENV, prints=("^10 pairs in .*: 10 verified, 0 refused$",))),
-    (COLLECTIONS, "Verification", "text 1", Printed("Verification | sh 1", free=(".*",))),  # any values, as the document shows other images
+    # All numbers may differ, because the document shows the output for other images.
+    (COLLECTIONS, "Verification", "text 1", Printed("Verification | sh 1", free=(".*",))),
     (COLLECTIONS, "Repeated structure", "text 1", Printed(
         "", before=COURT, tolerance=0.05, free=(r"in \S+ s \(\S+ a second\)",))),
     (COLLECTIONS, "Repeated structure", "pairs LIST", Elsewhere(PYTHON_TESTS + "test_usac_collection_command.py", "test_pairs")),

@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the checks of the documents: wrong commands, wrong code and blocks without a rule must
-fail.
+"""Tests of documents.py, which checks the code in the documents: wrong commands, wrong code and blocks
+without a rule must be reported as failures.
 
-USAC_DOCUMENTS_CHECKS names the working directory of check.sh with the library's build. Without it
-nothing is compiled."""
+The environment variable USAC_DOCUMENTS_CHECKS names the working directory of check.sh with the
+library's build. Without it, tests that compile C++ code are skipped."""
 
 import contextlib
 import io
@@ -229,7 +229,7 @@ class OtherActionsTest(ActionCase):
 
 @unittest.skipUnless(CHECKS, "USAC_DOCUMENTS_CHECKS is not set")
 class ProgramsTest(unittest.TestCase):
-    """Tests the output of run() on whole documents with C++ code."""
+    """Tests with C++ code and with whole documents: which blocks are reported as passed and failed."""
 
     def test_code(self):
         folder = os.path.join(CHECKS, "documents_test")
@@ -250,7 +250,8 @@ class ProgramsTest(unittest.TestCase):
             self.assertIn("FAILED " + place + ": ", out.getvalue())
 
     def test_main(self):
-        """A checkout with a changed document. The program must fail and name the new block."""
+        """In a copy of the project, README.md gets a new block without a rule. documents.py must fail
+        and name this block."""
         with tempfile.TemporaryDirectory() as folder:
             for name in os.listdir(PROJECT):
                 if name not in (".git", "README.md"):

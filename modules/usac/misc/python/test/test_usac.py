@@ -3,10 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests the flags of the module with every form of OpenCV's functions.
+"""Tests the method flags of the module (USACV20, USACV20_FAST, ...) in every form of call of
+OpenCV's functions, e.g. findHomography.
 
-Runs alone (python3 test_usac.py) and with OpenCV's Python tests, on cv2.usacv20 and on the package:
-see usac_common.py.
+Runs alone (python3 test_usac.py) and with OpenCV's Python tests, and tests either cv2.usacv20 or the
+package usacv20: see usac_common.py.
 """
 
 import unittest
@@ -98,7 +99,8 @@ class FlagTest(unittest.TestCase):
             self.assertEqual(bits(inliers), bits(np.zeros((1, 1), np.uint8)))
 
     def test_none_in_the_place_of_the_mask(self):
-        # OpenCV's findFundamentalMat would take None at this position as maxIters = 0
+        # In OpenCV's findFundamentalMat this position is that of maxIters, and None means 0. Here
+        # None must mean that no mask is given.
         g = GENERAL
         self.assertEqual(bits(FINDER.findFundamentalMat(g.points1, g.points2, usac.USACV20, 1.0, 0.99, None)),
                          bits(FINDER.findFundamentalMat(g.points1, g.points2, usac.USACV20, 1.0, 0.99)))

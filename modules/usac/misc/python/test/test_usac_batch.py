@@ -3,8 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of many estimations in one call: identical results to single calls, errors, cameras for all
-and for each task."""
+"""Tests of the functions for many estimations in one call. They must return the same results as
+single calls, with one camera matrix for all pairs or one for each pair, and must refuse wrong
+arguments."""
 
 import unittest
 
@@ -17,7 +18,8 @@ THREADS = (0, 1, 2, 3)
 
 
 def pairs(planar, count=9):
-    """Returns parts of a scene of different sizes."""
+    """Returns lists of the points of image 1 and of image 2: the first 60, 85, 110, ...
+    correspondences of the same scene."""
     scene = Scene(planar)
     parts = [slice(0, 60 + 25 * i) for i in range(count)]
     return [scene.points1[part] for part in parts], [scene.points2[part] for part in parts]
@@ -34,7 +36,7 @@ def spaces(count=6):
 
 
 def values(result):
-    """A result without the times of the report, for an exact comparison."""
+    """Returns a result without the times in the report, so that results can be compared exactly."""
     model, mask, report = result
     return bits((model, mask)), report.iterations, report.cost, report.stop
 
@@ -106,7 +108,7 @@ class BatchTest(unittest.TestCase):
                 usac.estimateHomographies(*call)
         with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
             usac.estimateEssentials(first, second, [np.eye(3)] * 2)
-        for both in (False, True):  # the camera matrix for all tasks is wrong
+        for both in (False, True):  # the wrong camera matrix belongs to all pairs, so the call itself must fail
             with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
                 usac.estimateEssentials(first, second, "K", returnExceptions=both)
 

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the collection tool on a synthetic collection: its results for the pairs, and colmap's
-reconstruction from its table."""
+"""Tests of the collection tool on a synthetic collection of images: the tool's results for the
+pairs, and the reconstruction that COLMAP makes from the table that the tool writes."""
 
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ from usac_common import once, package
 DEGENERATE, CALIBRATED, UNCALIBRATED, PLANAR, PANORAMIC, PLANAR_OR_PANORAMIC, WATERMARK = range(1, 8)
 KNOWN = Recipe(images=20, lonePairs=0.15)
 UNKNOWN = KNOWN._replace(cameras=(("SIMPLE_RADIAL", False),))
-# A general scene with a larger fraction of points on a plane may also be classified as planar.
+# Pairs of a general scene with more than this fraction of points on a plane may also be classified
+# as planar, so their configuration is not tested.
 CLEAR = 0.7
 
 
 def verify(database: str, threshold: str = "4") -> None:
-    """Runs the verification; the default threshold is COLMAP's, 4 pixels."""
+    """Runs the tool's command verify on a database. The default threshold is COLMAP's, 4 pixels."""
     usac_colmap.runProgram([sys.executable, "-m", "usacv20.collection", "verify", "--threads", "1", "--threshold", threshold,
                             "--no-progress", database])
 
@@ -80,8 +81,8 @@ class GeneratorTest(Case):
         self.assertGreater(counts.min(), 30)
 
     def epipolarError(self, collection: Collection, pair: PairTruth) -> Any:
-        """Epipolar error of directions: the sine of the angle between a ray of image 2 and the
-        epipolar plane of the ray of image 1."""
+        """Returns the epipolar errors of a pair's matches, measured between directions: the sine of the
+        angle between the ray of image 2 and the epipolar plane of the ray of image 1."""
         rays = []
         for image, column in ((pair.first, 0), (pair.second, 1)):
             pixels = collection.keypoints[image][pair.matches[:, column]]
@@ -104,14 +105,15 @@ class GeneratorTest(Case):
 
 
 class Found:
-    """The contents of a table of results, with the ground truth."""
+    """The results of a verified database, together with the ground truth of its collection."""
 
     def __init__(self, collection: Collection, database: str) -> None:
         self.collection = collection
         self.table = usac_colmap.verified(database)
 
     def configurations(self, kind: Kind) -> List[int]:
-        """The configurations of pairs whose kind is unambiguous."""
+        """Returns the configurations that were found for the pairs of a true kind. Pairs of a
+        general scene that may also count as planar (see CLEAR) are left out."""
         return [self.table[pair.pairId].configuration for pair in self.collection.pairs if pair.kind is kind
                 and (kind is not Kind.GENERAL or pair.flatShare < CLEAR)]
 
@@ -119,8 +121,8 @@ class Found:
         return float(np.mean(np.array(self.configurations(kind)) == configuration))
 
     def inliers(self) -> Tuple[float, float]:
-        """For pairs with overlap: the recall of right matches, and the fraction of wrong matches
-        among the inliers."""
+        """Returns two fractions, computed over all pairs with overlap: the recall of right matches,
+        and the part of the inliers that are wrong matches."""
         right = found = both = 0
         for pair in self.collection.pairs:
             if pair.kind in (Kind.GENERAL, Kind.PLANAR, Kind.ROTATION):
@@ -146,8 +148,9 @@ class VerifyTest(Case):
         self.check(self.found(KNOWN), 0.98)
 
     def test_threshold_of_the_collection(self) -> None:
-        """The estimated threshold excludes 5 % of the right matches for any noise, so the required
-        recall is lower."""
+        """The noise is 1.5 pixels, and the threshold is estimated from the matches ("auto"). Such a
+        threshold excludes 5 % of the right matches at any noise level, so the required recall is
+        lower than in other tests."""
         self.check(self.found(KNOWN._replace(noise=1.5), "auto"), 0.92)
 
     def check(self, found: Found, least: float) -> None:
@@ -203,8 +206,8 @@ class VerifyTest(Case):
 @package
 @unittest.skipUnless(usac_colmap.find(), "there is no program colmap")
 class MapperTest(Case):
-    """Compares reconstructions from the tool's table and from COLMAP's table of the same matches.
-    """
+    """Compares COLMAP's reconstructions from two tables of two-view geometries of the same matches:
+    the one that the tool writes, and COLMAP's own."""
 
     def mapped(self, database: str, collection: Collection, program: Optional[str] = None, command: str = "mapper") -> Dict[str, float]:
         model, _ = usac_colmap.mapper(database, program=program, command=command)
@@ -241,8 +244,9 @@ class MapperTest(Case):
 
     @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a later colmap")
     def test_later_version(self) -> None:
-        """Both mappers of COLMAP 4 must be as good with the tool's table as with COLMAP's own. The
-        databases were opened by COLMAP 4 before, or were not."""
+        """The reconstructions of both mappers of COLMAP 4 must be as good with the tool's table as
+        with COLMAP's own. The tool's database is once in the format of COLMAP 3.8, and once it was
+        converted by COLMAP 4 before the tool verifies it."""
         later = usac_colmap.findLater()
         for name, recipe in (("known", KNOWN), ("unknown", UNKNOWN)):
             collection = Collection(recipe)
@@ -260,7 +264,7 @@ class MapperTest(Case):
                         self.assertEqual(a["registered"], recipe.images)
                         self.assertGreater(a["auc1"], b["auc1"] - 0.02)
                         self.assertGreater(a["auc1"], 0.9)
-                    if base == "3.8":  # restored, as COLMAP 4 converts the database when it opens it
+                    if base == "3.8":  # written anew for the next mapper, because COLMAP 4 has converted the database
                         os.remove(ours)
                         ours = self.write(collection, "later-{}-{}".format(base, name))
                         verify(ours)

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the command line of the collection tool from end to end, and of scores of matches."""
+"""Tests of the command line of the collection tool from end to end, and of the options that read
+scores of matches."""
 
 import contextlib
 import io
@@ -23,15 +24,15 @@ from usac_common import once, package
 
 try:
     from usacv20.collection._command import main
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 
 NAMES = {1: "day/a.jpg", 2: "day/b.jpg", 3: "night/c.jpg", 4: "d.jpg"}
-WRONG = 0.96  # fraction of wrong matches: without scores, few samples find no model
+WRONG = 0.96  # fraction of wrong matches, so high that a few samples find a model only if they are drawn by the scores
 
 
 def scenes(wrong):
-    """Two pairs of images; each pair has its own keypoints."""
+    """Returns the scenes of two image pairs that have no image in common."""
     return {(1, 2): Scene(7, wrong=wrong, count=2500), (3, 4): Scene(8, wrong=wrong, count=2500)}
 
 

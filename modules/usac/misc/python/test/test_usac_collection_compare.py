@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the program that compares COLMAP's verification with the tool's, on a small synthetic
-collection."""
+"""Tests of compare_colmap.py, the benchmark program that compares COLMAP's verification of image
+pairs with that of the collection tool, on a small synthetic collection."""
 
 from __future__ import annotations
 
@@ -53,7 +53,8 @@ class CompareTest(unittest.TestCase):
 
     def table(self, *more: str) -> None:
         collection = Collection(Recipe(images=20, lonePairs=0, wrong=(0.3, 0.5), cameras=(("SIMPLE_PINHOLE", True),)))
-        half = np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])  # in cameras.json the center of the first pixel is at 0, 0
+        # In cameras.json the center of the first pixel is at (0, 0), in COLMAP at (0.5, 0.5).
+        half = np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])
         cameras = {name: dict(K=(collection.lens(i).split()[0] - half).tolist(), R=collection.rotations[i].tolist(),
                               t=collection.translations[i].tolist()) for i, name in enumerate(collection.names)}
         folder = tempfile.mkdtemp(dir=self.folder)

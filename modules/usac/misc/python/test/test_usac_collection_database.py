@@ -59,8 +59,8 @@ class SourceTest(DatabaseCase):
                 self.assertTrue(view.focalKnown)
 
     def test_points_without_a_direction(self):
-        """Beyond some radius the distortion of this lens decreases, so some points correspond to no
-        direction. These points and their scores must be left out."""
+        """The distorted radius of this lens has a maximum, so keypoints farther from the center
+        correspond to no direction. Matches of such keypoints and their scores must be left out."""
         smallDatabase(self.path, distorted=True)
         before = self.load(scores=Column())
         change(self.path, "UPDATE cameras SET params = ?", np.array([600, 610, 320, 240, -0.9, 0, 0, 0], "<f8").tobytes())
@@ -85,7 +85,8 @@ class SourceTest(DatabaseCase):
                 self.assertEqual(list(self.source().keys()), keys)
 
     def test_cache(self):
-        """Images must be dropped from the cache at its limit and read again later."""
+        """The cache has room for three of the six images. Images must be dropped at this limit and
+        read again later, with the same pairs as without a limit."""
         smallDatabase(self.path, distorted=True)
         limit = 3 * (1000 + 60 * 24)
         source = self.source(cache=limit)
@@ -111,7 +112,7 @@ class SourceTest(DatabaseCase):
         self.assertTrue(same(again.load(keys), source.load(keys)))
         self.assertEqual(again.fingerprint(), source.fingerprint())
         source.close()
-        self.assertTrue(same(again.load(keys), source.load(keys)))  # the connection must be opened again
+        self.assertTrue(same(again.load(keys), source.load(keys)))  # a closed source must open its connection again
 
     def test_fingerprint(self):
         smallDatabase(self.path)
@@ -172,12 +173,12 @@ class Missing(Column):
 @once
 @package
 class FaultTest(DatabaseCase):
-    """One part of the database is wrong: pairs that need it must be faults, and all other pairs
-    unchanged."""
+    """Each test damages one part of the database. For pairs that need this part, the source must
+    return a Fault (with the reason) instead of a Pair. All other pairs must be unchanged."""
 
     def faults(self, words, expected, *statements):
-        """Executes the statements; exactly the `expected` pairs of images must become faults, with
-        the words in their reasons."""
+        """Executes the SQL statements on a new database. Then exactly the `expected` pairs of images
+        must be read as a Fault, and each reason must contain the words."""
         with contextlib.suppress(FileNotFoundError):
             os.remove(self.path)
         smallDatabase(self.path)
@@ -215,8 +216,8 @@ class FaultTest(DatabaseCase):
         self.faults(["58 rows of 2", "0 bytes"], [(2, 4)], ("UPDATE matches SET data = NULL WHERE pair_id = ?", key))
 
     def test_no_matches(self):
-        """COLMAP stores an empty row if no matches were found; such a pair must be read as a normal
-        pair."""
+        """COLMAP stores an empty row if no matches were found. Such a pair must be read as a Pair with
+        0 matches, not as a Fault."""
         smallDatabase(self.path)
         change(self.path, "UPDATE matches SET rows = 0, data = NULL")
         self.assertEqual([pair.matches.shape for pair in self.load()], [(0, 2)] * 15)
@@ -234,8 +235,8 @@ class FaultTest(DatabaseCase):
             self.faults(words, pairs, statement)
 
     def test_keypoints_without_a_place(self):
-        """Keypoints that are not finite may make only those pairs faults that have matches of them.
-        """
+        """Keypoint 59 of image 3 is at NaN or infinity. Only pairs with a match of this keypoint
+        must be read as a Fault."""
         for value, text in ((np.nan, "(1, nan)"), (np.inf, "(1, inf)")):
             table = np.ones((60, 2), "<f4")
             table[59, 1] = value
@@ -271,8 +272,8 @@ class FaultTest(DatabaseCase):
 @once
 @package
 class WholeTest(DatabaseCase):
-    """Tests of databases that cannot be used at all. Reading and writing must give an error
-    message."""
+    """Tests of databases that cannot be used at all. Reading them and writing to them must raise a
+    CollectionError with a helpful message."""
 
     def unusable(self, *words, **keywords):
         path = keywords.get("path", self.path)
@@ -342,7 +343,7 @@ class WholeTest(DatabaseCase):
 
     def test_read_only(self):
         for wal in (True, False):
-            for mode in (0o444, 0o644):  # permissions of the file; the folder is always read-only
+            for mode in (0o444, 0o644):  # permissions of the database file; the folder is always read-only
                 with contextlib.suppress(FileNotFoundError):
                     os.remove(self.path)
                 smallDatabase(self.path, wal=wal)
@@ -363,8 +364,8 @@ class WholeTest(DatabaseCase):
         self.refused(["b.db", "cannot be written"], _sqlite.copyDatabase, self.path, os.path.join(self.folder, "b.db"))
 
     def asNobody(self, function, *args):
-        """Calls a function in a process without superuser rights, for which alone files are
-        read-only; returns the exception as text."""
+        """Calls a function in a child process without superuser rights, because the superuser can
+        write to read-only files. Returns the exception as text, or "" if there was none."""
         reader, writer = os.pipe()
         child = os.fork()
         if not child:

@@ -3,8 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs the collection tool's engine on all pairs of a database, with threads and Dask. The table
-must be the same each time, even if the run is stopped or killed, or if a worker dies."""
+"""Runs the collection tool's engine on all pairs of a database, with threads and with Dask. The
+table of results must be the same each time, even if the run is stopped or killed and then resumed,
+or if a worker dies."""
 
 import contextlib
 import importlib.util
@@ -34,7 +35,8 @@ PAIRS = 190  # number of pairs of 20 images
 
 
 class Rows(object):
-    """A sink that counts commits and results, and calls a function before each commit."""
+    """Wraps a sink. It counts commits and results, and calls the function `before` (if not None)
+    before each commit."""
 
     def __init__(self, sink, before=None):
         self.sink, self.before, self.commits, self.results = sink, before, 0, 0
@@ -103,7 +105,8 @@ class ThreadsTest(EngineCase):
         self.assertNotEqual(self.run_engine(settings={"seed": 1})[1], expected)
 
     def test_bounded(self):
-        """The number of pairs in progress must not depend on the total number of pairs."""
+        """The number of pairs whose keys were read but whose results are not stored yet must not
+        depend on the total number of pairs: two threads have at most four chunks of 5 pairs."""
         drawn = []
 
         class Counted(DatabaseSource):
@@ -123,8 +126,8 @@ class ThreadsTest(EngineCase):
         self.assertLessEqual(max(ahead), 4 * 5)
 
     def test_files_are_closed(self):
-        """After a run, the additional files of SQLite must be gone, so no reader may stay open. The
-        source must still be usable."""
+        """After a run, SQLite's additional files (-wal, -shm) must be gone, which requires that no
+        reader is left open. The source must still be usable."""
         path = self.fresh()
         source, sink = self.source(path), DatabaseSink(path, {})
         _engine.run(source, sink, {}, stand.verify, threads=2)
@@ -148,7 +151,8 @@ class ThreadsTest(EngineCase):
         self.assertEqual((len(told), told[-1]), (21, "more pairs cannot be read; the report lists them"))
 
     def test_faults_of_the_estimation(self):
-        """The engine must add the names of the images to the reason."""
+        """If the estimation of a pair fails with a reason, the engine must add the names of the
+        images to this reason."""
         told = self.run_engine(verify=stand.cannot, threads=1)[2].splitlines()
         self.assertEqual(told[0], "cannot be read: image1.jpg - image2.jpg: no")
 
@@ -161,10 +165,11 @@ class ThreadsTest(EngineCase):
         self.assertEqual(rows(path, "PRAGMA integrity_check"), [("ok",)])
 
     def test_mistake_keeps_the_others(self):
-        """Results from before an error must be stored, even if they arrive together with the error,
-        which slow commits cause here."""
+        """A chunk fails with an error. The results of all earlier pairs must be stored, also if they
+        are ready at the same time as the error. The slow commits make this likely."""
         expected = self.reference()["two_view_geometries"]
-        before = sum(20 - i for i in range(1, 10))  # number of pairs of the first nine images; the tenth image causes the error
+        # number of pairs whose first image is one of the images 1 to 9; the chunk after these fails
+        before = sum(20 - i for i in range(1, 10))
         for chunk in (5, 9, 15, 27, 45):
             path = self.fresh()
             with self.assertRaises(RuntimeError):
@@ -219,7 +224,7 @@ class ProgressTest(EngineCase):
         self.run_engine(path)
         change(path, "DELETE FROM two_view_geometries WHERE pair_id >= ?", pairId(18, 19))
         summary, _, told = self.run_engine(path, resume=True, progress=True)
-        self.assertEqual((summary.pairs, summary.skipped), (4, PAIRS - 4))  # including the pair that cannot be read
+        self.assertEqual((summary.pairs, summary.skipped), (4, PAIRS - 4))  # three deleted pairs and the unreadable one
         self.assertIn("{0}/{0}".format(PAIRS), told)
 
     def test_no_tqdm(self):
@@ -231,7 +236,7 @@ class ProgressTest(EngineCase):
 
 
 class ProcessCase(EngineCase):
-    """Tests with a run in a separate process, which is stopped while it works."""
+    """Base class of tests that start a run in a separate process and stop it before its end."""
 
     def start(self, path, *options):
         command = [sys.executable, os.path.join(FOLDER, "usac_collection_verify.py"), path] + list(options)
@@ -242,7 +247,7 @@ class ProcessCase(EngineCase):
         return process
 
     def wait(self, path, process, count=20):
-        """Waits until the run has stored some pairs."""
+        """Waits until the run has stored at least `count` pairs."""
         for _ in range(600):
             time.sleep(0.05)
             self.assertIsNone(process.poll(), "it ended too early")
@@ -252,7 +257,8 @@ class ProcessCase(EngineCase):
         self.fail("it stores nothing")
 
     def stopped(self, path, number, group, *options):
-        """Stops a run by a signal; returns (exit code, stdout, stderr)."""
+        """Starts a run and stops it by the signal `number`. If `group` is true, its child processes
+        get the signal, too. Returns (exit code, stdout, stderr)."""
         process = self.start(path, *options)
         self.wait(path, process)
         (os.killpg if group else os.kill)(process.pid, number)
@@ -260,7 +266,7 @@ class ProcessCase(EngineCase):
         return process.returncode, out, error
 
     def resumed(self, path):
-        """Resumes the run; the table must equal that of a run that was not stopped."""
+        """Resumes a stopped run. The table must then equal that of a run that was not stopped."""
         self.assertEqual(rows(path, "PRAGMA integrity_check"), [("ok",)])
         before = rows(path, "SELECT count(*) FROM two_view_geometries")[0][0]
         self.assertTrue(20 <= before < PAIRS)
@@ -307,7 +313,8 @@ class DaskTest(ProcessCase):
         cls.address = cls.cluster.scheduler_address
 
     def killer(self, killed):
-        """Returns a function that kills a worker before the third commit."""
+        """Returns a function that kills a worker before the third commit and appends its process id
+        to the list `killed`."""
         def kill(counted):
             if counted.commits == 3:
                 process = list(self.cluster.workers.values())[0].pid
@@ -344,8 +351,8 @@ class DaskTest(ProcessCase):
             self.run_engine(scheduler=self.address, verify=stand.fails)
 
     def test_own_workers(self):
-        """Ctrl-C in a terminal also reaches the workers that the command has started. The run must
-        end properly and be resumable."""
+        """Ctrl-C in a terminal also reaches the Dask workers that the command has started. The run
+        must nevertheless end without a traceback, and it must be possible to resume it."""
         path = self.fresh()
         code, out, error = self.stopped(path, signal.SIGINT, True, "workers")
         self.assertEqual(code, 130, error)  # stderr may have log messages of some Dask versions about closed workers
@@ -354,8 +361,8 @@ class DaskTest(ProcessCase):
         self.resumed(path)
 
     def test_workers_that_differ(self):
-        """A worker that joins later and sees other files must raise an error. A chunk that kills
-        several workers must be reported."""
+        """A worker that joins later and sees other files must raise an error. If several workers
+        die while they process the same chunk, the error message must say so."""
         source = self.source(self.fresh())
         packed, keys = pickle.dumps(source), list(source.keys())
         for fingerprint in (source.fingerprint(), "another"):

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the configurations and poses of image pairs."""
+"""Tests of the collection tool's verification of single image pairs: configuration (calibrated,
+planar, ...), relative pose, inliers and number of samples."""
 
 import itertools
 import math
@@ -20,7 +21,7 @@ try:
     from usacv20.collection._pair import CollectionError, Configuration, Pair, View
     from usacv20.collection._poses import quaternion
     from usacv20.collection._settings import Settings
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 
 K = np.array([[900., 0, 500], [0, 900, 400], [0, 0, 1]])
@@ -45,7 +46,9 @@ def matrixOf(q):
 
 
 class Scene(object):
-    """Two images of points in space; a fraction `wrong` of the matches is wrong."""
+    """Two images of random points in space. A fraction `planar` of the points lies in one plane, and
+    a fraction `wrong` of the matches is wrong. `noise` is in pixels; the stored focal length is the
+    true one times `focal`."""
 
     def __init__(self, seed=1, planar=0., count=300, wrong=0.4, turn=(0.03, -0.2, 0.05), move=(-1., 0.2, 0.1), known=True,
                  focal=1., names=("a.jpg", "b.jpg"), key=5, noise=NOISE):
@@ -65,19 +68,20 @@ class Scene(object):
         self.pair = Pair(key, views[0], views[1], self.matches, None, True)
 
     def errors(self, result):
-        """Errors of rotation and translation direction in degrees."""
+        """Returns the errors of the rotation and of the translation direction in degrees."""
         turn = np.trace(matrixOf(result.quaternion).T @ self.R)
         move = self.t @ result.translation / np.linalg.norm(self.t)
         return np.degrees(np.arccos(np.clip([(turn - 1) / 2, move], -1, 1)))
 
     def marked(self, result):
-        """Returns for each match whether it is an inlier."""
+        """Returns for each match whether it is an inlier of the result."""
         inliers = set(map(tuple, result.inliers.tolist()))
         return np.array([tuple(match) in inliers for match in self.matches.tolist()])
 
 
 def rightSamples(sample, matches, right):
-    """The fraction of samples, drawn without replacement, that have only right points."""
+    """Returns the fraction of all samples, drawn without replacement, that have only right matches.
+    `right` of the `matches` are right."""
     part = 1.0
     for i in range(sample):
         part *= (right - i) / (matches - i)
@@ -85,8 +89,9 @@ def rightSamples(sample, matches, right):
 
 
 def missedBySample(sample, matches, ratio):
-    """Logarithm of the probability that a sample of E does not find the pair; a sample counts as
-    more than one."""
+    """Returns the logarithm of the probability that a sample for E does not find a pair of this
+    inlier ratio. A sample counts as one to four samples, because local optimization also finds
+    models from samples with an outlier."""
     counted = min(max((ratio * matches / 11.5)**2, 1), 4)
     return counted * math.log1p(-rightSamples(sample, matches, math.ceil(ratio * matches - 1e-9)))
 
@@ -147,8 +152,9 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.UNCALIBRATED)
 
     def test_samples_by_the_other_pairs(self):
-        """With known ratios, a right pair must be found with `confidence`, if it is drawn at random
-        from the known pairs and one worse pair."""
+        """The inlier ratios of some pairs of the collection are known. Then the number of samples
+        must be the least for which a random pair is found with `confidence`. The random pair is one
+        of the known pairs or one further pair with a lower ratio, all with the same probability."""
         plain = Settings()
         self.assertEqual(Settings(ratios=(0.25,) * 9).needed(5, 80), plain.needed(5, 80))
         self.assertEqual(Settings(ratios=(0.1, 0.2)).needed(5, 80), plain.needed(5, 80))
@@ -157,7 +163,8 @@ class GeometryTest(unittest.TestCase):
             settings = Settings(ratios=(0.45,) * count)
             needed = settings.needed(5, 80)
             self.assertLess(needed, before)
-            tail = [0.25 + 0.2 * (i + 0.5) / 8 for i in range(8)]  # the worse pair: lower ratios, with the total weight of one pair
+            # The further pair: eight ratios between 0.25 and 0.45, each with an eighth of its weight.
+            tail = [0.25 + 0.2 * (i + 0.5) / 8 for i in range(8)]
             logs = np.array([missedBySample(5, 80, ratio) for ratio in [0.45] * count + tail])
             weights = np.array([1.] * count + [1 / 8] * 8) / (count + 1)
             self.assertLessEqual(weights @ np.exp(needed * logs), 0.001)
@@ -168,8 +175,9 @@ class GeometryTest(unittest.TestCase):
             Settings(ratios=(0.5, 0.0))
 
     def test_samples_that_count_more_than_once(self):
-        """Models are also found from samples with an outlier, so fewer samples are needed. They
-        must find as many pairs as ten times as many samples."""
+        """For E and F, a sample of USACV20 counts as up to four samples, because models are also
+        found from samples with an outlier. The smaller number of samples must still find all of 100
+        pairs with an inlier ratio of 0.25, as a much larger number does."""
         settings = Settings(threshold=1)
         full = math.log(0.001) / math.log1p(-rightSamples(5, 200, 50))
         self.assertLess(settings.needed(5, 200), full / 3.9)
@@ -185,18 +193,20 @@ class GeometryTest(unittest.TestCase):
                  for options in ({}, {"maxIterations": 10000, "inlierRatio": 0.18}, {"maxIterations": 1000})]
         for configurations in found:
             self.assertNotIn(Configuration.DEGENERATE, configurations)
-            # With 1000 samples, E alone would be worse than F in 6 pairs; it then starts from F.
+            # With 1000 samples, the first search for E finds a worse model than F in 6 pairs. E is
+            # then searched again, starting from F.
             self.assertGreaterEqual(configurations.count(Configuration.CALIBRATED), 99)
-        scenes = [Scene(2000 + seed, count=100, wrong=0, known=False) for seed in range(60)]  # F
+        # Pairs with unknown focal lengths, so that only F is estimated; the inlier ratio is 0.4.
+        scenes = [Scene(2000 + seed, count=100, wrong=0, known=False) for seed in range(60)]
         for seed, scene in enumerate(scenes):
             scene.pair.second.points[40:] = np.random.RandomState(seed).uniform(0, SIZE, (60, 2))
-        for options in ({}, {"method": "USACV20_FAST"}):  # USACV20_FAST: four times as many samples, but a worse optimization
+        for options in ({}, {"method": "USACV20_FAST"}):  # FAST: four times as many samples, but a weaker local optimization
             results = verifyPairs([scene.pair for scene in scenes], Settings(threshold=1, inlierRatio=0.4, **options))
             self.assertLessEqual(sum(len(result.inliers) == 0 for result in results), 1)
 
     def test_fundamental_matrix_alone(self):
-        """If E is refused, F must be searched for with few samples only and a stricter
-        significance."""
+        """All matches are wrong. If E is refused, F must be searched for with only 500 samples (and
+        at most 50 more) and a stricter significance, and must be refused, too."""
         for seed in range(6):
             pair = Scene(seed, wrong=1.0, count=300).pair
             known = verifyPairs([pair], Settings(threshold=2, maxIterations=2000))[0]
@@ -206,7 +216,8 @@ class GeometryTest(unittest.TestCase):
             self.assertLessEqual(known.iterations, unknown.iterations + 500 + 50)
 
     def test_one_chance(self):
-        """For a refused pair, the reason and the chance must refer to the same model."""
+        """A refused pair has a reason and the false-alarm probability `chance`. If the reason
+        contains a probability, both must refer to the same model, so the two numbers must agree."""
         seen = 0
         for seed in range(12):
             result = verifyPairs([Scene(seed, wrong=1.0, count=80).pair], Settings(threshold=2, maxIterations=300))[0]
@@ -226,11 +237,12 @@ class GeometryTest(unittest.TestCase):
         for seed in range(5):
             scene = Scene(seed, planar=1)
             result = verified(scene)
-            # A plane determines E weakly, and the search chooses the epipolar lines with the most
-            # matches. So a fraction 0.027 of the wrong matches are inliers (mean of 40 seeds, at
-            # most 0.053); under the true E it is 0.008 (at most 0.035).
+            # Points of a plane determine E only weakly, and the search chooses the E with the most
+            # inliers. So a fraction 0.027 of the wrong matches become inliers of the estimated E
+            # (mean of 40 seeds, at most 0.053). For the true E the fraction is 0.008 (at most 0.035).
             self.check(scene, result, Configuration.PLANAR, None, wrong=0.08)
-            cross = np.cross(np.eye(3), result.translation)  # for a plane two motions are possible; E must belong to the returned one
+            # For a plane two motions are possible. E must belong to the motion that is returned.
+            cross = np.cross(np.eye(3), result.translation)
             E = -cross @ matrixOf(result.quaternion)
             self.assertAlmostEqual(abs(np.sum(E * result.E)), np.sqrt(2), places=6)
             right = scene.right
@@ -248,7 +260,7 @@ class GeometryTest(unittest.TestCase):
         for turn in ((0.02, -0.2, 0.05), (0, 0.1, 0), (0, 0, 1.5)):
             scene = Scene(4, turn=turn, move=(0., 0, 0))
             result = verified(scene)
-            self.check(scene, result, Configuration.PANORAMIC, wrong=0.08)  # as for planes, E is weakly determined
+            self.check(scene, result, Configuration.PANORAMIC, wrong=0.08)  # E is weakly determined, as in test_plane
             np.testing.assert_array_equal(result.translation, [0, 0, 0])
             angle = (np.trace(matrixOf(result.quaternion).T @ scene.R) - 1) / 2
             self.assertLess(np.degrees(np.arccos(min(1, angle))), 0.1)
@@ -287,7 +299,8 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
         without = verifyPairs([pair], Settings(threshold=2, watermarks=False))[0]
         self.assertIn(without.configuration, (Configuration.PANORAMIC, Configuration.PLANAR))
-        # Matches with the same motion that are not at the border of the image are no watermark.
+        # Matches that have the same displacement but are not near the border of the image must not be
+        # classified as a watermark.
         moved = pair._replace(first=views[0]._replace(taken=first + [300, 300]), second=views[1]._replace(taken=second + [300, 300]))
         self.assertNotEqual(verifyPairs([moved], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
 
@@ -332,8 +345,9 @@ class GeometryTest(unittest.TestCase):
             self.check(scene, verified(scene, method=method), Configuration.CALIBRATED, 2.)
 
     def test_samples_that_keep_a_pair(self):
-        """The number of samples must agree with an enumeration of all samples of few matches, the
-        first of which are right."""
+        """There are so few matches, of which the first `right` are right, that all samples can be
+        enumerated. The number of samples must follow from the fraction of those with right matches
+        only."""
         for sample, matches, ratio, right in ((4, 12, 0.5, 6), (5, 14, 0.36, 6), (7, 16, 0.5, 8), (5, 15, 0.01, 5), (5, 10, 0.1, 5)):
             settings = Settings(inlierRatio=ratio, minInliers=1, confidence=0.99999, maxIterations=10**9, method="USACV20_FAST")
             samples = list(itertools.combinations(range(matches), sample))
@@ -341,8 +355,9 @@ class GeometryTest(unittest.TestCase):
             needed = next(n for n in itertools.count(500) if 1 - (1 - part)**n >= settings.confidence)
             self.assertEqual(settings.iterations(sample, matches), needed)
             self.assertAlmostEqual(settings.reached(sample, matches), 1 - (1 - part)**needed, places=12)
-        # For 75 matches and a ratio of 0.25, at least 19 matches are right. The number of samples
-        # for drawing with replacement, 7070, reaches only a confidence of 0.9915.
+        # For 75 matches and an inlier ratio of 0.25, at least 19 matches are right. 7070 samples would
+        # be enough if points were drawn with replacement. Without replacement they reach only a
+        # confidence of 0.9915, so more samples are needed.
         part = math.factorial(19) * math.factorial(70) / (math.factorial(14) * math.factorial(75))
         wide = Settings(maxIterations=20000, method="USACV20_FAST")  # USACV20_FAST: each sample counts once
         self.assertEqual(wide.iterations(5, 75), math.ceil(math.log(0.001) / math.log(1 - part)))
@@ -352,14 +367,14 @@ class GeometryTest(unittest.TestCase):
         # exceeds 7.
         self.assertEqual(Settings(inlierRatio=0.07, minInliers=1).needed(4, 100),
                          Settings(inlierRatio=0, minInliers=7).needed(4, 100))
-        # minInliers if it is larger than ratio * matches; only right matches; the limit
-        # maxIterations.
+        # First: minInliers counts if it is larger than ratio * matches. Second: if all 15 matches
+        # must be right, the least number of 500 samples suffices. Third: the limit maxIterations.
         self.assertEqual(wide.needed(5, 24), Settings(inlierRatio=15 / 24, method="USACV20_FAST").needed(5, 24))
         self.assertEqual((wide.needed(7, 15), wide.reached(7, 15)), (500, 1))
         self.assertEqual(Settings(maxIterations=20).iterations(5, 300), 20)
 
     def test_where_the_limit_of_the_samples_cuts(self):
-        """The figures in the comment of Settings.maxIterations must be right."""
+        """The numbers in the comment of Settings.maxIterations must be right."""
         default = Settings()
         cut = [[matches for matches in range(15, 500) if default.needed(sample, matches) > default.maxIterations]
                for sample in (5, 7, 4)]

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of pairs from .corr, NPZ and HDF5 files: what is read, and which contents are faults or
-errors."""
+"""Tests of reading image pairs from .corr, NPZ and HDF5 files. Wrong contents of one pair must give a
+Fault (with the reason) in place of this pair. If nothing can be read, an error must be raised."""
 
 import multiprocessing
 import os
@@ -21,7 +21,7 @@ from usac_common import once, package
 try:
     from usacv20.collection import _lists
     from usacv20.collection._lists import inOrder
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 
 
@@ -58,7 +58,7 @@ class CorrTest(Files):
         self.fault(three, "No such file")
         self.write("x.P.list", "pairs/x/two\n")
         self.mistake("no pairs of images", self.path("x.P.list"))
-        self.write("pairs/x/here.list", "one\n")  # paths are relative to the list's folder
+        self.write("pairs/x/here.list", "one\n")  # the folder of the list is not called lists, so paths are relative to it
         self.check(self.only(self.path("pairs/x/here.list")), 0)
 
     def test_without_scores(self):
@@ -139,7 +139,7 @@ class NpzTest(Files):
         a, b, s = matchesOf(1)
         order = np.random.RandomState(0).permutation(12)
         forward = np.full(14, -1)
-        forward[2:] = np.argsort(order)  # keypoint 2 + i of image 1 belongs to match i
+        forward[2:] = np.argsort(order)  # match i is of keypoint 2 + i of image 1; keypoints 0 and 1 have no match
         forward[5] = -1
         rows = np.array([0, 1, 2] + list(range(4, 12)))
         first = np.vstack(([[1, 1], [2, 2]], a))

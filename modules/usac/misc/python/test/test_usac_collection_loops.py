@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of refusing pairs that contradict pairs with more matches."""
+"""Tests of the loop check: a pair is refused if its rotation contradicts the rotation along a path
+of other pairs (links) that have more inliers."""
 
 import os
 import shutil
@@ -29,7 +30,7 @@ RESULTS = ("two_view_geometries", "usacv20_pairs")
 
 
 class Ring(object):
-    """Images with known true rotations."""
+    """`count` images with known true rotations, in about equal steps around a vertical axis."""
 
     def __init__(self, count, seed=0):
         rng = np.random.RandomState(seed)
@@ -37,7 +38,8 @@ class Ring(object):
         self.rotations = [rotationOf([0, 2 * np.pi * i / count, 0]).dot(rotationOf(rng.normal(0, 0.1, 3))) for i in range(count)]
 
     def edge(self, first, second, inliers, degrees=0.0, link=True, noise=0.5):
-        """A pair whose rotation is wrong by `degrees`, plus random noise."""
+        """Returns a pair whose rotation is wrong by `degrees`, plus random noise of about `noise`
+        degrees."""
         wrong = rotationOf(np.radians(degrees) * np.array([0, 0.6, 0.8])).dot(rotationOf(np.radians(self.rng.normal(0, noise, 3))))
         R = wrong.dot(self.rotations[second]).dot(self.rotations[first].T)
         return Edge((first, second), first, second, inliers, quaternion(R)[None], link)
@@ -63,8 +65,8 @@ class LoopsTest(unittest.TestCase):
         self.assertEqual(contradicted([]), {})
 
     def test_what_is_asked_of_links(self):
-        """A link must have twice the inliers and a single rotation of a calibrated pair, and a path
-        must not be too long."""
+        """A path contradicts a pair only if each of its links has at least twice as many inliers as
+        this pair and a single rotation (link=True), and if it has at most LONGEST links."""
         ring = Ring(12)
         wrong = ring.edge(0, 4, 51, 90)
         self.assertEqual(contradicted(chain(ring) + [wrong]), {})
@@ -78,13 +80,16 @@ class LoopsTest(unittest.TestCase):
             self.assertEqual(len(contradicted(chain(ring) + [ring.edge(3, 3 + distance, 20, 90)])), count)
 
     def test_wrong_links_are_none(self):
-        """A pair that was found to be wrong must not be used as a link."""
+        """Pair (0, 2) is contradicted by pairs with more inliers. It must therefore not be a link of a
+        path that contradicts other pairs."""
         ring = Ring(8)
         links = [ring.edge(0, 1, 1000), ring.edge(1, 2, 1000), ring.edge(4, 3, 1000)]
         wrong = ring.edge(0, 2, 400, 90)
         right = ring.edge(0, 3, 300), ring.edge(2, 4, 90)
         self.assertEqual(list(contradicted(links + [wrong, *right])), [(0, 2)])
-        self.assertEqual(list(contradicted(links[1:] + [wrong, right[0], ring.edge(1, 4, 90)])), [(1, 4)])  # nothing contradicts (0, 2)
+        # Without the link (0, 1), no path contradicts (0, 2). So this wrong pair is itself a link, and
+        # another pair is refused.
+        self.assertEqual(list(contradicted(links[1:] + [wrong, right[0], ring.edge(1, 4, 90)])), [(1, 4)])
 
     def test_one_of_two_rotations(self):
         ring = Ring(8)
@@ -145,7 +150,8 @@ class LoopsOfDatabaseTest(DatabaseCase):
 @package
 @unittest.skipUnless(os.path.exists(PROGRAMS), "the programs of the benchmark are not here")
 class CourtTest(unittest.TestCase):
-    """A synthetic courtyard whose opposite sides have the same windows."""
+    """Tests with a synthetic courtyard whose opposite sides have the same windows. Without the loop
+    check, some pairs of images without overlap are therefore accepted."""
 
     @classmethod
     def setUpClass(cls):
@@ -157,7 +163,8 @@ class CourtTest(unittest.TestCase):
         cls.street = Street(Options("court", 16, seed=1))
 
     def verified(self, name, **options):
-        """Returns the numbers of accepted pairs with and without overlap."""
+        """Verifies the database; returns the numbers of accepted pairs with overlap (at least 30
+        common points) and without (no common point)."""
         path = os.path.join(self.folder, name)
         if not os.path.exists(path):
             self.street.write(path)
@@ -176,8 +183,8 @@ class CourtTest(unittest.TestCase):
         self.assertIn("{} pairs are refused as others".format(wrong), self.summary.line())
 
     def test_some_pairs_first(self):
-        """Pairs that are added later must be compared with earlier results: the table must equal
-        that of a single run."""
+        """First the pairs of ten images are verified, then the remaining pairs are added. They must
+        be compared with the earlier results: the table must equal that of a single run."""
         self.verified("one.db")
         names = os.path.join(self.folder, "pairs.txt")
         with open(names, "w") as file:

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the command `report`: its figures must equal those counted here. Tests of its pictures
-and of invalid files."""
+"""Tests of the command `report`: its numbers must equal those that the tests count themselves. Also
+tests of its pictures, and of invalid files."""
 
 import collections
 import csv
@@ -32,7 +32,7 @@ try:
     from usacv20.collection._report import report, summarize
     from usacv20.collection._report_graph import graphOf, indexed, matrixOf
     from usacv20.collection._report_table import COLMAP, OURS, PAIRS, VERIFIED, Results, withoutNumbers
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 try:
     from matplotlib.image import imread
@@ -45,8 +45,9 @@ KINDS = ("CALIBRATED", "UNCALIBRATED", "PLANAR", "PANORAMIC", "WATERMARK")
 
 
 def results(links, seed=1, name=pairId):
-    """Returns {images: TwoView}. Pairs without overlap are not verified, and about one in ten of
-    them is a fault."""
+    """Returns {(first image, second image): TwoView}, made-up results of all pairs of images. A pair
+    is accepted if links(first, second) is true. About one in ten of the other pairs could not be
+    read (UNDEFINED), the rest are refused."""
     rng = np.random.RandomState(seed)
     found = {}
     for first in range(1, IMAGES + 1):
@@ -103,7 +104,7 @@ class Reports(Files):
 class FiguresTest(Reports):
 
     def counted(self, text, title):
-        """Returns {label: number} of the lines below a title."""
+        """Returns {label: number} of the lines below a title of the report."""
         block = text.split("\n" + title, 1)[1].split("\n\n")[0].splitlines()[1:]
         return {m.group(1): int(m.group(2)) for m in (re.match(r"  (\S.*?) +(\d+)  +[\d.]+ %", line) for line in block) if m}
 
@@ -169,7 +170,8 @@ class FiguresTest(Reports):
                              [r.matches, len(r.inliers), r.iterations, r.chance, r.milliseconds])
 
     def test_pairs(self):
-        """A database of the command `pairs`, with and without image names."""
+        """Reports on a database that the command `pairs` has written, with and without the names of
+        the images."""
         found = results(neighbors, name=lambda a, b: "{:02d}.jpg - {:02d}.jpg".format(a, b))
         np.savez(self.path("l/a.npz"), points1=np.zeros((3, 2)), points2=np.zeros((3, 2)))
         source = self.source(os.path.dirname(self.path("l/")))
@@ -261,8 +263,9 @@ class LookTest(Reports):
             os.remove(self.path("a.db"))
 
     def test_only_link(self):
-        """Images 1 to 8 and 9 to 17 are connected by a single pair, which must be listed. Bridges
-        to a single image are not listed: 16 - 17 and 18 - 19. Image 20 has no pair."""
+        """Images 1 to 8 and 9 to 17 are connected by the single pair 3 - 12, which must be listed.
+        The pairs 16 - 17 and 18 - 19 are also bridges, but they connect a single image and must not
+        be listed. Image 20 has no verified pair."""
         def links(a, b):
             return b <= 8 or (9 <= a and b <= 16) or (a, b) in ((3, 12), (16, 17), (18, 19))
         summary, kinds = self.kinds(results(links))
@@ -273,7 +276,8 @@ class LookTest(Reports):
         self.assertIn("smaller part: 8 images", self.text(self.path("a.db")))
 
     def test_bridges(self):
-        """The bridges must equal those found by removing each link in turn."""
+        """The bridges of random graphs must equal the links whose removal, one at a time, increases
+        the number of connected components."""
         for seed in range(40):
             rng = np.random.RandomState(seed)
             count = rng.randint(1, 15)
@@ -310,12 +314,13 @@ class PicturesTest(Reports):
 
     @staticmethod
     def has(path, color):
-        """True if at least a thousandth of the picture has the color."""
+        """Returns whether more than a thousandth of the picture's pixels have this color."""
         pixels = np.round(255 * imread(path)[..., :3]).astype(int)
         return bool((np.abs(pixels - color).max(axis=2) == 0).mean() > 0.001)
 
     def test_order_of_the_names(self):
-        """The matrix must be sorted by image names, independent of the numbers of the images."""
+        """The rows of the matrix in the picture must be in the order of the image names, whatever
+        the numbers of the images are."""
         found = results(neighbors)
         path = self.verified(found)
         change(path, "UPDATE images SET name = 'x' || (100 - image_id)")
@@ -396,9 +401,9 @@ class MistakesTest(Reports):
         self.assertMistake("damaged", self.path("b.db"))
 
     def test_memory(self):
-        """The memory for the figures must not grow with the number of pairs."""
+        """The memory for computing the report must not grow with the number of pairs."""
         peaks = []
-        self.text(self.verified(results(neighbors)))  # first call: loads modules
+        self.text(self.verified(results(neighbors)))  # loads modules, whose memory must not be measured
         for repeats in (10, 60):
             change(self.path("a.db"), "DELETE FROM usacv20_pairs")
             change(self.path("a.db"), """WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < ?)

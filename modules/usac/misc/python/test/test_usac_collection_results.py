@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of results of the command `pairs` in SQLite, NPZ and HDF5 files: writing, reading,
-interrupting and resuming."""
+"""Tests of the files of results (SQLite, NPZ, HDF5) of the command `pairs`: writing, reading,
+interrupted and resumed runs."""
 
 import contextlib
 import io
@@ -29,12 +29,13 @@ try:
     from usacv20.collection._list_results import TABLE, openResults, readResults
     from usacv20.collection._pair import CollectionError, Configuration, TwoView
     from usacv20.collection._settings import Settings
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 
 FORMATS = (".sqlite", ".npz") + ((".h5",) if h5py is not None else ())
 
-# A program that stores four pairs in each commit and kills itself just before the fourth commit.
+# A program that stores four pairs in each commit and kills itself just before its fourth commit, so that
+# only the results of three commits, 12 pairs, are stored.
 KILLED = """
 import os, signal, sys
 from usacv20.collection._geometry import verifyPairs
@@ -56,7 +57,8 @@ for start in range(0, len(keys), 4):
 
 
 def result(number, name=None):
-    """Makes an artificial result. Each optional part is missing in some of the results."""
+    """Returns a made-up result, which depends only on the number. Each optional part (models,
+    quaternion, translation) is missing in some of the results."""
     rng = np.random.RandomState(number)
     inliers = rng.randint(0, 2**32, (number % 5, 2), np.int64).astype(np.uint32)
     models = [None if number % (i + 2) == 0 else rng.normal(size=shape) for i, shape in enumerate(((3, 3),) * 3 + (4, 3))]
@@ -117,7 +119,7 @@ class ResultsTest(Files):
         self.assertEqual(list(readResults(self.path("none.npz"))), [])
 
     def test_arrays(self):
-        """The arrays must be readable without the package."""
+        """The arrays of an NPZ file must be readable with NumPy alone, without the package."""
         results = [result(i) for i in range(20)]
         sink = self.open("o.npz")
         sink.commit(results)
@@ -150,7 +152,7 @@ class ResultsTest(Files):
     def run_all(self, name, resume=False):
         sink = self.open(name, resume)
         keys = [key for key in self.pairs.keys() if sink.done(key)]
-        with contextlib.redirect_stderr(io.StringIO()):  # names of faults are printed on stderr
+        with contextlib.redirect_stderr(io.StringIO()):  # names of pairs that cannot be read are printed on stderr
             summary = run(self.pairs, sink, self.settings, verifyPairs, threads=2, chunk=5, progress=False)
         sink.close(not summary.interrupted)
         return keys
@@ -170,12 +172,12 @@ class ResultsTest(Files):
                     self.assertResults(partial, whole[:12 * times], times=False)
                 self.assertEqual(self.run_all(name, resume=True), [r.key for r in whole[:24]])
                 self.assertResults(name, whole, times=False)
-                self.assertEqual(self.run_all(name, resume=True), [r.key for r in whole])  # no pairs are left to do
+                self.assertEqual(self.run_all(name, resume=True), [r.key for r in whole])  # no pair is left to process
                 self.assertResults(name, whole, times=False)
 
     def test_grown(self):
-        """If the list gets more pairs or a repaired file, a resumed run must start from the
-        complete file of results."""
+        """File p03 is damaged during the first run and repaired before the run is resumed. The
+        resumed run must take all other results from the complete file and process only p03."""
         with open(self.path("list/p03.npz"), "rb+") as file:
             whole = file.read()
             file.truncate(100)
@@ -196,8 +198,8 @@ class ResultsTest(Files):
                 self.assertTrue(all(same(again[key], found[key]) for key in found if key != "p03"))
 
     def test_interrupted(self):
-        """An interrupted run must leave OUTPUT.part for --resume. An earlier OUTPUT must stay until
-        it is replaced."""
+        """An interrupted run must leave the file OUTPUT.part for --resume. A complete file OUTPUT of
+        an earlier run must stay until the resumed run has ended and replaces it."""
         sink = self.open("o.npz")
         sink.commit([result(i) for i in range(1, 8)])
         sink.close(False)
@@ -243,7 +245,7 @@ class ResultsTest(Files):
             self.write("text" + extension, "text")
             self.assertMistake("text" + extension, list, readResults(self.path("text" + extension)))
             self.assertMistake("text" + extension, self.open, "text" + extension, True)
-        with mock.patch.dict(sys.modules, {"h5py": None}):  # h5py is missing, but the error message must name the real problem
+        with mock.patch.dict(sys.modules, {"h5py": None}):  # the message must be about the file, not about the missing h5py
             self.assertMistake("text.sqlite: no results", list, readResults(self.path("text.sqlite")))
         with sqlite3.connect(self.path("other.db")) as connection:
             connection.execute("CREATE TABLE images (a)")
@@ -272,11 +274,11 @@ class ResultsTest(Files):
         self.assertFalse(os.path.exists(self.path("o.h5.part")))
 
     def test_memory(self):
-        """The memory of writing and reading must be that of a block, independent of the number of
+        """Results are written and read in blocks, so the memory must not depend on the number of
         pairs."""
         peaks, some = [], [result(i) for i in range(1, 98)]
         with mock.patch.object(_list_columns, "_BLOCK", 64):
-            for count in (200, 1000, 2500):  # the first run loads modules
+            for count in (200, 1000, 2500):  # the first run also loads modules, so only the others are compared
                 sink = self.open("o{}.npz".format(count))
                 tracemalloc.start()
                 for start in range(0, count, 100):
@@ -285,7 +287,7 @@ class ResultsTest(Files):
                 self.assertEqual(sum(1 for _ in readResults(self.path("o{}.npz".format(count)))), count)
                 peaks.append(tracemalloc.get_traced_memory()[1])
                 tracemalloc.stop()
-        self.assertLess(peaks[2], peaks[1] + 100000)  # less than the results of the larger file, a megabyte
+        self.assertLess(peaks[2], peaks[1] + 100000)  # in bytes; the results of the larger file have a megabyte
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of what the collection tool writes to a COLMAP database."""
+"""Tests of DatabaseSink, which writes the results of the collection tool to a COLMAP database."""
 
 import contextlib
 import os
@@ -25,7 +25,8 @@ TABLE = "two_view_geometries"
 
 
 def found(first, second, inliers=30, **keywords):
-    """A result whose matrices have different numbers."""
+    """Returns an accepted result. The entries of F, E and H differ, so that the test notices if
+    entries or matrices are exchanged."""
     key = pairId(first, second)
     count = np.arange(first * 100 + second, dtype=float)
     values = dict(key=key, configuration=Configuration.CALIBRATED, inliers=np.arange(2 * inliers, dtype=np.uint32).reshape(-1, 2),
@@ -57,11 +58,11 @@ class SinkCase(DatabaseCase):
         return sink
 
     def closed(self, sink):
-        with contextlib.suppress(CollectionError):  # another sink of the test has taken over
+        with contextlib.suppress(CollectionError):  # raised if another sink of the test has begun a later run
             sink.close()
 
     def row(self, first, second):
-        """Returns the columns of a pair by name."""
+        """Returns the row of a pair as {column name: value}; None if there is no row."""
         with contextlib.closing(connect(self.path)) as connection:
             cursor = connection.execute("SELECT * FROM {} WHERE pair_id = ?".format(TABLE), (pairId(first, second),))
             names = [column[0] for column in cursor.description]
@@ -88,7 +89,8 @@ class RowTest(SinkCase):
             self.assertEqual(dump(path, *INPUT), before)
 
     def test_unknown_matrices(self):
-        """Unknown matrices must be NULL, as in COLMAP 4, which reads zeros as a pose."""
+        """Unknown matrices and poses must be stored as NULL, as COLMAP 4 does. It would read zeros
+        as a known pose."""
         for schema in SCHEMAS:
             self.path = os.path.join(self.folder, schema)
             smallDatabase(self.path, schema=schema)
@@ -100,7 +102,8 @@ class RowTest(SinkCase):
             self.assertEqual([row[name] for name in row if name.startswith("camera")], [None, None] if schema == "4.2" else [])
 
     def test_motion_of_a_plane(self):
-        """The motion of a plane, one of two possible motions, must not be written."""
+        """For a planar pair two motions are possible, so its motion must not be written. The motion
+        of a panoramic pair must be written."""
         smallDatabase(self.path)
         self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC)])
         self.assertEqual([self.row(1, 2)[name] for name in ("qvec", "tvec")], [None, None])
@@ -142,8 +145,9 @@ class RowTest(SinkCase):
         self.assertEqual(rows(self.path, "SELECT chance FROM usacv20_pairs"), [(None,)])
 
     def test_tables_that_differ(self):
-        """A missing table must be created as COLMAP does it. Missing and additional columns of
-        other versions must be accepted."""
+        """A missing table two_view_geometries must be created with the same columns as COLMAP's.
+        Missing and additional columns of other versions of COLMAP must be accepted, but not a missing
+        column config."""
         smallDatabase(self.path)
         made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
         change(self.path, "DROP TABLE " + TABLE)
@@ -179,7 +183,8 @@ class RunTest(SinkCase):
         return [row[0] for row in rows(self.path, "SELECT pair_id FROM {} ORDER BY 1".format(TABLE))]
 
     def test_rows_of_others(self):
-        """Rows of other programs must stay until the first results are written."""
+        """Rows that another program has written must stay until the first commit, and be removed
+        then."""
         other = [pairId(1, 2), pairId(3, 4), pairId(5, 6)]
         for key in other:
             change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (?, 0, 2, 3)".format(TABLE), key)
@@ -207,7 +212,8 @@ class RunTest(SinkCase):
         sink = self.sink(resume=True)
         self.assertTrue(sink.resumed)
         keys = [pairId(1, i) for i in range(2, 6)]
-        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])  # a fault is estimated again
+        # The third pair could not be read and must be processed again; the fourth one is new.
+        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])
         sink.commit([found(1, 4), found(1, 5)])
         self.assertEqual((self.pairs(), sink.removed), (keys, 0))
         self.assertEqual(rows(self.path, "SELECT run_id, configuration FROM usacv20_pairs ORDER BY pair_id"),
@@ -219,15 +225,16 @@ class RunTest(SinkCase):
         self.assertFalse(self.sink().done(keys[0]))
 
     def test_rows_that_were_taken_away(self):
-        """If another program has removed rows of results, these pairs must count as not done."""
+        """If another program has removed rows of results, a resumed run must process these pairs
+        again."""
         self.sink().commit([found(1, 2), found(1, 3)])
         change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), pairId(1, 2))
         sink = self.sink(resume=True)
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
 
     def test_two_at_once(self):
-        """If two sinks write, the one that has started last must continue. Results of the other one
-        must not be mixed in."""
+        """A run begins with the first commit of its sink. All other sinks that were opened before this
+        commit must then be refused, so that results of two runs are not mixed."""
         for resume in (False, True):
             with self.subTest(resume=resume):
                 first = self.sink(resume=resume)
@@ -248,8 +255,8 @@ class RunTest(SinkCase):
                 change(self.path, "DROP TABLE usacv20_runs")
 
     def test_some_pairs(self):
-        """Rows of other pairs must stay, no matter who has written them. Results with other
-        settings must count as not done."""
+        """With keep=True, rows of other pairs must stay, no matter which program has written them.
+        Pairs whose results have other settings must be processed again by a resumed run."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink(keep=True)
         sink.commit([found(1, 2)])
@@ -281,8 +288,8 @@ class RunTest(SinkCase):
         self.refused(["another version"], self.sink, resume=True)
 
     def test_all_or_nothing(self):
-        """A commit that fails must change nothing. This includes the first commit, which removes
-        old rows."""
+        """A commit that fails must change nothing in the database. If it is the first commit, it
+        must not remove the old rows either."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink()
         wrong = found(1, 3)._replace(F=np.eye(2))
@@ -314,7 +321,7 @@ class CopyTest(DatabaseCase):
             smallDatabase(self.path, wal=wal)
             with contextlib.closing(sqlite3.connect(self.path)) as other:
                 other.execute("UPDATE images SET name = 'new.jpg' WHERE image_id = 1")
-                other.commit()  # in WAL mode, this change is only in the additional file
+                other.commit()  # in WAL mode, this change is only in SQLite's additional file, not in the database file
                 _sqlite.copyDatabase(self.path, target)
                 self.assertEqual(dump(target, *INPUT), dump(self.path, *INPUT))
                 self.assertIn("new.jpg", [row[1] for row in dump(target, "images")["images"]])

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the estimation of a collection's threshold from the noise of its matches."""
+"""Tests of the estimation of one inlier threshold for a collection from the noise of its matches
+(--threshold auto). Noise and thresholds are in pixels."""
 
 import math
 import unittest
@@ -71,8 +72,8 @@ class NoiseTest(unittest.TestCase):
         self.assertGreaterEqual(found.used, right - 1)
 
     def test_no_pair_tells(self):
-        """If no pair gives an estimate, the threshold must be COLMAP's, and the text must say so.
-        """
+        """If no pair gives an estimate of the noise, the threshold must be COLMAP's, 4 pixels, and
+        the description must say so."""
         scenes = noisyPairs(6, 40, none=1.0)
         few = [NoisyPair(i, matches=12, wrong=0) for i in range(5)]
         for given in ([], few, scenes):
@@ -101,11 +102,11 @@ class NoiseTest(unittest.TestCase):
         self.assertNoise(estimate(scenes), 1, 0.1)
 
     def test_heavy_tails_count(self):
-        """If the noise has a heavy tail, the threshold must be a quantile of the errors, not a
-        multiple of the standard deviation of accurate matches."""
+        """The noise has a heavy tail. The threshold must be a quantile of the errors of right
+        matches, not a multiple of the standard deviation of the accurate ones."""
         scenes = noisyPairs(8, 40, none=0, heavy=0.8, matches=600, size=(6000, 4000))
         rng = np.random.RandomState(1)
-        factors = np.exp(rng.normal(0, 0.8, (10**6, 2)))  # random noise levels of both keypoints
+        factors = np.exp(rng.normal(0, 0.8, (10**6, 2)))  # standard deviations of the noise of both keypoints of a match
         true = np.quantile(np.abs(rng.normal(0, 1, 10**6)) * np.sqrt((factors**2).mean(axis=1)), QUANTILE)
         found = estimate(scenes)
         self.assertLess(abs(found.threshold / true - 1), 0.25)
@@ -132,7 +133,7 @@ class NoiseTest(unittest.TestCase):
 
 
 class Store(object):
-    """A source of empty pairs that records how it is read."""
+    """A source of pairs without points. It counts passes over the keys and pairs that are read."""
 
     def __init__(self, keys, matches=lambda key: 60, faults=()):
         self.order, self.matches, self.faults = list(keys), matches, faults
@@ -173,7 +174,8 @@ class SampleTest(unittest.TestCase):
 
     def test_they_come_from_everywhere(self):
         places = np.sort(self.chosen(range(10000), 100)) / 10000
-        self.assertLess(np.abs(places - (np.arange(100) + 0.5) / 100).max(), 0.136)  # 5 % limit of the Kolmogorov-Smirnov test
+        # Kolmogorov-Smirnov test: for 100 uniform values, 0.136 is exceeded with a probability of 5 %.
+        self.assertLess(np.abs(places - (np.arange(100) + 0.5) / 100).max(), 0.136)
 
     def test_numbers_of_a_process_do_not_matter(self):
         self.assertEqual(self.chosen(range(10), 3), self.chosen([np.int64(i) for i in range(10)], 3))

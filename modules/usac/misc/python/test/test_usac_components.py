@@ -109,10 +109,10 @@ class SamplerTest(unittest.TestCase):
         self.assertIs(usac_.components.sampler, sampler)
         model, mask, report = usac_.run()
         self.assertLess(PLANE.error("Homography", model), 1.0)
-        self.assertGreaterEqual(sampler.calls, report.iterations)  # samples are drawn in batches
+        self.assertGreaterEqual(sampler.calls, report.iterations)  # samples are drawn in batches, and some are not used
         self.assertEqual((sampler.starts, sampler.points.sampleSize), (1, 4))
         again = usac_.run()
-        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers depend only on the seed
+        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers of a sampler depend only on the seed
         usac_.components.sampler = None
         self.assertEqual(bits(usac_.run()[:2]), bits(create(usac.HOMOGRAPHY, PLANE).run()[:2]))
 
@@ -133,9 +133,10 @@ class SamplerTest(unittest.TestCase):
         counted = usac_.run()[2]
         usac_.components.sampler = Good()
         inliers = PLANE.inliers.mean()
-        self.assertGreater(inliers, 0.5)  # if more than half are inliers, all samples count anyway
+        self.assertGreater(inliers, 0.5)  # with more than half inliers, the termination counts all samples in any case
         self.assertEqual(usac_.run()[2].stop, counted.stop)
-        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])  # few matches are right now, and no sample counts, so no criterion may end the search
+        # Now few matches are right, and no sample counts. So only maxIterations may end the search.
+        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])
         self.assertEqual(usac_.run()[2].stop if usac_.run()[0] is not None else usac.STOP_MAX_ITERATIONS, usac.STOP_MAX_ITERATIONS)
 
     def test_wrong_samples(self):
@@ -232,7 +233,8 @@ class ScoreTest(unittest.TestCase):
             wholeModel = True
 
             def accumulate(self, squaredErrors, squaredThreshold):
-                test.assertIn(len(squaredErrors), (16, 300))  # all points, or the 16 points of the check of scores
+                # all 300 points, or the 16 artificial errors with which a Score is checked before the search
+                test.assertIn(len(squaredErrors), (16, 300))
                 return super().accumulate(squaredErrors, squaredThreshold)
 
         usac_ = create(usac.HOMOGRAPHY, PLANE)

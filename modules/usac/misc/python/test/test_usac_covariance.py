@@ -38,7 +38,8 @@ class CovarianceTest(unittest.TestCase):
         report = self.estimate(covariance=1)[2]
         self.assertEqual(report.covariance.shape, (8, 8))
         self.assertTrue(np.allclose(report.covariance, report.covariance.T))
-        self.assertAlmostEqual(report.sigma, 0.5, delta=0.06)  # about 400 errors: the standard deviation of sigma is about 4 % of 0.5
+        # pixels; sigma is estimated from about 400 errors, so its standard deviation is about 4 % of 0.5
+        self.assertAlmostEqual(report.sigma, 0.5, delta=0.06)
 
     def test_corners_are_where_they_are_said_to_be(self):
         squares = []
@@ -47,8 +48,8 @@ class CovarianceTest(unittest.TestCase):
             errors = mapped(H, self.corners) - mapped(self.H, self.corners)
             for error, C in zip(errors, usac.pointCovariance(usac.HOMOGRAPHY, H, report.covariance, self.corners)):
                 squares.append(error.dot(np.linalg.solve(C, error)))
-        # chi-square with two degrees of freedom has mean 2; the 240 values are dependent in groups
-        # of four
+        # If the covariances are right, each value is chi-square distributed with two degrees of
+        # freedom, which has mean 2. The four values of an estimation depend on each other.
         self.assertAlmostEqual(np.mean(squares), 2, delta=0.5)
 
     def test_entries_and_tangent(self):
@@ -77,7 +78,7 @@ class CovarianceTest(unittest.TestCase):
         points = self.rng.uniform(0, 100, (50, 2))
         _, _, report = usac.estimateTranslation2D(points, points + [3, 4] + self.rng.normal(0, 0.1, points.shape),
                                                   usac.Params(covariance=1, threshold=1))
-        # variance of the mean of 50 displacements
+        # The expected covariance is that of the mean of 50 displacements.
         self.assertTrue(np.allclose(report.covariance, np.eye(2) * report.sigma**2 / 50, rtol=0.3, atol=0.2 * report.sigma**2 / 50))
 
     def test_mistakes(self):

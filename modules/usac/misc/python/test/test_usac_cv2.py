@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the functions of cv2 with the flags of the module: in a cv2 built with the module, and
-in any other after patch_cv2()."""
+"""Tests of the functions of cv2 with the flags of the module: in a cv2 that was built with the
+module, and in any other cv2 after usacv20.patch_cv2()."""
 
 import importlib
 import os
@@ -25,7 +25,8 @@ opencv = importlib.import_module(usac.__name__ + "._opencv")
 
 @needsCv2
 class Cv2Test(unittest.TestCase):
-    """Base of tests with a cv2 that has the module's functions during each test."""
+    """Base class of tests during which the functions of cv2 take the module's flags. A cv2 that was
+    built without the module is patched for each test."""
 
     def setUp(self):
         if not IN_TREE:
@@ -81,7 +82,7 @@ class LoaderTest(unittest.TestCase):
 
     def test_constants_of_cv2(self):
         names = [name for name in dir(cv._native) if "USACV20" in name]
-        self.assertEqual(names, sorted(FLAGS))  # no names as of an enum class
+        self.assertEqual(names, sorted(FLAGS))  # only the plain names, none with the name of an enum class before it
         for name, value in FLAGS.items():
             self.assertIs(type(getattr(cv, name)), int)
             self.assertEqual(getattr(cv, name), value)
@@ -141,7 +142,8 @@ class PatchTest(unittest.TestCase):
             self.assertEqual(cv.findFundamentalMat, NATIVE.findFundamentalMat)
             a, b = PLANE.points1, PLANE.points2
             self.assertEqual(bits(cv.findHomography(a, b, RANSAC)), bits(NATIVE.findHomography(a, b, RANSAC)))
-            self.assertRaises(cv.error, cv.findHomography, a, b, usac.USACV20)  # OpenCV's function is called, which does not know the flag
+            # OpenCV's own function is called, which does not know the flag.
+            self.assertRaises(cv.error, cv.findHomography, a, b, usac.USACV20)
         finally:
             cv.findHomography = NATIVE.findHomography
 
@@ -155,7 +157,8 @@ class PatchTest(unittest.TestCase):
 
 
 class RouteTest(unittest.TestCase):
-    """Tests which of the two functions a call reaches, without running them."""
+    """Tests whether a call reaches OpenCV's function ("opencv") or that of this module ("usacv20").
+    Both are replaced by functions that only record the call."""
 
     def setUp(self):
         self.cv, ours = types.ModuleType("cv2"), types.ModuleType("ours")
@@ -230,8 +233,8 @@ class RouteTest(unittest.TestCase):
 
 
 class UnchangedTest(Cv2Test):
-    """Calls without a flag or Params of this module must give identical results to OpenCV's
-    function."""
+    """Calls without a flag or Params of this module must give exactly the same results as OpenCV's
+    own function."""
 
     def compare(self, function, args, kwargs):
         expected = outcome(getattr(NATIVE, function), args, kwargs)
@@ -241,7 +244,7 @@ class UnchangedTest(Cv2Test):
 
     def test_flags_of_opencv(self):
         found = 0
-        for _, function, _, args, kwargs in formsOfOpencv():  # for USAC flags with E see RouteTest
+        for _, function, _, args, kwargs in formsOfOpencv():  # without USAC flags for essential matrices; RouteTest has these
             expected = self.compare(function, args, kwargs)
             found += isinstance(expected[0], tuple)
         self.assertGreater(found, 100)  # makes sure that models are compared, not only exceptions

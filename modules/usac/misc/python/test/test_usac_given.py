@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of functions without a search, and of the motion between two views."""
+"""Tests of the functions without a random search (modelErrors, fitModel, refineModel), and of
+estimateRelativePose, which returns the motion between two views."""
 
 import pickle
 import unittest
@@ -82,7 +83,7 @@ class GivenTest(unittest.TestCase):
 
 
 class RelativePoseTest(unittest.TestCase):
-    r, t = np.array([0.03, -0.1, 0.05]), np.array([-0.8, 0.1, 0.1])  # the motion in Scene
+    r, t = np.array([0.03, -0.1, 0.05]), np.array([-0.8, 0.1, 0.1])  # the true motion in Scene: rotation vector, translation
 
     def rotation(self):
         angle = np.linalg.norm(self.r)

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of all kinds of arrays as arguments: points, cameras, distortion, masks."""
+"""Tests that all types and memory layouts of arrays are accepted as points, camera matrices and
+distortion coefficients, that wrong arrays are refused, and of extreme values of Params."""
 
 import unittest
 

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the error messages of the package's installation if something is missing: they must be
-one line."""
+"""Tests of installing the package. If something is missing, the error message must be a single line
+that names it."""
 
 import os
 import subprocess

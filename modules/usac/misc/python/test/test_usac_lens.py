@@ -20,7 +20,8 @@ def corners():
 
 
 def radial(points, k1):
-    """Distorts points by the coefficient k1 alone, computed from the definition."""
+    """Returns pixels after a lens distortion with the only coefficient k1, computed from its
+    definition."""
     rays = (points - K[:2, 2]) / K[[0, 1], [0, 1]]
     return rays * (1 + k1 * (rays**2).sum(axis=1))[:, None] * K[[0, 1], [0, 1]] + K[:2, 2]
 
@@ -49,8 +50,8 @@ class LensTest(unittest.TestCase):
         self.assertEqual(usac.removeDistortion(np.empty((0, 2)), K).shape, (0, 2))
 
     def test_what_is_not_seen_is_not_a_number(self):
-        # r (1 - 0.25 r^2) has the maximum 0.77, so points beyond 616 pixels from the center have no
-        # ray
+        # The distorted radius r (1 - 0.25 r^2) is at most 0.77, so pixels more than 616 pixels from
+        # the center correspond to no ray.
         found = usac.removeDistortion([[410 + 610, 305], [410 + 620, 305], [np.nan, 3], [3, np.inf]], K, (-.25, 0, 0, 0))
         self.assertTrue(np.isfinite(found[0]).all())
         self.assertTrue(np.isnan(found[1:]).all())
@@ -65,8 +66,8 @@ class LensTest(unittest.TestCase):
 class ReportTest(unittest.TestCase):
 
     def test_threshold_in_another_unit(self):
-        """Points of the normalized image plane with a threshold in pixels: the report must say that
-        the result is meaningless."""
+        """The points are normalized image coordinates, but the threshold 1.5 is meant in pixels. The
+        report must say that such a result is meaningless."""
         rng = np.random.RandomState(2)
         X = rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (300, 3))
         points1, moved = X[:, :2] / X[:, 2:], X + [.5, .1, 0]

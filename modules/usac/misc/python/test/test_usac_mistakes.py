@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of common mistakes of callers: each must raise usacv20.error that names the argument, or be
-accepted."""
+"""Tests of common mistakes of callers, and of unusual but valid arguments. A mistake must raise
+usacv20.error with the name of the argument; valid arguments must be accepted."""
 
 import unittest
 
@@ -25,7 +25,7 @@ class MistakeCase(unittest.TestCase):
 
 
 class CallTest(MistakeCase):
-    """Arguments at a wrong position."""
+    """Tests of arguments at a wrong position, and of Params together with other options."""
 
     def test_number_behind_params(self):
         a, b, p = GENERAL.points1, GENERAL.points2, usac.Params()
@@ -74,7 +74,8 @@ class CallTest(MistakeCase):
         self.refused("Params", usac.findHomography, a, b, usac.USACV20, p)
         self.refused("srcPoints", usac.findHomography, p, a)
         self.refused("cameraMatrix", usac.findEssentialMat, a, b, p)
-        self.refused("cameraMatrix", usac.findEssentialMat, a, b, usac.USACV20)  # the integer value of the flag would be a focal length of 16384
+        # In this position the flag, the integer 16384, would be a focal length.
+        self.refused("cameraMatrix", usac.findEssentialMat, a, b, usac.USACV20)
         self.refused("Params", usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, p)
         self.refused("params", usac.estimateHomography, a, b, usac.USACV20)
         self.refused("cameraMatrix2", usac.estimateEssential, a, b, GENERAL.K1, p, None, None, p)
@@ -149,7 +150,7 @@ class ArrayTest(MistakeCase):
                 self.refused("distCoeffs", usac.estimateAbsolutePose, POSE.X, POSE.x, K, wrong)
 
     def test_huge(self):
-        wide = np.broadcast_to(np.array([[1.0, 2.0]]), (2**31 + 5, 2))  # an array view with 16 bytes of memory
+        wide = np.broadcast_to(np.array([[1.0, 2.0]]), (2**31 + 5, 2))  # a view that needs only 16 bytes of memory
         self.refused("points1", usac.estimateHomography, wide, wide)
         self.refused("srcPoints", usac.findHomography, wide, wide, RANSAC)
         self.refused("points2", usac.estimateHomography, PLANE.points1, wide.T)
@@ -187,7 +188,7 @@ class ArrayTest(MistakeCase):
         usac.findHomography(a, b, mask=apart[:, 1:2])
         np.testing.assert_array_equal(apart[:, 1:2], mask)
         self.assertEqual(set(apart[:, ::2].ravel()), {7})
-        other = np.full((count, 2), 7, np.uint8)  # does not fit, so a new mask is returned, as in cv2
+        other = np.full((count, 2), 7, np.uint8)  # has a wrong shape, so it stays and a new mask is returned, as in cv2
         self.assertEqual(bits(usac.findHomography(a, b, mask=other)[1]), bits(mask))
         self.assertEqual(set(other.ravel()), {7})
 

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of code that first-time users wrote: it must work as intended, or raise an error that
-explains why not."""
+"""Tests of calls that first-time users wrote. Each must work as the user intended, or raise an error
+that explains what is wrong."""
 
 import copy
 import inspect
@@ -180,12 +180,12 @@ class PointsTest(NewcomerCase):
         expected = bits(usac.estimateHomography(a, b)[:2])
         for scale in (1, 2, 4):  # homogeneous coordinates must be accepted
             self.assertEqual(bits(usac.estimateHomography(scale * np.hstack([a, np.ones((len(a), 1))]), b)[:2]), expected)
-        space = np.hstack([a / 640, confidences])  # points of space have a third coordinate
+        space = np.hstack([a / 640, confidences])  # for points of space, a third column must not be taken as confidences
         self.assertIsNotNone(usac.estimateRigid3D(space, space, usac.Params(threshold=0.01))[0])
 
     def test_sizes_of_features(self):
-        """A third column above 1 may be homogeneous. It must be accepted, with a warning if it
-        looks like something else."""
+        """A third column with values above 1 may be a homogeneous coordinate, so it must be
+        accepted. If it looks like sizes of features instead, there must be a warning."""
         rng = np.random.RandomState(2)
         n = 500
         a = rng.uniform(0, 640, (n, 2))
@@ -285,7 +285,9 @@ class WordTest(NewcomerCase):
             bound = inspect.signature(getattr(usac, name)).bind(*args)
             bound.apply_defaults()
             del bound.arguments["params"]
-            function = getattr(usac, name)  # the signature must have the actual default values
+            # A call with the default values that the signature shows must give the same result as a call
+            # without these arguments.
+            function = getattr(usac, name)
             self.assertEqual(bits(function(**bound.arguments)), bits(function(*args)), name)
 
     def test_all(self):
@@ -295,7 +297,8 @@ class WordTest(NewcomerCase):
 
     def test_help(self):
         text = pydoc.plain(pydoc.render_doc(usac))
-        self.assertLess(len(text.splitlines()), 2500)  # 742 lines with Python 3.11, 1817 with 3.14; 5976 if all enumerations were included
+        # 742 lines with Python 3.11 and 1817 with 3.14; it would be 5976 lines with all enumerations.
+        self.assertLess(len(text.splitlines()), 2500)
         for name in FUNCTIONS + ("estimateHomography", "estimateHomographies", "Params", "Report", "draw_matches", "USACV20_FAST"):
             self.assertIn(name, text)
         self.assertIn("QUALITY_MAGSAC", pydoc.render_doc(usac.QualityType))
@@ -321,8 +324,8 @@ class PictureTest(NewcomerCase):
         return image1, image2, a, b, np.array([[1], [0], [1]], np.uint8)
 
     def check(self, picture, a, b, good):
-        """Dots must be green for inliers and magenta for outliers; a point on the line of each
-        inlier must be green."""
+        """The dots of inliers must be green and those of outliers magenta. The line of an inlier
+        must be green at one of its points; an outlier must have no line."""
         self.assertEqual((picture.shape, picture.dtype), ((500, 1240, 3), np.uint8))
         for p, q, inlier in zip(a, b + [640, 0], good):
             places = [p, q] + ([0.3 * p + 0.7 * q] if inlier else [])
@@ -331,14 +334,14 @@ class PictureTest(NewcomerCase):
                 green = near[:, 1] - near[:, [0, 2]].max(axis=1)
                 self.assertGreater((green if inlier else -green).max(), 40, (x, y, near))
         between = picture[int(0.3 * a[1, 1] + 0.7 * b[1, 1]), int(0.3 * a[1, 0] + 0.7 * (b[1, 0] + 640))]
-        self.assertEqual(len(set(between.tolist())), 1)  # gray: no line for an outlier
+        self.assertEqual(len(set(between.tolist())), 1)  # three equal channels, gray: the outlier has no line
 
     def test_matches(self):
         image1, image2, a, b, mask = self.scene()
         draw = usac.draw_matches
         picture = draw(image1, image2, a, b, mask)
         self.check(picture, a, b, mask.ravel())
-        self.assertEqual(picture[450, 320, 0], 76 + 70)  # pale gray of image 1
+        self.assertEqual(picture[450, 320, 0], 76 + 70)  # the gray value 100 of image 1, made paler by 0.3 * 255 + 0.7 * 100
         for args in ((image1, image2, a[:, None], b.T, mask.ravel() != 0), (image1 / 255.0, image2, a.tolist(), np.float32(b), mask)):
             np.testing.assert_allclose(draw(*args).astype(int), picture, atol=1)
         everything = draw(image1, image2, a, b)
@@ -432,7 +435,7 @@ class UsacTest(NewcomerCase):
             usac_.run()
             for points in (sampler.points, usac_.points):
                 np.testing.assert_array_equal(points.scores, scores[points.inputIndex])
-            usac_.setScores(scores + 1)  # the sampler must be kept
+            usac_.setScores(scores + 1)  # new scores must not remove the sampler
             self.assertIs(usac_.components.sampler, sampler)
             usac_.run()
             np.testing.assert_array_equal(sampler.points.scores, (scores + 1)[sampler.points.inputIndex])

@@ -4,7 +4,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Tests of Params, Report and the enumerations as Python objects: construction, comparison, copies,
-texts."""
+repr() and documentation."""
 
 import copy
 import enum
@@ -258,7 +258,8 @@ class InTreeTest(unittest.TestCase):
 
 
 class AnyProblemTest(unittest.TestCase):
-    """estimateModel must return the result of the problem's function."""
+    """estimateModel(problem, ...) must return the same result as the function of this problem, for
+    example estimateHomography."""
 
     def test_same_as_the_function(self):
         s = PLANE

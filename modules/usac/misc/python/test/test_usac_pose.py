@@ -21,7 +21,7 @@ from usac_pose import FEW, POSE, formsOfPose, paramsFormsOfPose
 
 
 def pose(scene, params, *args):
-    """Returns (model, mask, report)."""
+    """Estimates the pose of a PoseScene with its camera; returns (model, mask, report)."""
     return usac.estimateAbsolutePose(scene.X, scene.x, scene.K, scene.d, params, *args)
 
 
@@ -30,7 +30,7 @@ def solve(scene, **kwargs):
 
 
 def indices(mask):
-    """The array `inliers` of solvePnPRansac for this mask."""
+    """Returns the array `inliers` that solvePnPRansac must return for this mask."""
     return np.flatnonzero(mask).astype(np.int32).reshape(-1, 1)
 
 
@@ -104,8 +104,8 @@ class PoseFlagTest(unittest.TestCase):
 
 @needsCv2
 class OpencvFlagTest(unittest.TestCase):
-    """Calls without a flag or Params of this module must give identical results to OpenCV's
-    function."""
+    """Calls without a flag or Params of this module must give exactly the same results as OpenCV's
+    own function."""
 
     def setUp(self):
         if not IN_TREE:
@@ -157,7 +157,8 @@ class FlagsOfAnotherOpencvTest(unittest.TestCase):
         native = sys.modules[usac.__name__ + "._native"].solvePnPFlags
         names = sorted(native)
         expected = self.outcomes(None, [native[name] for name in names])
-        byName = dict(zip(names, expected))  # flags that could be confused must give different results
+        # These flags have equal values in OpenCV 4 and 5. The test needs different results of them.
+        byName = dict(zip(names, expected))
         self.assertNotEqual(byName["SOLVEPNP_SQPNP"], byName["SOLVEPNP_IPPE"])
         self.assertNotEqual(byName["SOLVEPNP_AP3P"], byName["SOLVEPNP_IPPE_SQUARE"])
         for version, theirs in (("4.10.0", self.V4), ("5.0.0", self.V5)):
@@ -176,7 +177,8 @@ class FlagsOfAnotherOpencvTest(unittest.TestCase):
 
 
 class BeginTest(unittest.TestCase):
-    """Tests of a guessed pose or another initial model, which is tested before the first sample."""
+    """Tests of a guessed pose or another initial model. The search evaluates it before the first
+    sample."""
 
     def guess(self, rvec, tvec, **kwargs):
         return FINDER.solvePnPRansac(FEW.X, FEW.x, FEW.K, FEW.d, rvec, tvec, True, 10, THRESHOLD, flags=usac.USACV20, **kwargs)
@@ -231,7 +233,8 @@ class BeginTest(unittest.TestCase):
         model, _, alone = pose(POSE, params)
         self.assertEqual(alone.priorChance, 0)
         params.setInitialModel(model, alone.covariance)
-        again, _, report = pose(POSE, params)  # the mean of twice the same
+        # The prior equals the result of the points, so the model must stay and its covariance be halved.
+        again, _, report = pose(POSE, params)
         self.assertGreater(report.priorChance, 0.99)
         np.testing.assert_allclose(report.covariance, alone.covariance / 2, atol=0.02 * np.abs(alone.covariance).max())
         np.testing.assert_allclose(again, model, atol=1e-3)

@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the unchanged Python samples on OpenCV's sample images, with the package and any cv2, or
-with cv2.usacv20.
+"""Runs the Python samples of the module on OpenCV's sample images, either with the package usacv20
+and any cv2, or with cv2.usacv20.
 
-OPENCV_SAMPLES_DATA_PATH  folder of these images (samples/data of OpenCV's source); without them the
-tests are skipped
+OPENCV_SAMPLES_DATA_PATH  environment variable with the folder of these images (samples/data of
+OpenCV's source); without them the tests are skipped
 """
 
 import os
@@ -26,7 +26,8 @@ IMAGES = os.environ.get("OPENCV_SAMPLES_DATA_PATH", "")
 @once
 @needsCv2
 class SampleTest(unittest.TestCase):
-    """The exit code of a sample shows whether its error is below the sample's limit."""
+    """A sample must exit with code 0, which it does only if the error of its model is below a limit
+    that the sample sets."""
 
     def setUp(self):
         if not os.path.isdir(SAMPLES):

@@ -18,12 +18,13 @@ import numpy as np
 
 from usac_common import ERRORS, IN_TREE, package, usac
 
-SLACK = 0.5  # seconds that other processes on the machine may delay a run
+SLACK = 0.5  # seconds by which other processes on the machine may delay a run
 ENDLESS = dict(maxIterations=2**31 - 1, termination=0)
 
 
 def hard(count=2000):
-    """Matches with an inlier ratio of 5 %."""
+    """Returns points of two images with an inlier ratio of 5 %; the inliers obey an affinity without
+    noise."""
     rng = np.random.RandomState(3)
     points1, points2 = rng.uniform(0, 640, (count, 2)), rng.uniform(0, 640, (count, 2))
     points2[:count // 20] = points1[:count // 20] * [0.9, 1.1] + [20, -10]
@@ -65,7 +66,7 @@ class StopTest(unittest.TestCase):
         self.assertEqual(iterations, sorted(iterations))
         self.assertGreater(iterations[-1], iterations[0])
         _, _, report = usac.estimateHomography(*hard(), usac.Params(maxIterations=100))
-        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the block the function must not be called
+        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the with block, the function must not be called anymore
         self.assertEqual(len(seen), 5)
 
     def test_flags_batches_and_objects(self):
@@ -128,7 +129,7 @@ class StopTest(unittest.TestCase):
         scope = usac.progress(lambda report: True)
         with scope, self.assertRaisesRegex(ERRORS, "progress"), scope:
             pass
-        with scope:  # it must be reusable
+        with scope:  # the object must be usable again after the block
             pass
 
     def test_same_bits(self):
@@ -199,7 +200,8 @@ class InterruptTest(unittest.TestCase):
             child.send_signal(signal.SIGINT)
             self.assertEqual(child.stdout.readline(), "interrupted\n")
             self.assertLess(time.monotonic() - start, 1)
-            # the error class, which imports cv2, must not have been needed
+            # The first use of usacv20.error would import cv2. An interrupt must not need this class, so
+            # cv2 must be loaded only if cv2.usacv20 is tested.
             self.assertEqual(child.stdout.readline(), "usable 2000 {}\n".format(IN_TREE))
             self.assertEqual(child.wait(), 0)
         finally:

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the stubs of cv2.usacv20 for type checkers. OpenCV 4.9 and later write stubs if all
-modules that the stubs name are built."""
+"""Tests of the stubs (.pyi) of cv2 and cv2.usacv20 for type checkers. The build of OpenCV 4.9 and later
+writes stubs if all OpenCV modules that the stubs refer to are built."""
 
 import os
 import re

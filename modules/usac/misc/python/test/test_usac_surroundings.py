@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of effects of the surroundings: other threads, other processes, memory."""
+"""Tests of estimations beside other threads, signals and child processes, and of memory leaks."""
 
 import concurrent.futures
 import gc
@@ -18,12 +18,13 @@ import numpy as np
 from usac_common import DISTORTED, GENERAL, IN_TREE, MOVED, PLANE, SANITIZED, THRESHOLD, bits, estimate, usac
 from usac_pose import POSE
 
-# Number of calls of each function; 100000 for a long test.
+# Number of calls of each function in the tests for memory leaks; 100000 for a long test.
 CALLS = int(os.environ.get("USAC_TEST_CALLS", "2000"))
 
 
 def slow(seconds=0.4):
-    """Returns a function that takes about this time, nearly all of it in the search."""
+    """Returns a function that makes an estimation of about this time, nearly all of it in the
+    search."""
     params = usac.Params(termination=0, maxIterations=1000, threads=1, threshold=THRESHOLD)
     start = time.perf_counter()
     estimate("Essential", GENERAL, params)
@@ -41,7 +42,7 @@ class ThreadTest(unittest.TestCase):
         while thread.is_alive():
             time.sleep(0.001)
             steps += 1
-        self.assertGreater(steps, 20)  # if the lock were held, one or two
+        self.assertGreater(steps, 20)  # one or two steps if the estimation held the interpreter's lock
 
     def test_many_at_once(self):
         params = usac.Params(threshold=THRESHOLD)
@@ -56,8 +57,8 @@ class ThreadTest(unittest.TestCase):
         self.assertEqual(len(set(results)), 4)
 
     def test_params_that_others_change(self):
-        """If another thread changes Params, each run must use the old or the new values, and
-        nothing may crash."""
+        """Another thread changes Params during the estimations. Each estimation must use either the
+        old or the new values, and nothing may crash."""
         params, done = usac.Params(threshold=THRESHOLD), threading.Event()
 
         def change():
@@ -87,7 +88,8 @@ class ThreadTest(unittest.TestCase):
             k = 0
             while not done.is_set():
                 k += 1
-                written[:] = texts[k % 2]  # this assignment holds the lock, unlike an assignment to a NumPy array
+                # This assignment holds the interpreter's lock, unlike an assignment to a NumPy array.
+                written[:] = texts[k % 2]
 
         thread = threading.Thread(target=change)
         thread.start()
@@ -96,11 +98,12 @@ class ThreadTest(unittest.TestCase):
         finally:
             done.set()
             thread.join()
-        if not IN_TREE:  # in cv2.usacv20, OpenCV reads the points without the lock
+        if not IN_TREE:  # in cv2.usacv20, OpenCV reads the points without the lock and may see a mixture of both states
             self.assertLessEqual(found, expected)
 
     def test_interrupt(self):
-        """A signal must be handled at the latest after the run."""
+        """The handler of a signal that arrives during an estimation must be called at the latest
+        when the estimation has ended."""
         run = slow()
         handler = signal.signal(signal.SIGALRM, lambda *args: (_ for _ in ()).throw(KeyboardInterrupt))
         try:
@@ -142,7 +145,9 @@ class MemoryTest(unittest.TestCase):
         for _ in range(calls):
             function()
         gc.collect()
-        self.assertLess(residentBytes() - before, 2**19 + 100 * calls)  # less than one mask (300 bytes) per call
+        # A fixed amount, and for each call a third of a mask (300 bytes). So a long test detects a
+        # leak of a mask in each call.
+        self.assertLess(residentBytes() - before, 2**19 + 100 * calls)
 
     def test_estimations(self):
         params = usac.Params(threshold=THRESHOLD, scores=np.arange(len(PLANE.points1)), maxIterations=20)

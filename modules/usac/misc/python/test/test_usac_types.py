@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of types: this file, the package and the samples must pass mypy --strict, the package also
-stubtest."""
+"""Tests of the type annotations: this file, the package and the samples must pass mypy --strict. The
+package must also pass mypy's stubtest."""
 
 from __future__ import annotations
 
@@ -48,7 +48,8 @@ class Uniform(usacv20.Sampler if not module.__name__.startswith("cv2.") else obj
 
 @package
 class TypedTest(unittest.TestCase):
-    """Calls as in a typed program: mypy checks the types, the test checks the values."""
+    """Calls as in a program with type annotations. mypy checks the types (test_this_file), and these
+    tests check the values."""
 
     def test_flags(self) -> None:
         a, b = points()
@@ -104,8 +105,9 @@ class TypedTest(unittest.TestCase):
         self.assertEqual(code, -211)
 
 
-# One set of options for all runs, so that they share mypy's cache. Versions of NumPy's stubs differ
-# in what must be ignored or cast, so these warnings are off.
+# All runs have the same options, so that they share mypy's cache. Which `type: ignore` comments and
+# casts are needed depends on the version of NumPy's stubs, so warnings about superfluous ones are
+# off.
 OPTIONS = """[mypy]
 strict = True
 warn_redundant_casts = False
@@ -156,8 +158,8 @@ class ToolTest(unittest.TestCase):
         self.passes("mypy", "-p", "usacv20")
 
     def test_stubs(self) -> None:
-        # A function with overloads has only one signature for inspect, so stubtest must skip it.
-        # test_usac_newcomers.py tests these signatures.
+        # For functions with overloads, Python's module inspect shows only one signature, so stubtest must
+        # skip them. test_usac_newcomers.py tests their signatures.
         with open(os.path.join(self.cache, "allowed.txt"), "w") as file:
             file.write(r"usacv20(\._\w+)?\.({})".format("|".join(FUNCTIONS)))
         self.passes("mypy.stubtest", "usacv20", "--allowlist", "allowed.txt")

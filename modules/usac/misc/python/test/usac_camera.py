@@ -10,7 +10,7 @@ import numpy as np
 
 
 def rotation(vector):
-    """The rotation matrix of a rotation vector, by Rodrigues' formula."""
+    """Returns the rotation matrix of a rotation vector (radians), by Rodrigues' formula."""
     vector = np.asarray(vector, float).ravel()
     angle = np.linalg.norm(vector)
     if angle == 0:
@@ -21,8 +21,8 @@ def rotation(vector):
 
 
 def distort(points, coefficients):
-    """Applies a lens distortion with the coefficients k1, k2, p1, p2, k3 to points of the
-    normalized image plane."""
+    """Returns points of the normalized image plane after a lens distortion with the coefficients k1,
+    k2, p1, p2, k3; None: no distortion."""
     if coefficients is None:
         return points
     k1, k2, p1, p2, k3 = np.ravel(coefficients)[:5]
@@ -34,13 +34,13 @@ def distort(points, coefficients):
 
 
 def project(X, rvec, tvec, K, coefficients=None):
-    """Projects N points of space; returns pixels."""
+    """Returns the pixels of N points of space. rvec, tvec -- pose: X_camera = R(rvec) X + tvec"""
     seen = X.dot(rotation(rvec).T) + np.ravel(tvec)
     return distort(seen[:, :2] / seen[:, 2:], coefficients).dot(K[:2, :2].T) + K[:2, 2]
 
 
 def normalize(pixels, K, coefficients=None):
-    """Returns undistorted points of the normalized image plane."""
+    """Returns the undistorted points of the normalized image plane that belong to pixels."""
     seen = (pixels - K[:2, 2]).dot(np.linalg.inv(K[:2, :2]).T)
     points = seen
     for _ in range(100):  # fixed-point iteration, which converges linearly for a weak distortion

@@ -28,8 +28,8 @@ Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 
 MAX_IMAGES = 2147483647  # pair_id = MAX_IMAGES * smaller image_id + larger image_id
-# For each camera model: COLMAP's number, and the parameters of the lens, radial ones before
-# tangential ones.
+# For each camera model: COLMAP's number, and the coefficients of the lens distortion, first the radial
+# ones, then the tangential ones.
 MODELS: Dict[str, Tuple[int, Tuple[float, ...]]] = {
     "SIMPLE_PINHOLE": (0, ()),
     "PINHOLE": (1, ()),
@@ -72,8 +72,8 @@ class Label(enum.IntEnum):
 
     RANDOM = 0
     RIGHT = 1
-    # A part of a window matched to the same part of another window. All copies of a pair of images
-    # have the same offset between the windows.
+    # A part of a window is matched to the same part of another window. In a pair of images, all matches
+    # of this kind have the same offset between the two windows.
     COPY = 2
     LOGO = 3
 
@@ -87,8 +87,10 @@ class Recipe(NamedTuple):
     wrong: Tuple[float, float] = (0.3, 0.7)  # range of the fraction of wrong matches in pairs with overlap
     lone: Tuple[float, float] = (0.1, 0.3)  # range of the number of matches in pairs without overlap, relative to the number of keypoints in an image
     lonePairs: float = 1.0  # fraction of the pairs without overlap that have matches at all
-    copies: float = 0.3  # fraction of the wrong matches that go to another window, if the pair shows enough windows
-    cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)  # model, focal length known; images use them in turn
+    copies: float = 0.3  # fraction of the wrong matches that are of Label.COPY, if the images show enough windows
+    # Camera model and whether the focal length is known, for each camera; the images use the cameras in
+    # turn.
+    cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)
     columns: int = 6  # number of columns of the table of keypoints: 2, 4 or 6
     size: Tuple[int, int] = (1600, 1200)
     seed: int = 0
@@ -102,8 +104,9 @@ class Lens(NamedTuple):
     focalKnown: bool
 
     def split(self) -> Tuple[Floats, Floats]:
-        """Returns (K, parameters of the lens)."""
-        own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1  # 2: the model has one focal length; 1: it has two
+        """Returns (K, parameters of the lens distortion)."""
+        # 2 for models with a single focal length for x and y, 1 for models with fx and fy
+        own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1
         fx, fy, cx, cy = self.params[[0, 0, 1, 2]] if own == 2 else self.params[:4]
         return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), self.params[3 if own == 2 else 4:]
 
@@ -132,7 +135,7 @@ class Lens(NamedTuple):
 
 
 class Space(NamedTuple):
-    """The points of the scene."""
+    """The P points of the scene."""
 
     points: Floats  # P x 3
     normals: Floats  # P x 3, surface normals; points are visible only from the front
@@ -142,7 +145,7 @@ class Space(NamedTuple):
 
 
 class PairTruth(NamedTuple):
-    """A pair of images, numbered from 0, and its matches."""
+    """A pair of images, which are numbered from 0, and its matches with their ground truth."""
 
     first: int
     second: int
@@ -166,7 +169,7 @@ def frame(side: int) -> Tuple[Floats, Floats]:
     return np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
 
 
-HALF_WIDTH, HEIGHT = 2.5, 4.0  # of the building; its axis is the z axis
+HALF_WIDTH, HEIGHT = 2.5, 4.0  # half width and height of the building in units of the scene; its axis is the z axis
 COLUMNS, ROWS = 5, 3  # numbers of windows on a side
 
 
@@ -298,8 +301,8 @@ class Collection:
         self.pointOf.append(points[order])
 
     def _addLogo(self) -> Integers:
-        """Adds the logo to two images; returns its matches. It is near the border, as COLMAP
-        searches for watermarks within a tenth of the diagonal."""
+        """Adds the logo to two images; returns the matches of its points. The logo is near the border,
+        because COLMAP searches for watermarks only within a tenth of the diagonal from the border."""
         size, count = np.array(self.recipe.size), 40
         shape = size - self.rng.uniform([20, 15], [0.3 * size[0], 0.08 * size[1]], (count, 2))
         numbers = []
@@ -311,7 +314,7 @@ class Collection:
         return np.stack(numbers, axis=1)
 
     def _match(self, first: int, second: int) -> PairTruth:
-        """Makes one-to-one matches in random order: some of the common points, groups of copies,
+        """Returns one-to-one matches in random order: some of the common points, copies (Label.COPY),
         and random pairs of the remaining keypoints."""
         rng, enough = self.rng, 30
         a, b = self.pointOf[first], self.pointOf[second]
@@ -343,8 +346,9 @@ class Collection:
         return self._truth(first, second, matches[order], labels[order])
 
     def _copies(self, a: Integers, b: Integers, most: int) -> Integers:
-        """Matches parts of windows with the same parts of windows at a fixed offset; the offset
-        with the most matches is taken."""
+        """Returns at most `most` wrong matches by repeated structure: parts of windows matched to the
+        same parts of other windows. The offset between the windows is the same for all matches; the
+        offset with the most matches is chosen."""
         windows = self.space.windows
         best = np.zeros((0, 2), int)
         for across, up in ((1, 0), (-1, 0), (2, 0), (-2, 0), (0, 1), (0, -1)):
@@ -370,7 +374,7 @@ class Collection:
         return PairTruth(first, second, kind, matches, labels, share)
 
     def write(self, path: str) -> None:
-        """Writes a new database without descriptors and verified pairs."""
+        """Writes a new database, without descriptors and without verified pairs."""
         with sqlite3.connect(path) as database:
             database.executescript(SCHEMA)
             for number, lens in enumerate(self.lenses, 1):
@@ -393,7 +397,7 @@ class Collection:
 
 
 def _whereIn(pointOf: Integers, points: Integers) -> Integers:
-    """Returns the index of the keypoint of each point, or -1."""
+    """Returns, for each of the points, the index of the keypoint that shows it, or -1."""
     number = np.full(max(int(points.max(initial=0)), int(pointOf.max(initial=0))) + 1, -1)
     known = pointOf >= 0
     number[pointOf[known]] = np.flatnonzero(known)

@@ -21,8 +21,8 @@ if not IN_TREE:
 
 IMAGES = 2147483647
 SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV = range(5)
-# Tables that differ between versions: poses of images moved to a separate table, and rigs and
-# frames were added.
+# Tables that differ between versions of COLMAP: prior poses of images have moved to a separate table,
+# and rigs and frames were added.
 _OLD_IMAGES = ", prior_qw REAL, prior_qx REAL, prior_qy REAL, prior_qz REAL, prior_tx REAL, prior_ty REAL, prior_tz REAL"
 _PRIORS = """CREATE TABLE pose_priors (image_id INTEGER PRIMARY KEY NOT NULL, position BLOB, coordinate_system INTEGER NOT NULL,
 position_covariance BLOB, FOREIGN KEY(image_id) REFERENCES images(image_id) ON DELETE CASCADE);"""
@@ -39,7 +39,8 @@ corr_sensor_id INTEGER NOT NULL, corr_sensor_type INTEGER NOT NULL, position BLO
 coordinate_system INTEGER NOT NULL);"""
 _CAMERAS = """ALTER TABLE two_view_geometries ADD COLUMN camera1 BLOB;
 ALTER TABLE two_view_geometries ADD COLUMN camera2 BLOB;"""
-# For each version: columns of images, columns of descriptors, further tables, user_version.
+# For each version of COLMAP: additional columns of the tables images and descriptors, SQL statements
+# for further tables and columns, and user_version.
 SCHEMAS = {"3.8": (_OLD_IMAGES, "", "", 3800), "3.9": (_OLD_IMAGES, "", "", 3900), "3.11": ("", "", _PRIORS, 3900),
            "4.0": ("", "type INTEGER NOT NULL, ", _RIGS, 4000),
            "4.2": ("", "type INTEGER NOT NULL, ", _RIGS + _CAMERAS, 4020100)}
@@ -95,7 +96,7 @@ def writeDatabase(path, cameras, images, keypoints, matches, schema="3.8", wal=T
 
 
 def change(path, statement, *arguments):
-    """Executes a statement, for example to damage a database."""
+    """Executes an SQL statement that changes a database, for example to damage it."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         connection.execute(statement, arguments)
 
@@ -106,7 +107,7 @@ def rows(path, statement, *arguments):
 
 
 def dump(path, *tables):
-    """Returns all rows of tables."""
+    """Returns {table: all its rows}, sorted by the first column."""
     return {table: rows(path, "SELECT * FROM {} ORDER BY 1".format(table)) for table in tables}
 
 
@@ -114,8 +115,9 @@ INPUT = ("cameras", "images", "keypoints", "descriptors", "matches")
 
 
 def smallDatabase(path, images=6, points=60, seed=0, distorted=False, columns=2, **keywords):
-    """Writes a database with all pairs of a few images with random points; match i of a pair has
-    keypoint i of the first image."""
+    """Writes a database with all pairs of a few images; returns (keypoints, matches) as for
+    writeDatabase. Keypoints and matches are random; match i of a pair is of keypoint i of the first
+    image."""
     rng = np.random.RandomState(seed)
     camera = (OPENCV, 640, 480, (600, 610, 320, 240, -0.1, 0.02, 0.001, -0.002), True) if distorted else (
         SIMPLE_PINHOLE, 640, 480, (600, 320, 240), False)
@@ -144,7 +146,7 @@ class DatabaseCase(unittest.TestCase):
         return source.load(list(source.keys()))
 
     def refused(self, words, function, *args, **keywords):
-        """The call must raise a CollectionError of one line that contains the words."""
+        """The call must raise a CollectionError whose message is one line and contains the words."""
         with self.assertRaises(CollectionError) as context:
             function(*args, **keywords)
         message = str(context.exception)
@@ -154,7 +156,7 @@ class DatabaseCase(unittest.TestCase):
 
 
 def flat(item):
-    """Converts loaded data for an exact comparison."""
+    """Converts loaded data, arrays within lists and tuples, to a form that == compares exactly."""
     if isinstance(item, np.ndarray):
         return item.dtype.str, item.shape, item.tobytes()
     if isinstance(item, (list, tuple)):

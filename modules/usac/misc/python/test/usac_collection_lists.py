@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Files of pairs for tests of the command `pairs`."""
+"""Writes files of image pairs (.corr, NPZ, HDF5) and checks what is read from them; for tests of the
+command `pairs`."""
 
 import json
 import os
@@ -16,7 +17,7 @@ import numpy as np
 try:
     from usacv20.collection._lists import ListSource
     from usacv20.collection._pair import CollectionError, Fault
-except ImportError:  # tests of cv2.usacv20 may run without the package; these are then skipped
+except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     pass
 try:
     import h5py
@@ -65,14 +66,14 @@ class Files(unittest.TestCase):
         return self.path(name)
 
     def h5(self, name, **arrays):
-        """Writes arrays given by GROUP/NAME."""
+        """Writes an HDF5 file with the arrays, which are named GROUP/NAME."""
         with h5py.File(self.path(name), "w") as out:
             for key, array in arrays.items():
                 out[key] = array
         return self.path(name)
 
     def only(self, path, *more):
-        """Returns the only pair or fault of a source."""
+        """Returns the pair, or the Fault, of a source that must have only one."""
         source = self.source(path, *more)
         self.assertEqual(len(source), 1)
         (loaded,) = source.load(list(source.keys()))
@@ -85,7 +86,7 @@ class Files(unittest.TestCase):
         return source
 
     def check(self, pair, seed, rows=slice(None), known=True, scores=True):
-        """The pair must have the data of matchesOf(seed)."""
+        """The pair must have the given rows of matchesOf(seed), and the cameras K1, K2 if known."""
         self.assertNotIsInstance(pair, Fault, pair)
         a, b, s = matchesOf(seed)
         for view, points in ((pair.first, a), (pair.second, b)):

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Pairs of images with known noise, for the test and the measurement of --threshold auto."""
+"""Synthetic pairs of images with known noise, for tests and measurements of --threshold auto."""
 
 import numpy as np
 
@@ -17,9 +17,10 @@ KINDS = ("general", "general", "general", "general", "planar", "rotation")
 class NoisyPair(object):
     """A pair with its ground truth.
 
-    A quarter of the wrong matches go from one square to another, a quarter are right matches with a
-    constant offset (repeated structure), the others are random. `heavy`: standard deviation of the
-    logarithm of a random factor on the noise of each keypoint (log-normal)."""
+    A quarter of the wrong matches go from one small square of image 1 to one of image 2. Another
+    quarter are right matches whose points in image 2 have the same offset (repeated structure). The
+    others are random. `sigma`: standard deviation of the noise in pixels. `heavy`: the noise of each
+    keypoint gets a random log-normal factor; this is the standard deviation of its logarithm."""
 
     def __init__(self, seed, kind="general", size=(1600, 1200), sigma=1.0, wrong=0.5, known=True, matches=None,
                  heavy=0.0):
@@ -74,8 +75,8 @@ class NoisyPair(object):
 
 
 def noisyPairs(seed, pairs, none=0.2, **options):
-    """Makes a collection: pairs of all kinds, a fraction `none` without overlap, with 30 to 70 %
-    wrong matches."""
+    """Returns random pairs of all kinds with 30 to 70 % wrong matches. A fraction `none` of the pairs
+    has no overlap."""
     rng = np.random.RandomState(seed)
     result = []
     for i in range(pairs):

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A replacement of the verification of pairs for tests of other parts. Its result depends on all of
-its input."""
+"""A fast replacement of the verification of pairs, for tests of the other parts of the collection
+tool. Its result depends on all of its input, so that a wrong input is noticed."""
 
 import hashlib
 import os
@@ -19,7 +19,9 @@ from usacv20.collection._pair import CollectionError, Configuration, TwoView
 
 
 def verify(pairs, settings):
-    """A deterministic pseudo-result. settings: {"sleep": seconds for each pair, "seed": number}"""
+    """Returns a pseudo-result for each pair, which depends only on the pair and the seed.
+
+    settings -- {"sleep": seconds to wait for each pair, "seed": number}"""
     return [_one(pair, settings) for pair in pairs]
 
 
@@ -37,7 +39,7 @@ def _one(pair, settings):
 
 
 def nothing(pairs, settings):
-    """A verification that takes no time."""
+    """Returns results without a model; takes almost no time."""
     none = np.empty((0, 2), np.uint32)
     return [TwoView(pair.key, Configuration.DEGENERATE, none, None, None, None, None, None, "", len(pair.matches), 0, 1.0, 0.0)
             for pair in pairs]
@@ -62,7 +64,7 @@ def forgets(pairs, settings):
 
 
 class Here(DatabaseSource):
-    """A database that other processes than the first cannot open."""
+    """A database that only the process that made this object can open, as if files were not shared."""
 
     def __init__(self, *args, **keywords):
         super().__init__(*args, **keywords)
@@ -78,7 +80,7 @@ class Here(DatabaseSource):
 
 
 def main(path, *options):
-    """Makes a run of at least a second. options -- "workers": with Dask"""
+    """Makes a run that takes at least a second. options -- "workers": with two workers of Dask"""
     source, sink = DatabaseSource(path), DatabaseSink(path, {})
     summary = run(source, sink, {"sleep": 0.02}, sys.modules["usac_collection_verify"].verify, threads=2, chunk=5,
                   workers=2 * ("workers" in options))

@@ -3,12 +3,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Calls the program COLMAP: verification of given matches, mappers, reading of results, and their
-errors.
+"""Runs COLMAP for tests and benchmarks: its verification of given matches and its mappers. Reads the
+results and compares the camera poses with true ones.
 
-The program is `colmap` on the PATH (version 3.8 in Debian 12). USAC_COLMAP4 names the command of a
-later version (4.2.1 in Debian sid). It may be a script that enters a chroot, if the folder of
-temporary files has the same path there."""
+The program is `colmap` on the PATH (version 3.8 in Debian 12). The environment variable USAC_COLMAP4
+names the command of a later version (4.2.1 in Debian sid). This command may be a script that enters a
+chroot, if the folder of temporary files has the same path there."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class ColmapError(Exception):
 
 
 class Usage(NamedTuple):
-    """The output of a program and its CPU time."""
+    """The output of a program that has run, and its CPU time."""
 
     output: str
     cpuSeconds: float  # user and system
@@ -72,12 +72,14 @@ def findLater() -> Optional[str]:
 
 @functools.lru_cache(maxsize=None)
 def options(program: str, command: str) -> str:
-    """Returns the help text of a command, as names of options differ between versions."""
+    """Returns the help text of a command, to find out the names of its options. These differ between
+    versions of COLMAP."""
     return runProgram([program, command, "--help"]).output
 
 
 def withoutGpu(program: str, command: str) -> Dict[str, object]:
-    """Returns the options that run a command for features or matches on one core without GPU."""
+    """Returns the options with which a command of COLMAP that extracts or matches features runs on one
+    core, without GPU."""
     groups = ("FeatureExtraction", "FeatureMatching", "SiftExtraction", "SiftMatching")
     known = options(program, command)
     group = next(name for name in groups if "--{}.use_gpu".format(name) in known)
@@ -85,8 +87,8 @@ def withoutGpu(program: str, command: str) -> Dict[str, object]:
 
 
 def runProgram(command: Sequence[str]) -> Usage:
-    """Runs a program. No other child process may end during the call, since the CPU time is that of
-    all children."""
+    """Runs a program; raises ColmapError if it fails. No other child process may end during the call,
+    because the CPU time is measured for all child processes together."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
                          env=dict(os.environ, QT_QPA_PLATFORM="offscreen"))
@@ -117,7 +119,7 @@ def pairsOf(database: str) -> List[Tuple[str, str]]:
 
 
 def clear(database: str) -> None:
-    """Removes all verified pairs."""
+    """Removes all verified pairs from the database."""
     connection = sqlite3.connect(database)
     with connection:
         connection.execute("DELETE FROM two_view_geometries")
@@ -125,9 +127,9 @@ def clear(database: str) -> None:
 
 
 def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
-    """Runs COLMAP's own verification on one core; it replaces the table of results. Version 3 has
-    no separate command for it. Its importer of a list of pairs is used, which only verifies pairs
-    that have matches and needs no descriptors."""
+    """Runs COLMAP's own verification on one core. Its results replace the table two_view_geometries.
+    Version 3 has no command that only verifies, so matches_importer is used with a list of pairs. It
+    verifies pairs that have matches and needs no descriptors."""
     clear(database)
     program = program or find() or ""
     if program and "geometric_verifier" in runProgram([program, "help"]).output:
@@ -141,7 +143,7 @@ def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
 
 
 def verified(database: str) -> Dict[int, Verified]:
-    """Returns the table two_view_geometries by pair_id."""
+    """Returns the table two_view_geometries as {pair_id: row}."""
     connection = sqlite3.connect(database)
     rows = connection.execute("SELECT pair_id, rows, data, config, F, E, H FROM two_view_geometries").fetchall()
     connection.close()
@@ -154,15 +156,15 @@ def mapper(database: str, images: Optional[str] = None, program: Optional[str] =
     """Returns the largest model that `mapper` or `global_mapper` makes on one core; an empty model
     if it makes none.
 
-    images -- folder, for colors; None: no colors
-    fixed -- True: the cameras are not refined"""
+    images -- folder of the images, from which the points get colors; None: no colors
+    fixed -- True: focal lengths and distortion are not refined"""
     program = program or find() or ""
     group = "GlobalMapper" if command == "global_mapper" else "Mapper"
     known = options(program, command) if program else ""
     given: Dict[str, object] = {group + "__num_threads": 1}
     if group + ".extract_colors" in known:
         given[group + "__extract_colors"] = int(images is not None)
-    if group + ".structure_less_registration_fallback" in known:  # with it, 4.2.1 of Debian crashes by a double free (in PoseLib)
+    if group + ".structure_less_registration_fallback" in known:  # switched off: Debian's 4.2.1 crashes in it by a double free
         given[group + "__structure_less_registration_fallback"] = 0
     given[group + "__random_seed" if group + ".random_seed" in known else "random_seed"] = seed
     if fixed:
@@ -180,7 +182,7 @@ def mapper(database: str, images: Optional[str] = None, program: Optional[str] =
 
 
 def readModel(folder: str) -> Model:
-    """Reads images.bin and points3D.bin."""
+    """Reads a reconstruction from the files images.bin and points3D.bin of COLMAP."""
     poses = {}
     with open(os.path.join(folder, "images.bin"), "rb") as file:
         data = file.read()
@@ -211,13 +213,13 @@ def matrixOf(quaternion: Floats) -> Floats:
 
 
 def angle(a: Floats, b: Floats) -> float:
-    """Degrees between two directions."""
+    """Returns the angle between two directions in degrees."""
     return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)))
 
 
 def poseError(estimate: Pose, truth: Pose) -> float:
-    """The larger of the errors of the rotation and of the direction of the translation in degrees;
-    only the former if the true translation is zero."""
+    """Returns the larger of two errors in degrees: of the rotation, and of the direction of the
+    translation. If the true translation is zero, only the rotation counts."""
     D = estimate[0] @ truth[0].T
     skew = np.array([D[2, 1] - D[1, 2], D[0, 2] - D[2, 0], D[1, 0] - D[0, 1]])
     turned = float(np.degrees(np.arctan2(np.linalg.norm(skew), np.trace(D) - 1)))
@@ -227,13 +229,14 @@ def poseError(estimate: Pose, truth: Pose) -> float:
 
 
 def between(first: Pose, second: Pose) -> Pose:
-    """Returns R, t with x2 ~ R x1 + t for two cameras."""
+    """Returns the relative pose R, t of two cameras: x2 = R x1 + t for points in camera coordinates."""
     R = second[0] @ first[0].T
     return R, second[1] - R @ first[1]
 
 
 def relativeErrors(estimate: Dict[str, Pose], truth: Dict[str, Pose]) -> Floats:
-    """Returns the pose errors of all pairs of images; infinite if one of them is not registered."""
+    """Returns the errors of the relative poses of all pairs of images in degrees. The error is
+    infinite if one of the two images is not registered."""
     names = sorted(truth)
     errors = []
     for i, a in enumerate(names):
@@ -244,8 +247,8 @@ def relativeErrors(estimate: Dict[str, Pose], truth: Dict[str, Pose]) -> Floats:
 
 
 def areaUnderCurve(errors: Floats, limit: float) -> float:
-    """Area under the cumulative distribution of the errors from 0 to the limit, divided by the
-    limit."""
+    """Returns the area under the cumulative distribution of the errors from 0 to the limit, divided
+    by the limit: a number from 0 to 1."""
     inside = np.sort(errors[errors <= limit])
     x = np.concatenate([[0], inside, [limit]])
     share = np.append(np.arange(len(inside) + 1), len(inside)) / len(errors)

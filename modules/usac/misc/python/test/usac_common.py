@@ -35,7 +35,8 @@ else:
 ERRORS = (usac.error,) if cv is None else (usac.error, cv.error)
 FINDER = cv if IN_TREE else usac  # the module whose find* functions take flags of this module
 SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")  # see misc/sanitize.sh
-# For tests of tools and of the installation, which do not depend on cv2.
+# Decorators that skip tests. `once` is for tests of tools and of the installation, which do not depend
+# on cv2 or a sanitizer, so that these run only in the normal configuration.
 once = unittest.skipIf(SANITIZED or os.environ.get("USAC_TEST_CV2") == "none", "not of the module")
 needsCv2 = unittest.skipIf(cv is None, "there is no cv2")
 inTree = unittest.skipUnless(IN_TREE, "of cv2.usacv20 only")
@@ -49,14 +50,15 @@ FLAGS = {flag.name: int(flag) for flag in usac.UsacV20Method}
 # Flags of OpenCV, defined here because the package also takes them without cv2.
 FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO = 1, 2, 4, 8, 16
 USAC_DEFAULT, USAC_PARALLEL, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
-# Some values differ between OpenCV 4 and 5.
+# Some of these values differ between OpenCV 4 and 5; the numbers given here are those of OpenCV 4.
 SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = (
     0, 1, 2, getattr(cv, "SOLVEPNP_AP3P", 5), getattr(cv, "SOLVEPNP_SQPNP", 8))
-THRESHOLD = 2.0
+THRESHOLD = 2.0  # pixels
 
 
 class Scene(object):
-    """Correspondences in random order: 200 inliers with noise and 100 outliers."""
+    """300 correspondences in random order: 200 inliers with noise (0.3 pixels) and 100 outliers.
+    planar -- True: the points of space lie in a plane"""
 
     def __init__(self, planar, distorted=False):
         rng = np.random.RandomState(5)
@@ -80,14 +82,15 @@ class Scene(object):
         self.focal, self.pp = 800., (320., 240.)
 
     def moveTo(self, similarity):
-        """Replaces image 2 by a similarity transform of image 1."""
+        """Replaces the inliers of image 2 by a similarity transform (2 x 3) of image 1, with noise."""
         noise = self.points2 - self.true2
         self.true2 = self.true1.dot(similarity[:, :2].T) + similarity[:, 2]
         self.points2[self.inliers] = (self.true2 + noise)[self.inliers]
         return self
 
     def error(self, problem, model):
-        """Mean error of the noise-free inliers in pixels."""
+        """Returns the mean error of a model in pixels, computed from the inliers without their
+        noise."""
         if model.shape == (2, 3):
             return np.linalg.norm(self.true1.dot(model[:, :2].T) + model[:, 2] - self.true2, axis=1)[self.inliers].mean()
         a, b = self.true1[self.inliers], self.true2[self.inliers]
@@ -111,7 +114,7 @@ MOVED = Scene(planar=True).moveTo(np.array([[0.9, -0.2, 40.], [0.2, 0.9, -25.]])
 
 
 def formsOfMaps(method):
-    """The part of forms() for affine maps and similarities."""
+    """Returns the part of forms() for affine maps and similarities."""
     m, T = MOVED, THRESHOLD
     a, b = m.points1, m.points2
     return [(problem, function, m, args, kwargs)
@@ -173,11 +176,11 @@ def formsOfOpencv():
     """Returns forms() for those flags of OpenCV whose results are reproducible."""
     usacs = [USAC_DEFAULT, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC]
     return [form for method in [0, LMEDS, RANSAC, RHO, FM_7POINT, FM_8POINT] + usacs for form in forms(method)
-            if form[1] != "findEssentialMat" or method not in usacs]  # with OpenCV 4.6, E differs each time
+            if form[1] != "findEssentialMat" or method not in usacs]  # their essential matrix differs in each run of OpenCV 4.6
 
 
 def paramsForms(params):
-    """Returns the forms of calls with the argument `params`."""
+    """Returns the forms of calls with Params instead of a flag, as forms() does."""
     p, g, d, m = PLANE, GENERAL, DISTORTED, MOVED
     H, F, E, A, S = FUNCTIONS[:5]
     return [
@@ -210,7 +213,7 @@ def estimate(problem, scene, params, *args):
 
 
 def bits(result):
-    """Converts a result or an exception for an exact comparison."""
+    """Converts a result or an exception to a form that == compares exactly, arrays bit by bit."""
     if isinstance(result, (tuple, list)):
         return tuple(bits(item) for item in result)
     if isinstance(result, np.ndarray):

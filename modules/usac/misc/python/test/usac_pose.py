@@ -13,8 +13,8 @@ THRESHOLD = 2.0  # pixels
 
 
 class PoseScene(object):
-    """Points of space X and their image points x by a camera with distortion, in random order;
-    inliers have noise."""
+    """`count` points of space X and their pixels x in a camera with distortion, in random order.
+    `good` of them are inliers with noise (0.3 pixels), the others are outliers."""
 
     def __init__(self, count, good):
         rng = np.random.RandomState(5)
@@ -31,7 +31,8 @@ class PoseScene(object):
         self.inliers[bad] = False
 
     def error(self, rvec, tvec):
-        """Mean error of the noise-free points in pixels."""
+        """Returns the mean distance in pixels between the projections by this pose and by the true
+        pose."""
         return self.errorOf(np.hstack((rotation(rvec), np.reshape(tvec, (3, 1)))))
 
     def errorOf(self, pose):
@@ -44,12 +45,12 @@ class PoseScene(object):
 
 
 POSE = PoseScene(300, 200)
-FEW = PoseScene(600, 30)  # a minimal sample consists of inliers once in 8000 samples
+FEW = PoseScene(600, 30)  # an inlier ratio of 5 %: one of 8000 minimal samples (3 points) has only inliers
 
 
 def formsOfPose(method):
     """Returns the forms of calls of solvePnPRansac with a flag: (positional arguments, keyword
-    arguments). All are the same call."""
+    arguments). All of them mean the same, so their results must be equal."""
     s, T = POSE, THRESHOLD
     X, x, K, d = s.X, s.x, s.K, s.d
     return [
@@ -64,7 +65,7 @@ def formsOfPose(method):
 
 
 def paramsFormsOfPose(params):
-    """Returns the forms of calls with the argument `params`."""
+    """Returns the forms of calls of solvePnPRansac with Params instead of a flag."""
     s = POSE
     return [
         ((s.X, s.x, s.K, s.d, None, None, None, params), {}),
