@@ -117,8 +117,8 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
     truth = Mat(scene.motion, true);
 }
 
-//! Multiplies the noise of every second right match by SceneCell::spread. @param exact1, exact2 the
-//! points without noise
+//! Multiplies the noise of every second match by SceneCell::spread and sets `sigmas`; wrong matches
+//! have no noise. @param exact1, exact2 the points without noise
 void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2)
 {
     if (cell.spread == 1)

@@ -76,7 +76,7 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
     placeN      N percent of all matches at one place of image 2, within 0.4 pixels
     clusters    each point in one of five squares of 20 pixels of its image
     center      both points near the middle of their image
-    window      displaced by up to 60 pixels
+    window      in image 2 up to 60 pixels from the position in image 1
     border      both points on the border of their image
 
 @return false for any other name. */

@@ -14,8 +14,9 @@
 expected differences, and counts.
 
 Only tests that call one of the redirected functions count. A test that fails with a flag as the
-list says counts neither as passed nor as failed. To keep the list up to date, there are two more
-failures: a test that passes although it is on the list, and a test on the list that does not exist.
+list says counts neither as passed nor as failed. To keep the list up to date, two more things count
+as failures: a test that passes although it is on the list, and an entry of the list for a test that
+does not exist.
 The tests of the list itself (test_outcomes.cpp) count, too. */
 class Outcomes : public testing::EmptyTestEventListener
 {

@@ -260,7 +260,7 @@ def functions(problem, first):
     if problem.type == first.type:
         text += docstring(BATCH.format(one=problem.function, about=kind.aboutMany))
     else:
-        text += docstring("As {}, by {}.".format(first.batch, problem.function) + kind.aboutMany)
+        text += docstring("Like {}, but with {}.".format(first.batch, problem.function) + kind.aboutMany)
     return text + wrapped("    return estimateMany(", ["ProblemType." + problem.type] + kind.callMany, names + ")")
 
 

@@ -41,8 +41,8 @@ namespace {
 //! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of the number drawn
 //! so far, or LEAST_SAMPLES if this number is larger.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
-//! With evidence of a rival, the number of samples is at most 1 / MOST_PART of the number drawn so
-//! far.
+//! With evidence of a rival, the number of samples is at most 1 / MOST_PART of the number of other
+//! samples drawn so far, or LEAST_SAMPLES if this number is larger.
 constexpr int MOST_PART = 3;
 //! A rival has at least this many inliers that the best model does not explain, as a fraction of
 //! the inliers of the best model. Models of random wrong matches reach fractions up to 0.06, models

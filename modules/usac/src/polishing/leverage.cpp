@@ -21,8 +21,8 @@ namespace {
 constexpr double BULK = 0.85;
 //! A point with at least this leverage (which is at most 1) may determine a parameter alone.
 constexpr double HIGH = 0.4;
-//! A point is included again if its error is at most DEVIATIONS standard deviations of its
-//! predicted error and, in the first of two rounds, if its leverage is at most PREDICTED.
+//! A point is included again if its error is at most DEVIATIONS times the standard deviation
+//! predicted for it and, in the first of two rounds, if its leverage is at most PREDICTED.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 /** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
 less than HOPE, the attempt ends; the result must gain GAIN. Changing two parameters gains 6 by

@@ -64,7 +64,7 @@ double Distortion::radial(double squared, double* derivative) const
 }
 
 //! The smallest q = r^2 > 0 at which the distorted radius r radial(r^2) stops growing or the
-//! denominator is 0; INFINITY if there is none. With radial = N / D as in the code below.
+//! denominator D of radial = N / D is 0; INFINITY if there is none.
 double Distortion::firstFold() const
 {
     const double N[4] = {1, c[K1], c[K2], c[K3]}, D[4] = {1, c[K4], c[K5], c[K6]};

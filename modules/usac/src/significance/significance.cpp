@@ -17,8 +17,8 @@ namespace {
 
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
 //! among them. While a test does not decide, the next test has MORE times as many points. A test
-//! of all points has PAIRS wrong matches, which give their inlier probability with a standard
-//! deviation of at most 0.01.
+//! of all points makes at least about PAIRS wrong matches, which give their inlier probability with
+//! a standard deviation of at most 0.01.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
 //! Wider thresholds that are tried, too, as multiples of the given threshold.
 constexpr double WIDE[] = {4, 16};

@@ -36,7 +36,7 @@ constexpr double DEVIATIONS = 3;
 //! are enough, because local optimization finds the model.
 constexpr int SAMPLES_FROM_E = 10;
 //! Number of samples of the search for H among inliers of E or F. An H that fits 80 % of them is
-//! found within 17 samples with probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
+//! found within 18 samples with probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
 constexpr int SAMPLES_IN_INLIERS = 100;
 //! Largest Report::chance (a probability) of an accepted model if Params::significance is 0. It is
 //! a hundredth of the limit for a single estimation, because most pairs of a collection do not

@@ -39,7 +39,7 @@ public:
     PairModels(const TwoViewPair& pair, const Params& params, const TwoViewRules& rules);
 
     //! Searches for E, F and H as described at #estimateTwoViewGeometry. The pair must have
-    //! leastMatches() or more.
+    //! at least leastMatches() matches.
     void search();
     //! The model that determines the inliers of the pair: E, F or H; null: none was found.
     const PairModel* base() const;

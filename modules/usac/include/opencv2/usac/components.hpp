@@ -191,7 +191,7 @@ class CV_EXPORTS Neighborhood : public Component
 {
 public:
     virtual ~Neighborhood();
-    //! Number of layers, that is of neighborhood sizes; layer 0 has the smallest neighborhoods.
+    //! Number of layers, that is, of neighborhood sizes; layer 0 has the smallest neighborhoods.
     virtual int layers() const = 0;
     //! Neighbors of a point in a layer, including the point itself. @return their number; `members`
     //! points to them.

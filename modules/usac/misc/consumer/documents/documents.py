@@ -31,8 +31,8 @@ def keyOf(rule: Rule) -> str:
 
 
 def matched(blocks: Sequence[Block], table: Sequence[Rule]) -> Tuple[List[Tuple[Block, Any]], List[str]]:
-    """Returns the blocks with their actions in the order of the table, and a list of mistakes of
-    the table."""
+    """Returns the blocks with their actions in the order of the table, and a list of the mistakes
+    in the table."""
     known = {}
     for block in blocks:
         known.setdefault(block.key.replace("`", ""), []).append(block)

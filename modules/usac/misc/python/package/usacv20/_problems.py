@@ -81,7 +81,7 @@ def estimateFundamental(points1: npt.ArrayLike, points2: npt.ArrayLike, params: 
 
 def estimateFundamentals(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
                          returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateFundamental."""
+    """Like estimateHomographies, but with estimateFundamental."""
     return estimateMany(ProblemType.FUNDAMENTAL, points1, points2, params, threads, returnExceptions)
 
 
@@ -116,7 +116,7 @@ def estimateEssential(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatr
 def estimateEssentials(points1: _Lists, points2: _Lists, cameraMatrices1: _Arrays, cameraMatrices2: _Arrays = None,
                        distCoeffs1: _Arrays = None, distCoeffs2: _Arrays = None, params: _ParamsOfEach = None,
                        threads: int = 0, returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateEssential.
+    """Like estimateHomographies, but with estimateEssential.
 
     cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2 -- one array for all, or a list with an array for each. A camera
         matrix is a 3x3 array; without one for image 2, that of image 1 holds for both images. Distortion coefficients of None
@@ -145,7 +145,7 @@ def estimateAffinity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
 
 def estimateAffinities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
                          returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateAffinity2D."""
+    """Like estimateHomographies, but with estimateAffinity2D."""
     return estimateMany(ProblemType.AFFINITY, points1, points2, params, threads, returnExceptions)
 
 
@@ -170,7 +170,7 @@ def estimateSimilarity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
 
 def estimateSimilarities2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
                            returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateSimilarity2D."""
+    """Like estimateHomographies, but with estimateSimilarity2D."""
     return estimateMany(ProblemType.SIMILARITY, points1, points2, params, threads, returnExceptions)
 
 
@@ -199,7 +199,7 @@ def estimateAbsolutePose(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike
 
 def estimateAbsolutePoses(objectPoints: _Lists, imagePoints: _Lists, cameraMatrices: _Arrays, distCoeffs: _Arrays = None,
                           params: _ParamsOfEach = None, threads: int = 0, returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateAbsolutePose.
+    """Like estimateHomographies, but with estimateAbsolutePose.
 
     cameraMatrices, distCoeffs -- one array for all, or a list with an array for each. A camera matrix is a 3x3 array; without
         one for image 2, that of image 1 holds for both images. Distortion coefficients of None mean no distortion"""
@@ -227,7 +227,7 @@ def estimateRigid3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Opti
 
 def estimateRigids3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
                      returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateRigid3D."""
+    """Like estimateHomographies, but with estimateRigid3D."""
     return estimateMany(ProblemType.RIGID_3D, points1, points2, params, threads, returnExceptions)
 
 
@@ -250,7 +250,7 @@ def estimateSimilarity3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
 
 def estimateSimilarities3D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
                            returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateSimilarity3D."""
+    """Like estimateHomographies, but with estimateSimilarity3D."""
     return estimateMany(ProblemType.SIMILARITY_3D, points1, points2, params, threads, returnExceptions)
 
 
@@ -275,5 +275,5 @@ def estimateTranslation2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params
 
 def estimateTranslations2D(points1: _Lists, points2: _Lists, params: _ParamsOfEach = None, threads: int = 0,
                            returnExceptions: bool = False) -> _Estimates:
-    """As estimateHomographies, by estimateTranslation2D."""
+    """Like estimateHomographies, but with estimateTranslation2D."""
     return estimateMany(ProblemType.TRANSLATION_2D, points1, points2, params, threads, returnExceptions)
