@@ -59,9 +59,10 @@ void Labeling::labelWithoutCut(Arena& arena, const Vec2i* edges, int count, floa
     const float *const k = K, *const cost = unary;
     int* const label = node;
     for (int i = 0; i < size; ++i)
-        label[i] = cost[i] + mostOfEdges < 0                ? INLIER
-                   : (cost[i] >= mostOfEdges) | (k[i] == 0) ? OUTLIER
-                                                            : 0;
+    {
+        const bool outlier = (cost[i] >= mostOfEdges) | (k[i] == 0);
+        label[i] = cost[i] + mostOfEdges < 0 ? INLIER : outlier ? OUTLIER : 0;
+    }
     std::copy(cost, cost + size, lowest);
     std::copy(cost, cost + size, highest);
     for (int e = 0; e < count; ++e)
