@@ -76,8 +76,8 @@ struct CV_EXPORTS State
                     //!< from all points; true unless the sampler sets it to false
     double successProbability;  //!< probability that an all-inlier sample leads to the best model,
                                 //!< see Degeneracy::successProbability()
-    int countedSamples;   //!< number of samples so far with `counts`; the confidence is computed
-                          //!< from it
+    int countedSamples;   //!< number of samples so far for which `counts` was true; the confidence
+                          //!< is computed from this number
     int repeatedSamples;  //!< number of samples that would count if they did not contain the same
                           //!< match twice
     int orderedSamples;   //!< number of samples so far that follow a known order (scores, or the
@@ -238,7 +238,8 @@ public:
     @param models output: for each sample an array of at most #MAX_MODELS models
     @param found output: number of models of each sample
 
-    The models of a sample must not depend on the other samples. Default: calls solve() for each. */
+    The models of a sample must not depend on the other samples. Default: calls solve() for each
+    sample. */
     virtual void solveMany(const Correspondences& points, const int* const* samples, int count,
                            Model* const* models, int* found) const;
     //! Number of samples for which solveMany() is fastest, at most #MAX_TOGETHER. Default: 1, so
@@ -306,7 +307,8 @@ public:
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over
 Correspondences::column. `model` has the Model::size() entries as float, see Residual::homogeneous.
-A kernel only saves time if the compiler vectorizes it, but then even for blocks of 32 points. */
+A kernel saves time only if the compiler vectorizes its loop; it is then faster even for blocks of
+32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model,
                             float squaredThreshold, int begin, int end, Quality& sum);
 

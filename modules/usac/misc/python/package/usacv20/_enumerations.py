@@ -70,7 +70,7 @@ class SamplerType(enum.IntEnum):
     SAMPLER_UNIFORM = 0  # all points are equally likely
     SAMPLER_PROSAC = 1  # from a growing set of the best points
     SAMPLER_P_NAPSAC = 2  # P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
-    SAMPLER_NAPSAC = 3  # any point and its neighbors
+    SAMPLER_NAPSAC = 3  # a random point and neighbors of it
     SAMPLER_IMPORTANCE = 4  # each point with probability proportional to Params.scores, for example inlier probabilities
 
 
