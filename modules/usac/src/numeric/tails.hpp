@@ -21,9 +21,9 @@ of `earlierTrials` did and that the prior of their common probability is uniform
 the beta-binomial distribution @cite gelman2013bayesian.
 
 With many earlier trials it is close to the tail of the binomial distribution. With few earlier
-trials the tail is heavier, because they tell little about the common probability. The sum is
-computed like binomialTail(); its first term has a relative error of up to 1e-9. Takes at most
-O(trials) time, usually O(sqrt(trials)). */
+trials the tail is heavier, because the common probability is then hardly known. The sum is computed
+like binomialTail(); its first term has a relative error of up to 1e-9. Takes at most O(trials)
+time, usually O(sqrt(trials)). */
 double betaBinomialTail(int successes, int trials, int earlierSuccesses, int earlierTrials);
 
 //! log(n!), n >= 0.
