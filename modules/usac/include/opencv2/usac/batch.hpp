@@ -81,8 +81,8 @@ private:
 /** @name Batches of one problem
 Each of these functions calls #estimateBatch with tasks of one problem.
 @param points1, points2 lists of the same length, one entry per task:
-`std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry like the points of
-#estimateHomography and similar functions
+`std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry has the form of the
+points of #estimateHomography and similar functions
 @param params one Params for all tasks, or a `std::vector<Params>` with one for each, for example
 because each task has its own match scores
 @param threads as in #estimateBatch

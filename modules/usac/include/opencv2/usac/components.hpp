@@ -25,10 +25,10 @@ The parts of Algorithm 1 of @cite ivashechkin2021usacv20. Each is a small abstra
 Usac::create makes the default set, and any of them can be replaced before Usac::run. A virtual call
 covers a sample, a model or a block of points, never a single point.
 
-If Params::threads is not 1, several threads may call the following methods at the same time: all
-of Residual and MinimalSolver, Score::accumulate, Verifier::preTest, nextBlock and proceed, and
-Degeneracy::validSample, mayBeGood and validModel. They are `const` and must not take memory from
-Context::arena. All other methods are called by one thread.
+If Params::threads is not 1, several threads may call the following methods at the same time: all of
+Residual and MinimalSolver, Score::accumulate, fused and wholeModel, Verifier::preTest, nextBlock
+and proceed, and Degeneracy::validSample, mayBeGood and validModel. They are `const` and must not
+take memory from Context::arena. All other methods are called by one thread.
 @{ */
 
 //! Parameters of one design of the sequential probability ratio test (SPRT), and the number of
@@ -38,8 +38,7 @@ struct SequentialTest
     double epsilon;  //!< probability that a point is an inlier of a good model
     double delta;    //!< probability that a point is an inlier of a bad model
     double A;  //!< decision threshold: a good model is rejected with a probability of at most 1/A
-    int samples;  //!< number of samples, only those with State::counts, whose models this design
-                  //!< has tested
+    int samples;  //!< number of samples with State::counts whose models this design has tested
 };
 
 struct Context;
@@ -277,7 +276,8 @@ public:
     //! Squared errors of the points begin .. end-1; NaN or infinite where the error is not defined.
     virtual void squaredErrors(const Correspondences& points, const Model& model, int begin,
                                int end, float* errors) const = 0;
-    //! The same in double precision, for `count` points in any coordinates, given as columns.
+    //! The same in double precision, for `count` points that are given as columns. The points need
+    //! not be those of the run.
     virtual void squaredErrors(const Model& model, const double* const* columns, int count,
                                double* errors) const = 0;
     /** @brief The error of one datum as a vector whose squared length is the squared error.
@@ -424,8 +424,9 @@ public:
     //! model changes, and when the verifier adds a design to `state.tests`.
     virtual int iterations(const Context& context, const State& state) const = 0;
     //! True (default): iterations() is a number of samples of any kind. False: only samples with
-    //! State::counts are counted; if more than half of the points outside the sample of the best
-    //! model are its inliers, all samples are counted nevertheless.
+    //! State::counts are counted; all samples are counted nevertheless if more than half of the
+    //! points outside the sample of the best model are its inliers, unless State::degenerate is
+    //! true or State::successProbability is below 1.
     virtual bool countsAll() const;
     /** @brief Called between batches of samples: may set State::wanted, so that the sampler draws
     what the criterion needs. Default: does nothing.

@@ -304,7 +304,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! further layer has twice as many (up to 512); 1..1000. Default 10.
     CV_PROP_RW int neighbors;
     //! Radius in pixels for #NEIGHBORHOOD_RADIUS in the finest of four layers, doubled for each
-    //! further layer; > 0. Default 40.
+    //! further layer, with at most 512 neighbors; > 0. Default 40.
     CV_PROP_RW double neighborRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
     CV_PROP_RW int residual;
@@ -346,10 +346,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     in their own way; the others are uniform among all points. Only the uniform samples count for
     the termination criteria except #TERMINATION_PROSAC, because samples from a subset may never
     consist of inliers of the best model, and `confidence` would not hold. But all samples count if
-    more than half of the points outside the sample of the best model are its inliers. If the order
-    is known, the first 8 samples are uniform; with #TERMINATION_ORDER every second sample then
-    follows it at first, and every sample once it is confirmed. 1: all are drawn in the sampler's
-    way and count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
+    more than half of the points outside the sample of the best model are its inliers and no plane
+    dominates. If the order is known, the first 8 samples are uniform; with #TERMINATION_ORDER every
+    second sample then follows it at first, and every sample once it is confirmed. 1: all are drawn
+    in the sampler's way and count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default
     //! #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT | #TERMINATION_ORDER.

@@ -23,7 +23,7 @@ the time since the run began. */
 typedef std::function<bool(const Report& report)> Progress;
 
 /** @brief While an object exists, all estimations that its thread begins call a function every 5
-milliseconds, which decides whether to continue.
+milliseconds. The function decides whether to continue.
 
 This applies to all functions that estimate a model: those with a flag, #estimateHomography and
 similar functions, #estimateBatch, and Usac::run.
