@@ -37,7 +37,7 @@ Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
     const int rows = points.rows, cols = points.cols, channels = points.channels();
     const bool solid = points.dims == 3 && channels == 1 &&
                        (points.size[0] == 1 || points.size[1] == 1);
-    // false: each row or each element is a point
+    // true: each column is a point; false: each row or each element is a point
     const bool perColumn = channels == 1 && (cols == 1 || (1 < rows && rows < cols));
     const int coordinates = solid          ? points.size[2]
                             : channels > 1 ? channels

@@ -79,7 +79,8 @@ private:
     //! Scores the models in `h`. @param index index of the sample in the batch
     //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
-    //! Calls solve() and hypothesize() for one sample after the other.
+    //! Calls hypothesize() for the sample `index` of the batch, and before it solve() for the next
+    //! `ahead` samples if they are not solved yet. To be called for one sample after the other.
     const Hypotheses& hypothesizeNext(int index);
     //! Calls solve() and hypothesize() for all samples of the batch, by several threads.
     void hypothesizeBatch();

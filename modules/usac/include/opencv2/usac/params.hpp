@@ -19,7 +19,8 @@ struct UsacParams;  // of calib3d
 #ifndef OPENCV_BINDING_PARSER
 
 /** @brief Presets of the module, passed as the `method` flag of cv::findHomography,
-cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estimateAffinePartial2D.
+cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estimateAffinePartial2D,
+or as the argument `flags` of cv::solvePnPRansac.
 
 The values differ from all of OpenCV's own flags. The enumeration is scoped, so a flag is not
 silently converted to an `int` and passed to calib3d, which treats any number it does not know as
@@ -377,8 +378,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! 1: Report::covariance and Report::sigma are computed (0.1 to 0.3 ms); 0..1. Default 0.
     CV_PROP_RW int covariance;
 
-    /** @brief The configuration recommended in the paper, with robust polishing; same as Params().
-     */
+    /** @brief The configuration recommended in the paper, with robust polishing, as Params(). */
     CV_WRAP static Params usacV20();
     /** @brief Preset of UsacV20Method::USACV20_FAST: like usacV20(), but the search ends when a
     model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
@@ -395,8 +395,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     holds even for a wrong order. Preset of UsacV20Method::USACV20_PROSAC. */
     CV_WRAP static Params sorted();
     /** @brief Like usacV20(), for an order that the caller trusts (`scores`, or
-    #ORDERING_INPUT_ORDER): all samples are PROSAC's, and its criterion may end the search
-    @cite chum2005matching. If the order is wrong, the search may miss the model. */
+    #ORDERING_INPUT_ORDER): all samples are drawn as in PROSAC, and PROSAC's criterion may end the
+    search @cite chum2005matching. If the order is wrong, the search may miss the model. */
     CV_WRAP static Params trustedScores();
     /** @brief Like usacV20(), with all threads of OpenCV and the same result. Preset of
     UsacV20Method::USACV20_PARALLEL. */

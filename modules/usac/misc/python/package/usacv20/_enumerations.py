@@ -31,7 +31,7 @@ __all__ = [
 
 class UsacV20Method(enum.IntEnum):
     """Presets of the module, passed as the method flag of cv2.findHomography, cv2.findFundamentalMat, cv2.findEssentialMat,
-    cv2.estimateAffine2D and cv2.estimateAffinePartial2D."""
+    cv2.estimateAffine2D and cv2.estimateAffinePartial2D, or as the argument flags of cv2.solvePnPRansac."""
 
     USACV20 = 0x4000  # the configuration of the paper, with robust polishing; Params.usacV20()
     USACV20_FAST = 0x4001  # early termination and a short local optimization; Params.fast()
