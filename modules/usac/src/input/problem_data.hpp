@@ -100,7 +100,7 @@ private:
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];               //!< original image points of array 2, all rows; null: not stored
+    double* seen[3];  //!< original image points (second array), all rows; null: not stored
     const double* seenDoubles[3];  //!< the same, shuffled and normalized, for imagePoints()
     const float* seenFloats[3];
 

@@ -106,7 +106,7 @@ void constraints(const FiveBasis& basis, TenCubics& C)
             addCubic<false>(S[i][2], E[6 + j], C[3 * i + j]);
         }
     clear(C[9]);
-    for (int k = 0; k < 3; ++k)  // determinant along the first row
+    for (int k = 0; k < 3; ++k)  // determinant, expanded along the first row
     {
         const int a = (k + 1) % 3, b = (k + 2) % 3;
         Pack minor[10], negative[4];
@@ -200,7 +200,7 @@ void linkRows(const Pack (&withZ)[20], const Pack (&without)[20], Pack (&B)[3][5
     B[2][4] = -f[0];
 }
 
-//! Determinant of B(z), along its third column.
+//! Determinant of B(z), expanded along its third column.
 void determinantOf(const ThreeRows& B, Pack (&result)[DEGREE + 1])
 {
     clear(result);

@@ -33,8 +33,8 @@ constexpr double PARALLEL_WORK = 44800;
 //! of a sample. The gain is the number of points, which is the cost without any model, minus the
 //! cost.
 constexpr double WORTHWHILE = 0.6;
-//! A runner-up is optimized if more than this fraction of its inliers are points that the best
-//! model does not explain.
+//! A runner-up is optimized only if more than this fraction of its inliers are points that the best
+//! model does not explain, or if the problem is ambiguous.
 constexpr double DIFFERENT = 0.1;
 
 Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)

@@ -116,7 +116,7 @@ private:
     void sampleUnexplained(const int* indices, int count, int most);
     //! @param index State::iteration of the sample
     Sample drawUnexplained(const int* indices, int count, int index) const;
-    //! Minimum number of inliers of a rival that the best model does not explain. Only the points
+    //! A rival has at least this many inliers that the best model does not explain. Only the points
     //! of InlierBits are counted.
     double rivalInliers() const;
     //! @return false if the model is not a rival
