@@ -20,8 +20,8 @@ struct ArgumentName
     const char *inner, *callers;
 };
 
-//! Names of arguments that some problems use in messages, and their names in functions that are for
-//! any problem, such as #fitModel.
+//! Names of arguments that some problems use in messages, and their names in functions for all
+//! problems, such as #fitModel.
 const ArgumentName ANY_PROBLEM[] = {{"objectPoints", "points1"},
                                     {"imagePoints", "points2"},
                                     {"cameraMatrix", "cameraMatrix1"},

@@ -16,11 +16,11 @@ namespace {
 
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Numbers;
 
-//! Step of the parameters for the derivative of the normal form by central differences, whose error
-//! is about 1e-10.
+//! Step of the parameters for derivatives by central differences, whose relative error is about
+//! 1e-10.
 constexpr double STEP = 1e-6;
-//! Largest accepted difference, as a fraction of the norm, of an essential matrix from that of the
-//! motion, and of a rotation from an orthogonal matrix.
+//! Largest accepted Frobenius norm of two differences: between the essential matrix of the caller
+//! and that of the motion, both of unit norm; and between R R^T and the identity.
 constexpr double SAME = 1e-6;
 
 Mat toMat(const Numbers& numbers)
@@ -41,7 +41,8 @@ Mat readMatrix(InputArray given, int rows, int cols)
     return numbers;
 }
 
-//! A model of the caller, in its normal form and in the form that its parameterization uses.
+//! A model of the caller, in its normal form (see Problem::toInput) and in the form that its
+//! parameterization uses (see Parameterization::plus).
 class GivenModel
 {
 public:

@@ -5,7 +5,8 @@
 #include "precomp.hpp"
 #include "api/argument_names.hpp"
 
-// The functions estimate<NAME> of all problems, and the function that is for any problem.
+// The functions estimate<NAME> of all problems, and estimateModel(), which takes the problem as an
+// argument.
 
 namespace cv {
 namespace usacv20 {

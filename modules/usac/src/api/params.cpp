@@ -47,8 +47,9 @@ struct FieldChecker
         checkRange(name, params.*field, values);
     }
     template <class T>
-    void operator()(const char*, std::vector<T> Params::*,
-                    const FieldValues&)  // checked in checkScores() and checkInitialModel()
+    void operator()(
+        const char*, std::vector<T> Params::*,
+        const FieldValues&)  // checked in checkScores(), checkSigmas() and checkInitialModel()
     {}
 };
 
@@ -148,8 +149,8 @@ void checkFinite(const char* name, const std::vector<double>& numbers, int most)
                       ("%s: finite numbers are expected, not %g", name, numbers[i]));
 }
 
-//! Checks the number and the finiteness of the entries. The run checks whether they are a model of
-//! the problem and its covariance.
+//! Checks that there are not too many entries and that all are finite. The run checks whether they
+//! are a model of the problem and a covariance of this model.
 void checkInitialModel(const Params& p)
 {
     checkFinite("initialModel", p.initialModel, MAX_MODEL_SIZE);

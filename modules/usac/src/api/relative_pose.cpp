@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** A plane with more than this fraction of the inliers is dominant, as in PlanarMotion: the second
-motion that explains the plane is then reported, too. See doc/constants.md. */
+/** A plane with more than this fraction of the inliers is dominant, as in PlanarMotion. If there is
+a dominant plane, the second motion that explains it is reported, too. See doc/constants.md. */
 constexpr double DOMINANT = 0.8;
 //! A point is on the plane if it is within this many thresholds of its image under the homography.
 //! See doc/constants.md.
@@ -95,8 +95,8 @@ public:
     }
 
 private:
-    //! Selects, of the four motions of the essential matrix, the one with the most inliers in front
-    //! of both cameras.
+    //! Of the four motions of the essential matrix, selects the one with the most inliers in front
+    //! of both cameras, and computes Solution::inliers and Solution::cost.
     void read(Solution& solution)
     {
         const Mat errors = usac->errors(solution.essential);
@@ -173,7 +173,8 @@ private:
 
     const Params params;
     const Ptr<Usac> usac;
-    const double unit;          //!< size of a pixel on the normalized image planes
+    const double unit;          //!< see Correspondences::unit: about the size of a pixel on the
+                                //!< normalized image planes
     std::vector<Vec3d> x1, x2;  //!< undistorted points on the normalized image planes; NaN if the
                                 //!< point is not finite
 };

@@ -9,7 +9,7 @@ namespace cv {
 namespace usacv20 {
 
 // The destructors are defined here so that the virtual table of each class is emitted once, in this
-// library and not in those of users as well.
+// library, and not again in libraries that use it.
 Component::~Component() {}
 Ordering::~Ordering() {}
 bool Ordering::informative(const Context&) const { return true; }

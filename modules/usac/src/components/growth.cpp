@@ -8,7 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! T_N of PROSAC, the number of samples after which the set contains all points
+//! T_N of PROSAC, about the number of samples after which the set contains all points
 //! @cite chum2005matching. The larger it is, the more slowly the set grows. See doc/constants.md.
 constexpr double UNIFORM_SAMPLES = 200000;
 

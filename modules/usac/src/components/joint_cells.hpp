@@ -27,8 +27,8 @@ struct CellPairs
               int merged = 1);
 
     int cells;         //!< number of cells of an array
-    double all;        //!< number of pairs of points
-    double in[2];      //!< number of pairs in the same cell of array 1, and of array 2
+    double all;        //!< number of pairs of counted points
+    double in[2];      //!< number of pairs in the same cell of the first, and of the second array
     double both;       //!< number of pairs in the same cell in both arrays
     double expected;   //!< expected value of `both` if positions in the arrays are independent
     double coherence;  //!< `both` divided by the geometric mean of `in`; 0 if this mean is 0

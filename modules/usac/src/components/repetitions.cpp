@@ -42,7 +42,7 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
             for (int k = 0; k < DIMENSIONS; ++k)
                 cells[marked][k] = (side > 0 ? std::floor(columns[k][point] / side)
                                              : columns[k][point]) +
-                                   0.;  // turns -0 into 0, whose bits differ
+                                   0.;  // turns -0 into 0, because their bits differ
             rows[marked++] = i;
         }
     while (size < 2 * marked)

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Purposes for which random numbers are drawn, except the samples of the main loop, which use the
-//! streams 0 .. 2^31 of Rng. Each purpose has its own streams.
+//! Purposes for which random numbers are drawn. The samples of the main loop are not listed: they
+//! use the streams 0 .. 2^31 of Rng. Each purpose has its own streams.
 enum Stream {
     STREAM_ROTATION = 1,  //!< index of the point at which the verification of a model begins
     STREAM_REFINEMENT,    //!< local optimization and degeneracy checks of an iteration

@@ -14,8 +14,9 @@ namespace {
 
 //! Milliseconds between two calls of the progress functions, a third of a frame of a 60-Hz display.
 constexpr double LOOK_PERIOD = 5;
-//! Milliseconds that a point test is assumed to take. If this is half or double the actual time, a
-//! run may end later or earlier by half the duration of a step that cannot be interrupted.
+//! Milliseconds that a point test is assumed to take. If this is half the actual time, a run may
+//! end later by half the duration of a step that cannot be interrupted; if it is double the actual
+//! time, earlier by this duration.
 constexpr double TEST = 2e-6;
 //! Milliseconds that polishing may take after a run was stopped; for a thousand points it needs a
 //! third of a millisecond. With 10 000 points or more, a stopped run ends this much later.

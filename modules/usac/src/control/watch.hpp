@@ -12,16 +12,16 @@ namespace cv {
 namespace usacv20 {
 
 /** Maximum number of points for steps that only compute details of the report, if a run must stop
-and there is no time to use more. 50 000 points take 20 ms for Report::chance, the slowest of these
-steps. */
+and there is no time for more points. 50 000 points take 20 ms for Report::chance, the slowest of
+these steps. */
 constexpr int ENOUGH = 50000;
 
 /** @brief Stops a run before its termination criteria do: when Params::maxTime is exceeded, or when
 the function of a ProgressScope returns false.
 
-The loops of a run call stop(). Without a time limit and a ProgressScope, this only tests a flag.
-Otherwise, the clock is read after every 0.4 ms of work, and the progress functions are called every
-few milliseconds. To be used by the thread that began the run. */
+The loops of a run call stop(). If there is neither a time limit nor a ProgressScope, stop() only
+tests a flag. Otherwise, the clock is read after every 0.4 ms of work, and the progress functions
+are called every 5 ms. To be used by the thread that began the run. */
 class Watch
 {
 public:

@@ -149,9 +149,10 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
         }
 }
 
-//! Stores the factors of the errors that follow from Params::sigmas, if there are any. With their
-//! mean as unit, the threshold of a problem with errors of d dimensions encloses the same volume,
-//! averaged over the matches, as with equal sigmas; Problem::randomInlierRatio then holds as it is.
+//! Stores the factors of the errors that follow from Params::sigmas, if there are any. With the
+//! mean sigma as unit, the threshold of a problem with errors of d dimensions encloses the same
+//! volume, averaged over the matches, as with equal sigmas. Problem::randomInlierRatio therefore
+//! needs no change.
 void ProblemData::readSigmas(const Params& params, Arena& arena)
 {
     view.meanSigma = 1;

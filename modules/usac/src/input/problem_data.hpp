@@ -30,19 +30,19 @@ public:
     @param points1, points2, params as in Usac::create; after a cv::Exception the object holds no
     points
     @param arena memory; it is reset to a size sufficient for a run, and the points are stored there
-    @param image also store the original image points, see Problem::createImageResidual */
+    @param image true: the original image points are stored, too, see Problem::createImageResidual
+    */
     void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params,
               Arena& arena, bool image);
 
     const Correspondences& points() const { return view; }
-    /** The points of the search: the first #SEARCHED of points(), which are in random order. A
-    model that fits so many of the points fits all of them; polishing then uses all points to make
-    it accurate. */
+    /** The points of the search: the first #SEARCHED of points(), which are in random order. They
+    are enough to find the best model; polishing then uses all points to make it accurate. */
     const Correspondences& searchPoints() const { return part; }
     //! points() with the original image points, for the residual of Problem::createImageResidual.
     Correspondences imagePoints() const;
 
-    //! The threshold of the mask in pixels.
+    //! The threshold of the mask in the unit of Params::threshold (pixels).
     double threshold() const { return pixelThreshold; }
     //! Sets the thresholds of search and mask for the rest of the run, in the coordinates of
     //! points().
@@ -65,8 +65,8 @@ public:
     //! @return number of inliers.
     int mask(const Residual& residual, const Model& model, bool image, uchar* mask,
              Arena& arena) const;
-    //! The errors of all of the caller's rows, in pixels, not squared; mask() compares them with
-    //! threshold().
+    //! The errors of all of the caller's rows, in the unit of Params::threshold, not squared;
+    //! mask() compares them with threshold().
     void errors(const Residual& residual, const Model& model, bool image, double* errors) const;
     //! The threshold of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
@@ -94,13 +94,13 @@ private:
     Correspondences view, part;
     double givenThreshold[3];  //!< view.threshold, inputThreshold and pixelThreshold before the run
     double givenReach, currentReach;
-    double inputThreshold;  //!< threshold of the mask in the coordinates of `input`
-    double pixelThreshold;  //!< the same in pixels
-    double pixels;  //!< number of pixels (or of Correspondences::meanSigma) per unit of `input`
+    double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
+    double pixelThreshold;         //!< the same in the unit of Params::threshold
+    double pixels;                 //!< number of units of Params::threshold per unit of `input`
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];               //!< original image points of array 2, all rows; null: not stored
+    double* seen[3];  //!< original image points (second array), all rows; null: not stored
     const double* seenDoubles[3];  //!< the same, shuffled and normalized, for imagePoints()
     const float* seenFloats[3];
 

@@ -28,16 +28,16 @@ Mat transposed(const Mat& values, Arena::Scope& scope)
     return columns;
 }
 
-/** Reads any list of points that some function of OpenCV accepts. Returns a matrix with one point
-per row and one coordinate per column, CV_64F. In a matrix with one channel, the longer side is the
-number of points (as for OpenCV's USAC flags); if both sides are equal, each row is a point; a
-single row or column is one point. Converted data are in memory of the scope. */
+/** Reads a list of points in any layout that some function of OpenCV accepts. Returns a matrix with
+one point per row and one coordinate per column, CV_64F. In a matrix with one channel, the longer
+side is the number of points (as for OpenCV's USAC flags); if both sides are equal, each row is a
+point; a single row or column is one point. Converted data are in memory of the scope. */
 Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();
     const bool solid = points.dims == 3 && channels == 1 &&
                        (points.size[0] == 1 || points.size[1] == 1);
-    // false: each row or each element is a point
+    // true: each column is a point; false: each row or each element is a point
     const bool perColumn = channels == 1 && (cols == 1 || (1 < rows && rows < cols));
     const int coordinates = solid          ? points.size[2]
                             : channels > 1 ? channels

@@ -17,9 +17,9 @@ namespace {
 //! The median deviation of the first SAMPLE values is compared with the mean deviation of all
 //! values.
 constexpr int SAMPLE = 31;
-//! If a value is more than FAR_OUT mean deviations from the mean, it dominates the mean. If the
-//! mean deviation is above SPOILT times the median deviation of the first SAMPLE values, it is
-//! caused by values far out. In both cases medians are used instead of means.
+//! A value that is more than FAR_OUT mean deviations from the mean dominates the mean. A mean
+//! deviation above SPOILT times the median deviation of the first SAMPLE values is caused by values
+//! far out. In both cases medians are used instead of means.
 constexpr double FAR_OUT = 20, SPOILT = 100;
 
 //! Computes the median of the values (`center`) and the median of the distances from it

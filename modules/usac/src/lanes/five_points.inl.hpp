@@ -14,7 +14,7 @@ namespace usacv20 {
 namespace {
 
 /** Scales the vectors of a basis to unit length and mixes them by a rotation. The basis from
-nullSpace() has zeros at positions that depend on the motion; without mixing, x, y and z would be
+nullSpace() has zeros at positions that depend on the motion; without mixing, x, y or z would be
 infinite for rectified cameras and for a camera that moves forward or sideways. */
 void mix(FiveBasis& basis)
 {
@@ -132,8 +132,8 @@ inline void combine(const FiveBasis& basis, const Pack& x, const Pack& y, const 
         E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
 }
 
-//! Solutions (x, y, z) that need a correction. Several of them are corrected at once, one in each
-//! lane, and those of different roots together.
+//! Solutions (x, y, z) that need a correction. Several solutions are corrected at once, one in each
+//! lane, even if they belong to different roots.
 struct Inexact
 {
     enum { MOST = MAX_MODELS * WIDTH };
@@ -157,7 +157,7 @@ restores the digits that the elimination loses if its pivots are small.
 @param all X, Y, Z and W of each sample
 @param solutions the solutions to correct
 @param first the solutions first .. first + WIDTH - 1 are corrected, each in one lane; if there are
-fewer, the other lanes repeat the first one
+fewer solutions, the other lanes repeat the solution `first`
 @param at output: the corrected matrices */
 void correct(const FiveBasis& all, const Inexact& solutions, int first, Violation& at)
 {

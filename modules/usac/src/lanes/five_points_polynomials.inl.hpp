@@ -9,7 +9,7 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-/* Polynomials in x, y, z as arrays of coefficients.
+/* Polynomials in x, y, z as arrays of coefficients of these monomials, where x2 is x^2 and so on.
 Linear[4]:     x y z 1
 Quadratic[10]: x2 xy xz x y2 yz y z2 z 1
 Cubic[20]:     x3 y3 x2y xy2 x2z x2 y2z y2 xyz xy | xz2 xz x yz2 yz y z3 z2 z 1, in the order of
@@ -106,7 +106,7 @@ void constraints(const FiveBasis& basis, TenCubics& C)
             addCubic<false>(S[i][2], E[6 + j], C[3 * i + j]);
         }
     clear(C[9]);
-    for (int k = 0; k < 3; ++k)  // determinant along the first row
+    for (int k = 0; k < 3; ++k)  // determinant, expanded along the first row
     {
         const int a = (k + 1) % 3, b = (k + 2) % 3;
         Pack minor[10], negative[4];
@@ -118,7 +118,8 @@ void constraints(const FiveBasis& basis, TenCubics& C)
     }
 }
 
-//! A step of eliminate(), with column K. Loops of constant length save a tenth of its time.
+//! A step of eliminate(), with column K. K is a template argument so that loops have a constant
+//! length, which saves a tenth of the time.
 //! @param tiny pivots up to this value count as 0
 //! @param least the smallest pivot so far
 //! @param regular lanes in which no pivot counted as 0 so far
@@ -151,7 +152,7 @@ inline void eliminateColumn(TenCubics& C, const Pack& tiny, Pack& least, Mask& r
 
 /** Gaussian elimination of the left 10x10 block with partial pivoting. Only the last six rows are
 brought to reduced form, because the solver uses only these. @return the smallest pivot divided by
-the largest absolute coefficient; 0 in lanes where the block is singular */
+the largest absolute coefficient of the block; 0 in lanes where the block is singular */
 Pack eliminate(TenCubics& C)
 {
     Pack largest = Pack(), least = everywhere(DBL_MAX);
@@ -199,7 +200,7 @@ void linkRows(const Pack (&withZ)[20], const Pack (&without)[20], Pack (&B)[3][5
     B[2][4] = -f[0];
 }
 
-//! Determinant of B(z), along its third column.
+//! Determinant of B(z), expanded along its third column.
 void determinantOf(const ThreeRows& B, Pack (&result)[DEGREE + 1])
 {
     clear(result);
@@ -222,9 +223,9 @@ inline Pack horner(const Pack (&c)[5], const Pack& z)
     return (((c[4] * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
 }
 
-//! Computes (x, y, 1) in the null space of B(z), from the cross product of two rows; of the three
-//! cross products, the one with the largest third entry is used. @return the lanes in which x and y
-//! are finite and not extremely large
+//! Computes x and y from the null vector (x, y, 1) of B(z), which is the cross product of two rows
+//! up to scale; of the three cross products, the one with the largest third entry is used. @return
+//! the lanes in which x and y are finite and not extremely large
 Mask backSubstitute(const ThreeRows& B, const Pack& z, Pack& x, Pack& y)
 {
     Pack v[3][3], best = Pack(), p = Pack(), q = Pack(), w = everywhere(1);

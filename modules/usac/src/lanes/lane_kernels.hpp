@@ -23,8 +23,8 @@ do not depend on the other samples.
 typedef void (*SolverKernel)(const Correspondences& points, const int* const* samples, int count,
                              double (*models)[MAX_MODELS][9], int* found);
 
-//! Minimal solvers for several samples at once, compiled once for each instruction set; all
-//! versions return the same bits.
+//! Minimal solvers for several samples at once, compiled once for each instruction set; the results
+//! of all versions are bit-identical.
 namespace lanes {
 
 struct Kernels

@@ -14,7 +14,7 @@ namespace lanes {
 
 Kernels baselineKernels() { return allKernels(); }
 
-//! @param widest true: AVX-512 may be used, too, whose registers are slower for few samples
+//! @param widest true: AVX-512 may be used, too, which is slower than AVX2 if there are few samples
 static Kernels bestKernels(bool widest)
 {
     const InstructionSet instructions = fastestInstructions();

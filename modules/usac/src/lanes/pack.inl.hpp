@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* Pack, a vector register of numbers: each of its lanes holds the number of one of several samples
-that are solved together. No include guard: compiled once for each instruction set by
-lanes/lane_kernels.inl.hpp. No operation mixes lanes, so that the result of a sample has the same
-bits with any number of lanes. */
+/* Pack, a vector register: each of its lanes holds a number that belongs to one of several samples,
+which are solved together. No include guard: compiled once for each instruction set by
+lanes/lane_kernels.inl.hpp. No operation mixes lanes, so that the result of a sample is
+bit-identical for every number of lanes. */
 
 #if defined __SSE2__
 #include <immintrin.h>
@@ -66,7 +66,8 @@ inline int bitsOf(const Mask& mask)
 #endif
 }
 
-//! Counts in each lane how often two numbers have different signs; 0 counts as positive.
+//! Counts in each lane how often two numbers have different sign bits; 0 counts as positive, -0 as
+//! negative.
 class SignChanges
 {
 public:
@@ -126,7 +127,8 @@ inline Pack load(const double (&values)[WIDTH])
 
 inline Pack everywhere(double value) { return Pack() + value; }
 
-//! Maximum and minimum in each lane; where `b` is NaN, the result is `a`.
+//! largerOf() and smallerOf(): maximum and minimum in each lane; where `b` is NaN, the result is
+//! `a`.
 inline Pack largerOf(const Pack& a, const Pack& b) { return b > a ? b : a; }
 inline Pack smallerOf(const Pack& a, const Pack& b) { return b < a ? b : a; }
 

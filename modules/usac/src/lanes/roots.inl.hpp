@@ -29,8 +29,8 @@ struct Polynomials
 };
 
 /** Sturm's sequence f[0] = p, f[1] = p', f[2] = -(p mod p'), ... Consecutive elements are linked by
-f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0. The sequence is evaluated at x by these links, from
-the last element to the first, with three multiplications per element. */
+f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0. These links are used to evaluate the sequence at x,
+from the last element to the first, with three multiplications per element. */
 struct Sturm
 {
     /** Computes the links of the sequences. A sequence ends early if an element divides the
@@ -114,8 +114,8 @@ private:
     bool early;         //!< true if the last element is not a constant in some lane
 };
 
-//! Number of intervals of equal length between #LOWEST and #HIGHEST. Most of them contain at most
-//! one root.
+//! Number of intervals of equal length between #LOWEST and #HIGHEST (about -1 and 1, see
+//! numeric/polynomial.hpp). Most of them contain at most one root.
 constexpr int CELLS = 8;
 //! Maximum number of halvings of an interval that contains several roots.
 constexpr int HALVINGS = 37;
@@ -262,7 +262,8 @@ struct Refinement
         const Mask inside = (next > low) & (next < high);
         next = inside ? next : 0.5 * (low + high);
         active &= value != 0.;
-        // Halley's method converges cubically: a step of 1e-7 leaves an error far below 1e-16
+        // Halley's method converges cubically: a step of 1e-7 times x leaves a relative error far
+        // below 1e-16
         const Pack limit = (inside ? everywhere(1e-7) : everywhere(4e-16)) * absolute(x);
         const Mask moving = absolute(next - x) > limit;
         x = active ? next : x;
@@ -353,8 +354,8 @@ struct Roots
 private:
     //! Adds a root to lane k.
     //! @param part 0: `near` is the root; 1: 1 / `near` is the root
-    //! @param near root of the polynomial or of the reversed polynomial. A root 1 / `near` within
-    //! the bounds of part 0 is not added, because part 0 finds it, too.
+    //! @param near root of the polynomial or of the reversed polynomial. A root 1 / `near` in
+    //! (LOWEST, HIGHEST] is not added, because part 0 finds it, too.
     void add(int part, int k, double near)
     {
         const double root = part == 0 ? near : 1 / near;

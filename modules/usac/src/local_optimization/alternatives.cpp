@@ -20,11 +20,12 @@ constexpr double NEAR = 0.94;
 //! not inliers of the other model.
 constexpr double DIFFERENT = 0.1;
 //! An alternative shares at least this fraction of its inliers with the model of largest gain. A
-//! model that shares fewer inliers is that of another motion; then the number of matches decides.
+//! model that shares fewer inliers is that of another motion; then the cost alone decides.
 constexpr double SHARED = 0.5;
-//! Weight of the log-likelihood of the order relative to the gain, of which an outlier costs 1. For
-//! comparison: if errors were independent, MSAC's unit of cost would be a log-likelihood of 1.9
-//! (errors with one component) or 3. A larger value gives the order more influence.
+//! Weight of the log-likelihood of the order relative to the gain, to which an inlier without error
+//! contributes 1. For comparison: if errors were independent, MSAC's unit of cost would be a
+//! log-likelihood of 1.9 (errors with one component) or 3. A larger value gives the order more
+//! influence.
 constexpr double WORTH = 1;
 //! Minimum advantage of an alternative, in standard deviations of the log-likelihood. Each point
 //! that is an inlier of only one of the two models changes the log-likelihood by about 1 at random.

@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Gauss-Newton steps of a fit, which starts from the model. They are enough for a sample of
-//! several times the minimal size. See doc/constants.md.
+//! Maximum number of Gauss-Newton steps of a fit that starts from the model to be improved. So few
+//! steps are enough for a sample of several times the minimal size. See doc/constants.md.
 constexpr int GC_FIT_STEPS = 3;
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in the paper;

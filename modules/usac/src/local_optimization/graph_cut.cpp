@@ -18,15 +18,19 @@ namespace {
 //! within a shrinking threshold (MAX_SHRINK). While the inliers still change, fits to more points
 //! are slower but not better.
 constexpr int MAX_INNER_FIT = 256, MAX_SHRINK = 64;
-//! Gauss-Newton steps of a fit from a model that does not yet fit the inliers well.
+//! Maximum number of Gauss-Newton steps of a fit from a model that does not yet fit the inliers
+//! well.
 constexpr int SHRINK_STEPS = 2;
-//! Gauss-Newton steps of a fit from a model that already fits the inliers.
+//! Maximum number of Gauss-Newton steps of a fit from a model that already fits the inliers.
 constexpr int INNER_FIT_STEPS = 1;
-//! An inner sample contains at most 1 / #LARGEST_PART of the inliers, as in @cite chum2003locally.
+//! An inner sample contains at most 1 / #LARGEST_PART of the inliers, as in @cite chum2003locally,
+//! but always more points than a minimal sample.
 constexpr int LARGEST_PART = 2;
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold.
 constexpr int WIDEST = 3;
 //! An iteration is the last one unless it lowers the cost below this fraction of the previous cost.
+//! The first iteration takes place only if the cost is below this fraction of the cost of the
+//! so-far-the-best model.
 constexpr double WORTHWHILE = 0.97;
 //! Error, in thresholds, up to which a point without edges is labeled as an inlier. At this error,
 //! K (see Labeling) is 1 / 2.
@@ -43,8 +47,9 @@ model.
 Then each iteration finds the spatially coherent inliers of the model (Labeling) and runs an inner
 RANSAC over these inliers: models are fitted to random samples of Params::localSampleMultiple times
 the minimal size, and to all inliers (to #MAX_INNER_FIT random inliers if there are more). A better
-fit always replaces the model. The first iteration without a clear decrease of the cost is the last
-one, and Params::localIterations bounds the number of iterations. */
+fit always replaces the model. Each iteration except the first begins with fits with a shrinking
+threshold, as above. The first iteration without a clear decrease of the cost is the last one, and
+Params::localIterations bounds the number of iterations. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:

@@ -29,11 +29,11 @@ public:
     //! Moves `most` random members, or all members if there are fewer, to the front of the array.
     //! @return number of members moved to the front
     int select(Rng& rng, int most);
-    //! Least squares over the first `first` members, starting from `model`. False if these members
-    //! do not determine a model.
+    //! Fits `model` to the first `first` members by least squares, starting from its present value.
+    //! @return false if these members do not determine a model
     bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
-    //! The same, but the fit replaces the model only if its quality is better. @return true if it
-    //! replaced the model
+    //! The same, but the fit replaces the model only if its quality is better. @return true if the
+    //! model was replaced
     bool improve(const Context& context, int first, Model& model, Quality& quality,
                  int iterations = 10) const;
 
@@ -46,7 +46,8 @@ private:
     float* errors;
 };
 
-//! Replaces the model by `candidate` if `candidate` has a better score. @return true if it has
+//! Replaces the model by `candidate` if `candidate` has a better score. @return true if the model
+//! was replaced
 bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality);
 
 }  // namespace usacv20

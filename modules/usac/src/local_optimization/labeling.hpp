@@ -32,7 +32,8 @@ class Labeling
 public:
     Labeling() : K(0), unary(0), node(0), pointOfNode(0), size(0), nodeCount(0), degree(-1) {}
 
-    //! To be called when a run begins, because its points have other edges.
+    //! To be called when a run begins, because its points may have other edges than those of the
+    //! previous run.
     void start() { degree = -1; }
     //! Writes the indices of the inliers to `inliers`, an array of the size of all points.
     //! @return number of inliers

@@ -30,9 +30,9 @@ and then refined by least squares over the points within a threshold that shrink
 times the threshold to the threshold itself in Params::localIterations steps. The best of all these
 fits replaces the model if it is better.
 
-LO-RANSAC fits models to all selected points. FLO-RANSAC fits them to a random subset of at most
-#FLO_FIT times the minimal sample size. A fit then takes the same time for any number of points, and
-the fits vary more. */
+LO-RANSAC fits models to all points within the threshold. FLO-RANSAC fits them to a random subset of
+at most #FLO_FIT times the minimal sample size. A fit then takes the same time for any number of
+points, and the fits vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:

@@ -17,8 +17,8 @@ the least-squares fit to the points whose error under the initial model is at mo
 times the largest sigma of the part. If there are too few such points, or if they are the same as
 for the previous part, the model of the previous part is used (for the first part, the initial
 model). The weight of a point is its likelihood under the model of each scale, marginalized over the
-scale as in MarginalizedWeights: within a part, the integral is the formula of that class between
-the ends of the part. The result is the fit with these weights.
+scale as in MarginalizedWeights: the contribution of a part is the difference of the values of that
+class for the two ends of the part. The result is the fit with these weights.
 
 Only points within the threshold of the initial model are used, at most #MAX_FIT random ones. This
 bounds the time of the fits (one per part and a final one). There is also one pass over all

@@ -20,10 +20,10 @@ constexpr int FAILURES = 2;
 /** @brief The local optimization of MAGSAC++ @cite barath2020magsac: iteratively re-weighted least
 squares with the weights of MarginalizedWeights.
 
-There are at most Params::localIterations iterations. Each iteration uses all points within the
-threshold of the last fit, or #MAX_FIT random ones of them if there are more, which are enough while
-the weights still change. The best fit replaces the model if it is better. The #FAILURES-th fit in a
-row that is not better is the last one. */
+There are at most Params::localIterations iterations. Each iteration uses all points whose errors
+under the last fit are within the threshold, or #MAX_FIT random ones of them if there are more,
+which are enough while the weights still change. The best fit replaces the model if it is better.
+The #FAILURES-th fit in a row that is not better is the last one. */
 class SigmaConsensusPlusPlus : public LocalOptimizer
 {
 public:

@@ -20,19 +20,20 @@ namespace {
 constexpr int POINTS = 512;
 //! Maximum number of samples of the guess, unless Params::maxIterations is smaller.
 constexpr int GUESS_SAMPLES = 1000;
-//! The guess ends if, with this probability, one of its samples has consisted only of inliers of
-//! the best model.
+//! The guess ends as soon as one of its samples has, with this probability, consisted only of
+//! inliers of the best model.
 constexpr double CONFIDENCE = 0.9;
 //! Number of points from which the noise is estimated: for each new best model of the guess (FEW),
 //! and for the final one (SOME).
 constexpr int FEW = 150, SOME = 300;
 //! Steps of polishing of the best model of the guess.
 constexpr int GUESS_STEPS = 3;
-//! If the noise is unknown, the threshold is the widest threshold divided by this number.
+//! If the noise is unknown, the threshold is the widest threshold divided by this number. The same
+//! quotient is the threshold of findCore().
 constexpr double UNKNOWN = 3;
-//! A core, see findCore(), has at least the fraction CORE_PART of the inliers of the model with
-//! wide noise. If there is a core, findCore() draws an all-inlier sample of it with probability
-//! CORE_FOUND.
+//! A core, see findCore(), contains at least the fraction CORE_PART of the inliers of the model
+//! with wide noise. If there is a core, findCore() draws an all-inlier sample of the core with
+//! probability CORE_FOUND.
 constexpr double CORE_PART = 0.5, CORE_FOUND = 0.8;
 //! The threshold of the search is wider than the estimated threshold by this many standard
 //! deviations of the estimate.

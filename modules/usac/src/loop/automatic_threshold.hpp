@@ -21,19 +21,19 @@ The threshold that the caller has given is the widest threshold that is consider
 1. guess(): the models of some uniform samples are compared by LogarithmicScore, which prefers no
    scale of the noise. The best model is polished, and its errors give the first threshold. If no
    model is better than chance, the first threshold is a third of the widest threshold.
-2. findCore(): a model between two motions, or between two planes, explains both of them with wide
-   noise. Therefore, if the threshold is more than a third of the widest one, also after polishing,
-   samples of the inliers are drawn to find a model of a core: it explains half of the inliers
-   within a third of the widest threshold. If there is such a model, and errorsGoOn() finds no more
-errors beyond this threshold, the search begins with this model and threshold.
-3. The search begins with the model and the threshold of steps 1 and 2, and its criteria count the
-   samples of step 1, which contained an all-inlier sample if they were enough. Its threshold is
-wider than that of the mask by two standard deviations of the estimate, because with few inliers,
-models that fit some of them by chance would make the threshold too narrow.
+2. findCore(): a model between two motions, or between two planes, explains the inliers of both with
+   wide noise. Therefore, if the threshold is more than a third of the widest one, also after
+   polishing, samples of the inliers are drawn to find a model of a core: it explains half of the
+   inliers within a third of the widest threshold. If there is such a model, and errorsGoOn() finds
+   no more errors beyond this threshold, the search begins with this model and threshold.
+3. The search begins with the model and the threshold of steps 1 and 2, and its termination criteria
+   also count the uniform samples of step 1. The threshold of the search is wider than that of the
+   mask by two standard deviations of the estimate, because with few inliers, models that fit some
+   of them by chance would make the threshold too narrow.
 4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
-   model. If it differs much, the search continues with the new threshold, and all samples are drawn
-   anew. The threshold becomes wider only if errorsGoOn() finds errors beyond the present threshold,
-   because a second motion is not noise.
+   model. If the new threshold differs by more than a factor of 1.4, the search continues with it,
+   and the samples drawn so far no longer count. The threshold becomes wider only if errorsGoOn()
+   finds errors beyond the present threshold, because a second motion is not noise.
 5. settle(): polishing and mask use the threshold that was found last, or a third of the widest
    threshold if the noise is unknown. */
 class AutomaticThreshold

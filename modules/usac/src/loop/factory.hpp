@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Creates the components that the options select. A new variant of a component needs a file, an
-//! enumerator and a line in factory.cpp.
+//! Creates the components that the options select. A new variant of a component needs a source
+//! file, an enumerator in params.hpp and a line in factory.cpp.
 Components createComponents(const Problem& problem, const Params& params);
 
 }  // namespace usacv20

@@ -14,7 +14,7 @@ namespace {
 // doc/constants.md lists the effects of halving or doubling each constant.
 
 //! SAMPLES: number of samples whose models are compared by their errors. STARTS: number of the best
-//! of these models from which least-squares fits start.
+//! of these models, from each of which a least-squares fit starts.
 constexpr int SAMPLES = 64, STARTS = 4;
 //! PART: maximum number of points with which initial models are compared and fitted. MOST_STEPS:
 //! maximum number of steps of a fit; fits converge earlier.

@@ -35,7 +35,7 @@ public:
     Mat give(State& state, OutputArray mask, Report* report);
 
 private:
-    //! Reads which points are used, and their weights.
+    //! Reads from the arguments of the caller which points are used, and their weights.
     void choose(InputArray weights, InputArray chosen);
     //! Finds an initial model: the best models of some samples are fitted to a subset of the
     //! points, and the fit with the lowest loss is used. @return false if no model is found

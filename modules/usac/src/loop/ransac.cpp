@@ -29,11 +29,12 @@ constexpr int EXPENSIVE = 1000;
 //! to threads. The result does not depend on this value.
 constexpr double PARALLEL_WORK = 44800;
 
-//! A model may become a runner-up if its gain is at least this fraction of the gain of the best
-//! model. The gain is the number of points, which is the cost without any model, minus the cost.
+//! A model may become a runner-up if its gain is more than this fraction of that of the best model
+//! of a sample. The gain is the number of points, which is the cost without any model, minus the
+//! cost.
 constexpr double WORTHWHILE = 0.6;
-//! A runner-up is optimized if more than this fraction of its inliers are points that the best
-//! model does not explain.
+//! A runner-up is optimized only if more than this fraction of its inliers are points that the best
+//! model does not explain, or if the problem is ambiguous.
 constexpr double DIFFERENT = 0.1;
 
 Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
@@ -328,8 +329,8 @@ bool Ransac::validModel(const int* sample, const Model& model) const
 /* Processes a model that is better than the models of all previous samples, or a runner-up. The
 paper compares with the optimized best model instead; but a good model of a noisy sample is often
 worse than an optimized bad model, and would never be optimized. `before` is the value of
-State::sampleQuality before this model. It is restored if a check rejects this model or makes it
-worse than `before`. */
+State::sampleQuality before this model. This value is restored if a check rejects the model or makes
+it worse than `before`. */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
@@ -416,7 +417,8 @@ void Ransac::chooseByOrder()
 }
 
 //! A model with the same inliers as the best model is not worth optimizing, because it leads to the
-//! same optimum, unless the problem is ambiguous (Problem::ambiguous).
+//! same optimum, unless the problem is ambiguous (Problem::ambiguous). Nor is a model whose cost
+//! has become useless meanwhile, unless it is a rival.
 bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
 {
     const int unexplained = runnerUp.inliers.without(runnersUp.best());

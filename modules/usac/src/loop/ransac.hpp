@@ -79,7 +79,8 @@ private:
     //! Scores the models in `h`. @param index index of the sample in the batch
     //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
-    //! Calls solve() and hypothesize() for one sample after the other.
+    //! Calls hypothesize() for the sample `index` of the batch, and before it solve() for the next
+    //! `ahead` samples if they are not solved yet. To be called for one sample after the other.
     const Hypotheses& hypothesizeNext(int index);
     //! Calls solve() and hypothesize() for all samples of the batch, by several threads.
     void hypothesizeBatch();
@@ -108,14 +109,14 @@ private:
     //! ransac_unexplained.cpp. @return false if there is nothing to search
     bool searchUnexplained();
     int unexplainedPoints(int* indices) const;
-    //! Draws few samples of unexplained points, and more of them only if there is evidence of a
+    //! Draws a few samples of unexplained points, and more of them only if there is evidence of a
     //! rival (a second model that explains other points).
     //! @param drawn number of samples drawn before searchUnexplained()
     void sampleForRivals(const int* indices, int count, double wanted, int drawn);
     void sampleUnexplained(const int* indices, int count, int most);
     //! @param index State::iteration of the sample
     Sample drawUnexplained(const int* indices, int count, int index) const;
-    //! Minimum number of inliers of a rival that the best model does not explain. Only the points
+    //! A rival has at least this many inliers that the best model does not explain. Only the points
     //! of InlierBits are counted.
     double rivalInliers() const;
     //! @return false if the model is not a rival
@@ -143,22 +144,22 @@ private:
     const int checkCount;       //!< number of `checks`
     Sample* samples;            //!< samples of the batch
     uchar* counts;              //!< State::counts of each sample
-    Hypotheses* batch;          //!< models of the samples; without threads, of `ahead` samples only
-    float* errorRows;           //!< a row of errors per thread; null: the score does not need them
-    int size;                   //!< number of samples in the batch
-    int hypotheses;             //!< number of elements allocated for `batch`
+    Hypotheses* batch;  //!< models of the samples; of `ahead` samples if there is one thread
+    float* errorRows;   //!< a row of errors per thread; null: the score does not need them
+    int size;           //!< number of samples in the batch
+    int hypotheses;     //!< number of elements allocated for `batch`
     RunnersUp runnersUp;
     Alternatives alternatives;
     Sample sampleOfBest;
     bool sampled;  //!< true if the best model comes from `sampleOfBest`
-    //! Number of samples that do not count, see forgetSamples(); negative: samples before the first
-    //! one that count, see begin().
+    //! Number of samples that do not count, see forgetSamples(). Minus this number, if it is
+    //! negative: number of samples drawn before this search that count, too, see begin().
     int forgotten;
-    Model explored;          //!< the best model whose unexplained points were searched last
+    Model explored;          //!< the best model for which searchUnexplained() was last called
     int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;
-    const double sampleWork;  //!< largest work for a sample and its models, in point tests
+    const double sampleWork;  //!< work to solve a sample and to score one model, in point tests
     int firstOfBatch;         //!< State::iteration of the first sample of the batch
     const int ahead;          //!< number of samples that are solved at once
     const int exhaustive;     //!< see exhaustiveSamples()

@@ -38,8 +38,8 @@ bool Ransac::terminate()
 }
 
 /* If more than half of the points outside the sample of the best model are inliers of this model, a
-model with more inliers must share some of these inliers. Then all samples count, except those that
-contain a match twice, whatever points the sampler prefers. */
+model with more inliers must share some of these inliers. Then all samples count, whatever points
+the sampler prefers, except samples that contain a match twice. */
 int Ransac::samplesThatCount() const
 {
     const bool planar = state.degenerate ||

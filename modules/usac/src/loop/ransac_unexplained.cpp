@@ -48,8 +48,8 @@ constexpr int MOST_PART = 3;
 //! the inliers of the best model. Models of random wrong matches reach fractions up to 0.06, models
 //! of matches in a cluster up to 0.15.
 constexpr double RIVAL = 0.1;
-//! The number of samples is computed for a rival with as many inliers as the best model, of which
-//! the best model does not explain this fraction.
+//! The number of samples is computed for a rival that has as many inliers as the best model. The
+//! best model does not explain this fraction of the inliers of the rival.
 constexpr double FOR_ITSELF = 2. / 3;
 
 }  // namespace

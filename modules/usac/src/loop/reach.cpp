@@ -12,12 +12,12 @@ namespace usacv20 {
 
 namespace {
 
-/** Suitable threshold of the search in standard deviations of the noise, about the same as that of
-Params::magsacPlusPlus for a threshold of 2 sigma. The reach is the ratio of the search threshold to
-the mask threshold. It grows if the search threshold is less than two thirds of the suitable
-threshold, and shrinks if it is more than 1.4 times as large; too large a reach costs time rather
-than accuracy. A constant far above 5 fails: a wider threshold contains larger errors, so that the
-reach grows again and again. See doc/constants.md. */
+/** Suitable threshold of the search in standard deviations sigma of the noise, about the same as
+that of Params::magsacPlusPlus for a threshold of 2 sigma. The reach is the ratio of the search
+threshold to the mask threshold. It grows if the search threshold is less than two thirds of the
+suitable threshold, and shrinks if it is more than 1.4 times as large; too large a reach costs time
+rather than accuracy. A constant far above 5 fails: a wider threshold contains larger errors, so
+that the reach grows again and again. See doc/constants.md. */
 constexpr double REACH = 5;
 
 /** Points of another motion, or of a second plane, may look like wide noise. But real wide noise

@@ -29,7 +29,7 @@ namespace {
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
 //! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples.
-//! With 4 or 1 instead of 2, errors of models change by 2 % at most.
+//! With 4 or 1 instead of 2, the errors of models change by at most 2 %.
 constexpr int FIRST_LOOK = 2;
 
 //! Used if Params::significance is 0. A model is rejected if Report::chance exceeds LIMIT, but only
@@ -39,8 +39,9 @@ constexpr int FIRST_LOOK = 2;
 constexpr double LIMIT = 0.01, DECISIVE = 0.25;
 /* Polishing is undone unless at least this fraction of the gain of the model remains (the number of
 points, which is the cost without any model, minus the cost). If the threshold is no larger than the
-noise, the error of H is 3.1 times that of least squares with 0.9, because polishing is undone, and
-1.2 times with 0.5. On the benchmark lists, 0.25 changes nothing; 1 raises errors by 2 to 6 %. */
+noise, the error of H is 3.1 times that of least squares with KEPT = 0.9, because polishing is
+undone, and 1.2 times with 0.5. On the benchmark lists, 0.25 changes nothing; 1 raises errors by 2
+to 6 %. */
 constexpr double KEPT = 0.5;
 //! Values of Report::chance below this need not be exact. Halving or doubling it changes no run.
 constexpr double CLEAR = 1e-6;
@@ -195,9 +196,9 @@ private:
     /** Searches with a reach (see reach.hpp) that grows if the errors of the best model show wide
     noise. The noise is estimated when the search ends, and once after half of
     Params::maxIterations: with a reach that is far too small, models have few inliers, and no
-    criterion ends the search. It is not estimated earlier, because the best model may then still be
-    a wrong one with more noise, for example between two planes. At the end the reach may also
-    shrink again, because poor models show more noise than there is. */
+    criterion ends the search. The noise is not estimated earlier, because the best model may then
+    still be a wrong model with larger errors, for example between two planes. At the end the reach
+    may also shrink again, because poor models show more noise than there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
@@ -226,8 +227,8 @@ private:
         ransac.thresholdChanged();
     }
 
-    //! Tests whether such a model could have been found in random matches. @return false if the
-    //! model must be rejected
+    //! Tests whether a model with as many inliers could have been found in random matches, and sets
+    //! Report::chance. @return false if the model must be rejected
     bool significant(const Context& context, const Model& model, Report& learned)
     {
         const bool unset = params.significance == 0;
@@ -320,7 +321,8 @@ private:
 
     //! Computes Report::covariance of a polished model and, unless the threshold was estimated,
     //! Report::sigma. To be called after polishAsSeen(), which sets imageParts.
-    //! @param prior not null: the model becomes the mean of it and of this model
+    //! @param prior the initial model, or null. If it agrees with `model`, the weighted mean of
+    //! both replaces `model`
     //! @return score of the model
     Quality tellCertainty(const Context& context, Model& model, Report& learned,
                           const Model* prior = 0) const
@@ -437,7 +439,7 @@ private:
 
     Arena arena;      //!< memory of the runs
     int64 created;    //!< time at which the points were given, in ticks; 0: a run has used them
-    int64 readTicks;  //!< duration of reading them
+    int64 readTicks;  //!< duration of reading the points
     const Params params;
     const Ptr<Problem> problem;
     ProblemData data;

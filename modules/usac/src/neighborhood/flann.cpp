@@ -64,7 +64,7 @@ private:
     std::vector<Found>& found;
 };
 
-//! Limits of the neighbors of a point that a layer contains.
+//! Limits that define which neighbors of a point a layer contains.
 struct Reach
 {
     int neighbors;         //!< maximum number of neighbors; the nearest neighbors are used
@@ -77,11 +77,11 @@ pixels, found by an exact kd-tree of cv::flann. If the two arrays have no common
 
 Each of the #LAYERS layers is twice as wide as the previous one: for k nearest neighbors, the layers
 have k, 2 k, 4 k and 8 k neighbors; for a radius r, they have the points within r, 2 r, 4 r and 8 r.
-P-NAPSAC needs growing layers because it asks for more and more members. The caller's k or r is that
-of the finest layer, which the graph cut uses; NAPSAC uses the coarsest layer. At most #WIDEST
-neighbors of a point are stored, or k if k is larger, so that memory is O(N) for any radius. Edges
-link each point to at most #TREE_LINKS nearest neighbors in the finest layer: with more edges, the
-graph cut would give the labels of neighbors more weight than the error of the point itself.
+The layers grow because P-NAPSAC asks for more and more members. The caller's k or r is that of the
+finest layer, which the graph cut uses; NAPSAC uses the coarsest layer. At most #WIDEST neighbors of
+a point are stored, or k if k is larger, so that memory is O(N) for any radius. Edges link each
+point to at most #TREE_LINKS nearest neighbors in the finest layer: with more edges, the graph cut
+would give the labels of neighbors more weight than the error of the point itself.
 
 The tree is built at its first use in O(N log N). The neighbors of a point are searched at the first
 query for this point, in O(log N), because samplers use only some points. */
@@ -154,8 +154,8 @@ private:
         return 1;
     }
 
-    //! Creates the edges. If the run must end meanwhile, there are only the edges of the first
-    //! points, or no edges.
+    //! Creates the edges. If the run must end before all edges are found, only the first points
+    //! have edges, or none has edges.
     void link(const Context& context)
     {
         const Reach nearest = {std::min<int>(reach[0].neighbors, TREE_LINKS),
@@ -214,7 +214,7 @@ private:
                              found);
         tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
         std::sort(found.begin(), found.end());
-        size_t self = 0;  // index of the point itself, which is not 0 if other points are equal
+        size_t self = 0;  // index of the point itself; not always 0 if other points are equal to it
         while (self + 1 < found.size() && found[self].second != point)
             ++self;
         found[self] = Found(0.f, point);

@@ -11,8 +11,8 @@ namespace usacv20 {
 namespace {
 
 //! CODE_BITS: bits of the code of a cell. Four axes have four bits each, for layers with 16, 8, 4
-//! and 2 cells per axis as in the program of the authors of @cite barath2019progressive.
-//! MOST_BITS: maximum number of bits per axis, which matters if there are fewer axes.
+//! and 2 cells per axis as in the program of the authors of @cite barath2019progressive. MOST_BITS:
+//! maximum number of bits per axis, a limit that matters only if there is a single axis.
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
 //! Number of points whose cells are computed together.
 constexpr int BLOCK = 256;
@@ -23,13 +23,13 @@ constexpr int CELL_LINKS = 3;
 /** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
 barath2019progressive.
 
-The finest layer divides each of four axes into 16 cells, the next layers divide it into 8, 4 and 2.
-The bits of the four cell numbers are interleaved (Morton's code, 16 bits). Thus the points of a
-cell of any layer are contiguous in the sorted list of codes, and one sorted list serves all layers.
-With fewer axes there are more layers, because each axis gets more of the 16 bits. Points outside
-the range Correspondences::lower to upper belong to the outermost cells. The grid takes O(N) memory
-and time (radix sort), a query takes O(log N). Edges link each point to the next #CELL_LINKS points
-in its cell of the second layer. */
+If there are four axes, the finest layer divides each axis into 16 cells, and the next layers divide
+it into 8, 4 and 2. The bits of the four cell numbers are interleaved (Morton's code, 16 bits). Thus
+the points of a cell of any layer are contiguous in the sorted list of codes, and one sorted list
+serves all layers. With fewer axes there are more layers, because each axis gets more of the 16
+bits. Points outside the range Correspondences::lower to upper belong to the outermost cells. The
+grid takes O(N) memory and time (radix sort), a query takes O(log N). Edges link each point to the
+next #CELL_LINKS points in its cell of the second layer. */
 class GridNeighborhood : public Neighborhood
 {
 public:

@@ -29,11 +29,11 @@ namespace {
 constexpr int ALIGNMENT = 64;
 /** Smallest and largest size of a block in bytes; only a block for a single larger array exceeds
 LARGEST. If glibc returns the memory of a destroyed Usac to the system, the next Usac causes a page
-fault for each page that it writes to, which takes a quarter of the time of a call. glibc keeps the
-memory if a separately mapped block (128 kB to 32 MB) was freed before and at most twice its size is
-free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Block sizes are SMALLEST times
-a power of 2, so that calls with slightly different numbers of points use the same size. Pages that
-are never written to cost no time. */
+fault for each page that it writes to; these faults take a quarter of the time of a call. glibc
+keeps the memory if a separately mapped block (128 kB to 32 MB) was freed before and at most twice
+its size is free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Block sizes are
+SMALLEST times a power of 2, so that calls with slightly different numbers of points use the same
+size. Pages that are never written to cost no time. */
 constexpr size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
 
 //! Size of a block that can hold `bytes`.

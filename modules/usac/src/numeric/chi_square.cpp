@@ -10,7 +10,7 @@ namespace cv {
 namespace usacv20 {
 
 //! Fraction of the inliers whose errors are within the threshold if the standard deviation of their
-//! noise is sigma_max, as in @cite barath2019magsac.
+//! noise is sigma_max (see thresholdInSigmas()), as in @cite barath2019magsac.
 constexpr double QUANTILE = 0.99;
 
 double chiSquareDistribution(double x, double degrees)

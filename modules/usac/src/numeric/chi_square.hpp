@@ -19,9 +19,9 @@ double chiSquareDistribution(double x, double degrees);
 double chiSquareQuantile(double p, double degrees);
 
 /** The threshold divided by the largest standard deviation of the noise, sigma_max: the square root
-of the 0.99 quantile of the chi-square distribution, as in @cite barath2019magsac. The search
-threshold thus defines sigma_max, and losses that are marginalized over noise levels up to sigma_max
-are constant beyond the threshold. */
+of the 0.99 quantile of the chi-square distribution with `degrees` (1 to 3) degrees of freedom, as
+in @cite barath2019magsac. The search threshold thus defines sigma_max, and losses that are
+marginalized over noise levels up to sigma_max are constant beyond the threshold. */
 double thresholdInSigmas(int degrees);
 
 }  // namespace usacv20

@@ -16,10 +16,11 @@ namespace usacv20 {
 //! Singular values in decreasing order.
 Eigen::VectorXd singularValues(const Eigen::MatrixXd& A);
 
-//! X with the least |A X - B|, by QR decomposition with column pivoting.
+//! The X that minimizes |A X - B|, by QR decomposition with column pivoting.
 Eigen::MatrixXd solveLeastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-//! An orthonormal basis of the space of the columns of A, which has full rank: as many columns.
+//! An orthonormal basis of the space of the columns of A. A must have full column rank; the result
+//! has as many columns as A.
 Eigen::MatrixXd orthonormalBasis(const Eigen::MatrixXd& A);
 
 }  // namespace usacv20

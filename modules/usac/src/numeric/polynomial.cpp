@@ -44,7 +44,8 @@ double refine(const Polynomial& p, double low, double high, double atLow)
         const bool inside = next > low && next < high;
         if (!inside)
             next = 0.5 * (low + high);
-        // Newton's method converges quadratically: a step of 1e-9 leaves an error of about 1e-18
+        // Newton's method converges quadratically: a step of 1e-9 times x leaves a relative error
+        // of about 1e-18
         if (std::abs(next - x) <= (inside ? 1e-9 : 4e-16) * std::abs(x))
             return next;
         x = next;

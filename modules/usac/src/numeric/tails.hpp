@@ -16,13 +16,13 @@ of neighboring probabilities. The result is 0 if it is below the range of double
 time, usually O(sqrt(n)). */
 double binomialTail(int k, int n, double p);
 
-/** @brief Probability that at least `successes` of `trials` succeed, given that `earlierSuccesses`
-of `earlierTrials` did and that the prior of their common probability is uniform: the upper tail of
-the beta-binomial distribution @cite gelman2013bayesian.
+/** @brief Probability that at least `successes` of `trials` trials succeed, given that
+`earlierSuccesses` of `earlierTrials` trials succeeded and that the prior of the common probability
+of success is uniform: the upper tail of the beta-binomial distribution @cite gelman2013bayesian.
 
 With many earlier trials it is close to the tail of the binomial distribution. With few earlier
-trials the tail is heavier, because they tell little about the common probability. The sum is
-computed like binomialTail(); its first term has a relative error of up to 1e-9. Takes at most
+trials the tail is heavier, because the common probability of success is then hardly known. The sum
+is computed like binomialTail(); its first term has a relative error of up to 1e-9. Takes at most
 O(trials) time, usually O(sqrt(trials)). */
 double betaBinomialTail(int successes, int trials, int earlierSuccesses, int earlierTrials);
 

@@ -11,9 +11,10 @@ namespace usacv20 {
 
 namespace {
 
-//! Diagonal entries of the projection matrix that differ by at most this fraction count as equal,
-//! and the first of them is the pivot. Symmetric models (no rotation) have entries that are equal
-//! except for rounding errors, which would make the choice of the pivot arbitrary.
+//! Diagonal entries of the matrix that projects onto the tangent space count as equal if they
+//! differ by at most this fraction, and the first of them is the pivot. For symmetric models (no
+//! rotation), some of these entries are equal except for rounding errors, which would make the
+//! choice of the pivot arbitrary.
 constexpr double TIED = 1e-6;
 
 }  // namespace

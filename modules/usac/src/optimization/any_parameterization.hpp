@@ -95,10 +95,10 @@ private:
 };
 
 /** @brief The derivatives of the entries of a model by the parameters of Report::covariance. They
-are those of the parameterization (Parameterization::tangent), except if its basis of the tangent
-space depends on singular vectors, which rounding errors may rotate (Parameterization::smooth is
-false). It is then replaced by an orthonormal basis that depends only on the tangent space: the rows
-of the pivoted Cholesky decomposition of the matrix of the projection onto this space.
+are those of Parameterization::tangent, unless this basis of the tangent space depends on singular
+vectors, which rounding errors may rotate (Parameterization::smooth is false). The basis is then
+replaced by an orthonormal one that depends only on the tangent space: the rows of the pivoted
+Cholesky decomposition of the matrix of the projection onto this space.
 @param rule the parameterization
 @param model as Parameterization::plus returns it
 @param basis output, Model::size() x Parameterization::dimension()

@@ -29,7 +29,7 @@ struct CholeskyColumns
             A[K][i] *= inverse;
             x[i] -= A[K][i] * x[K];
         }
-        // both triangles, because loops of constant length are faster than half of the work
+        // updates both triangles: loops of constant length are faster than half of the operations
         for (int j = K + 1; j < N; ++j)
             for (int i = K + 1; i < N; ++i)
                 A[j][i] -= A[K][j] * A[K][i];

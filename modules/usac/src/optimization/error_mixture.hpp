@@ -27,7 +27,7 @@ struct ErrorHistogram
     enum { BINS = 48 };
 
     /** @param squaredErrors, count squared errors of points in random order; NaN is left out
-    @param unit unit of errors in the histogram, not squared
+    @param unit unit of the errors in the histogram, not squared
     @param window_ largest error that is used, in this unit
     @param most only the first `most` errors within the window are used */
     ErrorHistogram(const float* squaredErrors, int count, double unit, int window_, int most);
@@ -41,9 +41,9 @@ struct ErrorHistogram
 @cite torr2000mlesac.
 
 The errors of inliers have a half-normal distribution for one degree of freedom, Rayleigh's for two
-and Maxwell's for three; those of wrong matches are uniform on a line, in the plane or in space. A
-part of the inliers, the tail, may have #TAIL times the noise of the others, because keypoints on
-photographs are sometimes badly located. */
+and Maxwell's for three; those of wrong matches are uniform on a line, in the plane or in space. The
+noise of a part of the inliers, the tail, may have #TAIL times the standard deviation of the noise
+of the other inliers, because keypoints on photographs are sometimes badly located. */
 class ErrorMixture
 {
 public:

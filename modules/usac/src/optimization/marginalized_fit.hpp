@@ -33,7 +33,7 @@ public:
     double weigh(const Context& context, double threshold, const Model& model);
     //! Number of weighted points.
     int size() const { return count; }
-    //! Keeps a random subset of `most` weighted points, or all if there are fewer.
+    //! Keeps a random subset of `most` weighted points, or all weighted points if there are fewer.
     void reduce(int most, Rng& rng);
     //! Fits `model` to the weighted points, starting from its present value. @return false if there
     //! are too few points or if they do not determine a model

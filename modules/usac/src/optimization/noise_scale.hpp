@@ -13,14 +13,14 @@ namespace usacv20 {
 /** @brief Estimates the standard deviation sigma of the noise of the inliers, in units of the
 threshold: an ErrorMixture without a tail is fitted to the errors up to #REACH thresholds.
 
-Only the first #MOST errors are used. With fewer than #LEAST errors, the result is the noise to
+Only the first #MOST errors are used. With fewer than #LEAST errors, the result is the sigma to
 which the threshold corresponds, 1 / thresholdInSigmas(degrees).
 
-A sigma below #leastSigma is only returned if hardly more errors are between 4 sigma and the
-threshold than outliers explain; the density of outliers is measured beyond the threshold. If there
-are more errors, the noise has long tails, or the model does not fit all points equally well (for
-example H for a surface that is not quite a plane). A fit with a small sigma would then fit only a
-part of the scene, and #leastSigma is returned. */
+A sigma below #leastSigma is returned only if the number of errors between 4 sigma and the threshold
+is hardly higher than the expected number of outliers there; the density of outliers is measured
+beyond the threshold. If there are more errors, the noise has long tails, or the model does not fit
+all points equally well (for example H for a surface that is not quite a plane). A fit with a small
+sigma would then fit only a part of the scene, and #leastSigma is returned. */
 class NoiseScale
 {
 public:

@@ -52,7 +52,7 @@ void countInBins(const float* squaredErrors, int count, float scale, int* member
 }
 
 //! r^degrees for a squared radius r^2 = `square`, which is proportional to the length, area or
-//! volume within r.
+//! volume within r (one to three degrees of freedom).
 double volumeOf(double square, int degrees)
 {
     return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);
@@ -62,7 +62,7 @@ double volumeOf(double square, int degrees)
 //! assumed to be uniform over its length, area or volume.
 //! @param members number of points in each bin
 //! @param within number of points in the bins up to `last`
-//! @param exact number of points in the first bins that do not count for the median, see
+//! @param exact number of points with the smallest errors that do not count for the median, see
 //! `exactSample` of SignificantScale::estimate()
 double medianOf(const int* members, int last, int within, int degrees, int exact)
 {

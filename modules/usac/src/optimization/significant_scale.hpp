@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Estimates the standard deviation sigma of the noise of the inliers from the errors, for
-any threshold.
+/** @brief Estimates the standard deviation sigma of the noise of the inliers from the errors, even
+if the threshold is far too small or too large for this noise.
 
 Inliers are the points with errors up to a radius r, chosen so that their number is least likely by
 chance, as in an a-contrario RANSAC @cite moisan2004probabilistic. A point is within r of a wrong
@@ -19,16 +19,16 @@ model with probability p(r). This is chance (r / threshold)^degrees, or the frac
 matches whose errors are within r, if this fraction is higher (it is much higher if points form
 clusters). By Chernoff's bound, k or more of n points are within r by chance with a probability of
 at most exp(-n D(k/n, p)), where D is the Kullback-Leibler divergence; r minimizes this bound. The
-points of the sample are inliers of any model computed from it and are left out.
+points of a sample are inliers of every model computed from it and are left out.
 
 With Gaussian noise and 10 to 100 % inliers, r is 1.7 to 2.4 sigma for one degree of freedom, 2.4 to
 2.9 sigma for two (errors in the plane) and 2.9 to 3.2 sigma for three. The median error within r is
 then 0.64, 1.15 or 1.52 sigma, to within 3 %; sigma is computed from this median. If half of the
-inliers have much smaller errors than the others (which are on a second plane near the first), the
-result is the sigma of the half with the smaller errors.
+inliers have much smaller errors than the others (for example because the others are on a second
+plane near the first), the result is the sigma of the half with the smaller errors.
 
-The radii that are tried grow by factors of 1.15 and 1.22 in turn, from a quarter of the threshold
-up to the radius for which p is 1. Only the first #MOST errors are used. */
+The radii that are tried grow by factors of 1.15 and 1.22 in turn, from 0.31 times the threshold up
+to the radius for which p is 1. Only the first #MOST errors are used. */
 class SignificantScale
 {
 public:

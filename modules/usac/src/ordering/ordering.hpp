@@ -18,8 +18,8 @@ Ptr<Ordering> createScoreOrdering();
 Ptr<Ordering> createInputOrderOrdering();
 
 /** Moves each match that equals an earlier match to the end of the order. Such a copy adds no
-information, and a growing set that contains only copies of one match gives no valid sample. The
-other matches keep their order. Takes O(N), with a hash table. */
+information, and no valid sample can be drawn from a growing set that contains only copies of one
+match. The other matches keep their order. Takes O(N), with a hash table. */
 void repeatedLast(const Context& context, int* order);
 
 }  // namespace usacv20

@@ -10,11 +10,12 @@ namespace usacv20 {
 
 namespace {
 
-//! A key for sorting: first by score, then by the index of the point. The bits of floats, read as
-//! integers, are in the order of the floats; those of negative ones in the inverse order.
+//! A key for sorting: first by score, then by the index of the point. The bits of positive floats,
+//! read as integers, have the same order as the floats; the bits of negative floats have the
+//! inverse order.
 uint64 keyOf(float score, int point)
 {
-    score += 0.f;  // no -0
+    score += 0.f;  // turns -0 into 0, because their bits differ
     unsigned bits;
     std::memcpy(&bits, &score, sizeof(bits));
     bits = bits & 0x80000000u ? ~bits : bits | 0x80000000u;

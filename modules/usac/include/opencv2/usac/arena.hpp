@@ -47,8 +47,8 @@ public:
     //! No Scope may be open.
     void clear();
     //! Frees everything. If the first block is smaller than the maximum of `bytes` and capacity()
-    //! (but at most 31 MB), one block of this size replaces all blocks; otherwise the blocks are
-    //! kept.
+    //! (but at most 31 MB), one block of at least this size replaces all blocks; otherwise the
+    //! blocks are kept.
     void reset(size_t bytes);
 
     //! Number of blocks.

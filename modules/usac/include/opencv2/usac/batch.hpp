@@ -81,12 +81,12 @@ private:
 /** @name Batches of one problem
 Each of these functions calls #estimateBatch with tasks of one problem.
 @param points1, points2 lists of the same length, one entry per task:
-`std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry like the points of
-#estimateHomography and similar functions
+`std::vector<std::vector<Point2f>>`, `std::vector<Mat>` and the like; each entry has the form of the
+points of #estimateHomography and similar functions
 @param params one Params for all tasks, or a `std::vector<Params>` with one for each, for example
-because match scores differ from pair to pair
+because each task has its own match scores
 @param threads as in #estimateBatch
-@return one Estimate for each pair, in the same order. An error in the arguments of one task is
+@return one Estimate for each task, in the same order. An error in the arguments of one task is
 reported in its Estimate::error. Raises cv::Exception for lists of different lengths.
 @{ */
 //! Batch version of #estimateHomography.

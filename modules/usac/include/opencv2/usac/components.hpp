@@ -25,10 +25,10 @@ The parts of Algorithm 1 of @cite ivashechkin2021usacv20. Each is a small abstra
 Usac::create makes the default set, and any of them can be replaced before Usac::run. A virtual call
 covers a sample, a model or a block of points, never a single point.
 
-If Params::threads is not 1, several threads may call the following methods at the same time: all
-of Residual and MinimalSolver, Score::accumulate, Verifier::preTest, nextBlock and proceed, and
-Degeneracy::validSample, mayBeGood and validModel. They are `const` and must not take memory from
-Context::arena. All other methods are called by one thread.
+If Params::threads is not 1, several threads may call the following methods at the same time: all of
+Residual and MinimalSolver, Score::accumulate, fused and wholeModel, Verifier::preTest, nextBlock
+and proceed, and Degeneracy::validSample, mayBeGood and validModel. They are `const` and must not
+take memory from Context::arena. All other methods are called by one thread.
 @{ */
 
 //! Parameters of one design of the sequential probability ratio test (SPRT), and the number of
@@ -38,8 +38,7 @@ struct SequentialTest
     double epsilon;  //!< probability that a point is an inlier of a good model
     double delta;    //!< probability that a point is an inlier of a bad model
     double A;  //!< decision threshold: a good model is rejected with a probability of at most 1/A
-    int samples;  //!< number of samples, only those with State::counts, whose models this design
-                  //!< has tested
+    int samples;  //!< number of samples with State::counts whose models this design has tested
 };
 
 struct Context;
@@ -76,8 +75,8 @@ struct CV_EXPORTS State
                     //!< from all points; true unless the sampler sets it to false
     double successProbability;  //!< probability that an all-inlier sample leads to the best model,
                                 //!< see Degeneracy::successProbability()
-    int countedSamples;   //!< number of samples so far with `counts`; the confidence is computed
-                          //!< from it
+    int countedSamples;   //!< number of samples so far for which `counts` was true; the confidence
+                          //!< is computed from this number
     int repeatedSamples;  //!< number of samples that would count if they did not contain the same
                           //!< match twice
     int orderedSamples;   //!< number of samples so far that follow a known order (scores, or the
@@ -238,7 +237,8 @@ public:
     @param models output: for each sample an array of at most #MAX_MODELS models
     @param found output: number of models of each sample
 
-    The models of a sample must not depend on the other samples. Default: calls solve() for each. */
+    The models of a sample must not depend on the other samples. Default: calls solve() for each
+    sample. */
     virtual void solveMany(const Correspondences& points, const int* const* samples, int count,
                            Model* const* models, int* found) const;
     //! Number of samples for which solveMany() is fastest, at most #MAX_TOGETHER. Default: 1, so
@@ -276,7 +276,8 @@ public:
     //! Squared errors of the points begin .. end-1; NaN or infinite where the error is not defined.
     virtual void squaredErrors(const Correspondences& points, const Model& model, int begin,
                                int end, float* errors) const = 0;
-    //! The same in double precision, for `count` points in any coordinates, given as columns.
+    //! The same in double precision, for `count` points that are given as columns. The points need
+    //! not be those of the run.
     virtual void squaredErrors(const Model& model, const double* const* columns, int count,
                                double* errors) const = 0;
     /** @brief The error of one datum as a vector whose squared length is the squared error.
@@ -306,7 +307,8 @@ public:
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over
 Correspondences::column. `model` has the Model::size() entries as float, see Residual::homogeneous.
-A kernel only saves time if the compiler vectorizes it, but then even for blocks of 32 points. */
+A kernel saves time only if the compiler vectorizes its loop; it is then faster even for blocks of
+32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model,
                             float squaredThreshold, int begin, int end, Quality& sum);
 
@@ -422,8 +424,9 @@ public:
     //! model changes, and when the verifier adds a design to `state.tests`.
     virtual int iterations(const Context& context, const State& state) const = 0;
     //! True (default): iterations() is a number of samples of any kind. False: only samples with
-    //! State::counts are counted; if more than half of the points outside the sample of the best
-    //! model are its inliers, all samples are counted nevertheless.
+    //! State::counts are counted; all samples are counted nevertheless if more than half of the
+    //! points outside the sample of the best model are its inliers, unless State::degenerate is
+    //! true or State::successProbability is below 1.
     virtual bool countsAll() const;
     /** @brief Called between batches of samples: may set State::wanted, so that the sampler draws
     what the criterion needs. Default: does nothing.

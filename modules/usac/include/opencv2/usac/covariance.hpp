@@ -50,9 +50,10 @@ of an essential matrix.
 @param covariance Report::covariance of the essential matrix, 5 x 5, any depth
 @param R 3x3: the rotation of #estimateRelativePose or of cv::recoverPose
 @param t 3 numbers: its translation, of any length
-@return 6 x 6, CV_64F, rank 5: of the rotation vector w in radians, where exp(w) R is the rotation
-with an error, and of the vector t / |t|, whose errors are perpendicular to it. Raises cv::Exception
-if R is no rotation or [t]x R no multiple of the essential matrix, up to 1e-6 of its norm. */
+@return 6 x 6, CV_64F, rank 5: the covariance of the rotation vector w in radians, where exp(w) R is
+the rotation with its error, and of the vector t / |t|, whose errors are perpendicular to t. Raises
+cv::Exception if R is no rotation or [t]x R no multiple of the essential matrix, up to 1e-6 of its
+norm. */
 CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R,
                                   InputArray t);
 

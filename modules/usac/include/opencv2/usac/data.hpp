@@ -103,11 +103,11 @@ A datum (one correspondence) has coordinates[0] numbers from the caller's first 
 coordinates[1] from the second. Each of these numbers has a column of `size` elements: #X1, #Y1,
 #X2, #Y2 for two views. For H and F, the points of each image are translated and scaled to about
 unit size (for F with the same scale in both images, so that errors are scaled by this factor, too).
-For E, they are on the normalized image plane. The order is pseudo-random and fixed, so that any
-consecutive points are a random sample.
+For E, they are on the normalized image plane. The order is pseudo-random and fixed, so that
+consecutive points are always a random sample.
 
 If there are Params::sigmas, another column follows, with the factor by which the residual
-multiplies the error of the point: meanSigma divided by the point's own value. */
+multiplies the error of the point: `meanSigma` divided by the sigma of the point. */
 struct Correspondences
 {
     //! No correspondences.
@@ -136,11 +136,11 @@ struct Correspondences
     const float*
         scores;   //!< Params::scores in the order of the points, lower is better; null: no scores
     double unit;  //!< length of one unit of Params::threshold (meanSigma pixels) in the columns of
-                  //!< array 2
+                  //!< the last array
     double threshold;  //!< Params::threshold times Params::reach, in the same coordinates, not
                        //!< squared
     Frame frame[2];  //!< normalization of each array: from the caller's coordinates (for E from the
-                     //!< normalized image plane) to the columns; equal if there is one array
+                     //!< normalized image plane) to the columns; both equal if there is one array
     float lower[MAX_COLUMNS];  //!< nearly all values of each column are above this bound
     float upper[MAX_COLUMNS];  //!< nearly all values of each column are below this bound
 };
@@ -155,7 +155,7 @@ struct Quality
     bool betterThan(const Quality& other) const { return cost < other.cost; }
 
     double cost;  //!< sum of a cost between 0 and 1 for each point; infinite: there is no model
-    int inliers;  //!< number of points with an error within the threshold
+    int inliers;  //!< number of points with errors of at most Context::inlierThreshold
 };
 
 //! @}

@@ -156,7 +156,7 @@ CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoi
 @param points1 N 3-D points: N x 3 or 3 x N with 1 channel, or with 3 channels, any depth.
 @param points2 their N counterparts, in the same unit.
 @param params options; `threshold` is the distance between R X1 + t and X2, in the unit of the
-points, so its default is rarely suitable.
+points; the default 1.5 is therefore rarely suitable.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned motion is at most
 the threshold, else 0.
 @param report output, statistics of the run.

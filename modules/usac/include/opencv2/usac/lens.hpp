@@ -17,9 +17,9 @@ namespace usacv20 {
 would see the points.
 
 Inverts the distortion model of cv::projectPoints to double precision, by Newton's method until
-convergence. cv::undistortPoints takes five fixed-point iterations by default; its errors reach a
-tenth of a pixel in the image corners of an ordinary lens. The estimation of E and of absolute poses
-removes the distortion in the same way as this function.
+convergence. cv::undistortPoints takes five fixed-point iterations by default, which leave errors of
+up to a tenth of a pixel in the image corners of an ordinary lens. The estimation of E and of
+absolute poses removes the distortion in the same way as this function.
 
 @param points N points of the original (distorted) image in pixels; any layout and depth that
 usacv20::estimateHomography takes

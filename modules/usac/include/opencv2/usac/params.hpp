@@ -19,7 +19,8 @@ struct UsacParams;  // of calib3d
 #ifndef OPENCV_BINDING_PARSER
 
 /** @brief Presets of the module, passed as the `method` flag of cv::findHomography,
-cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estimateAffinePartial2D.
+cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estimateAffinePartial2D,
+or as the argument `flags` of cv::solvePnPRansac.
 
 The values differ from all of OpenCV's own flags. The enumeration is scoped, so a flag is not
 silently converted to an `int` and passed to calib3d, which treats any number it does not know as
@@ -95,14 +96,14 @@ enum ThresholdType {
     @cite moisan2004probabilistic @cite torr2000mlesac. Before the search, up to 1000 uniform
     samples (at most Params::maxIterations) are drawn, which Report does not count; the checks of
     Params::degeneracy for orientation and repeated matches apply to them, also if a program has
-    replaced these checks. If no model is better than chance, or if it has fewer than ten inliers
-    beyond a sample, the threshold is a third of `threshold`. Usac::run and Usac::refine (of all
-    points) estimate the threshold, Usac::fit does not. Params::widestReach has no effect. */
+    replaced these checks. If no model is better than chance, or if the best one has fewer than ten
+    inliers beyond a sample, the threshold is a third of `threshold`. Only Usac::run and
+    Usac::refine without a mask estimate the threshold. Params::widestReach has no effect. */
     THRESHOLD_ESTIMATED = 1
 };
 
-//! How minimal samples are drawn (paper, section "Sampling"). Only one in Params::orderedEvery
-//! samples is drawn in the way of the sampler; the others are uniform.
+//! How minimal samples are drawn (paper, section "Sampling"). One in Params::orderedEvery samples
+//! is drawn in the way of the sampler; the others are uniform.
 enum SamplerType {
     SAMPLER_UNIFORM = 0,  //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
@@ -112,7 +113,7 @@ enum SamplerType {
     //! the paper draws all so until the neighborhood contains all points. A neighborhood doubles
     //! when its point is chosen again; in the paper it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
-    SAMPLER_NAPSAC = 3,     //!< any point and its neighbors @cite nasuto2002napsac
+    SAMPLER_NAPSAC = 3,     //!< a random point and neighbors of it @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
                             //!< example inlier probabilities
 };
@@ -257,9 +258,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     significantly better one, see `relaxation`), unless `maxIterations` ends it first; in (0, 1).
     Default 0.99. */
     CV_PROP_RW double confidence;
-    /** Upper bound of the number of minimal samples; >= 1. Default 5000. With any criterion of
-    `termination`, a run also ends when all possible samples have been drawn, or when none of the
-    first million yielded a model. */
+    /** Upper bound of the number of minimal samples; >= 1. Default 5000. Unless `termination` is 0,
+    a run also ends when all possible samples have been drawn, or when none of the first million
+    yielded a model. */
     CV_PROP_RW int maxIterations;
     /** Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit. A run
     takes up to 5 ms longer with 10 000 points, 0.1 s longer with a million (reading a million
@@ -267,7 +268,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     exact, see there. No other option makes the result depend on the machine, see Report::stop and
     ProgressScope. Default 0. */
     CV_PROP_RW double maxTime;
-    //! Seed of the pseudo-random sequence; the same seed and input give the same bits. Default 0.
+    //! Seed of the pseudo-random sequence; the same seed and input give equal results. Default 0.
     CV_PROP_RW int seed;
     //! Number of threads that compute and score models; 0..1024, 0: cv::getNumThreads(). The result
     //! does not depend on it. Default 1.
@@ -292,19 +293,19 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Entries, row by row, of the covariance of `initialModel`, or no covariance; d x d, symmetric
     and positive definite, for the parameters of Report::covariance. With it, the initial model is a
     prior: the result is the mean of it and of the model of the points, weighted by their
-    covariances @cite kalman1960filter, and Report::covariance that of this mean. If they contradict
-    each other (Report::priorChance below 0.001), the result is that of the points alone. Add what
-    may have changed since to the covariance of a previous frame. Default none. */
+    covariances @cite kalman1960filter, and Report::covariance is that of this mean. If the two
+    models contradict each other (Report::priorChance below 0.001), the result is that of the points
+    alone. Add what may have changed since to the covariance of a previous frame. Default none. */
     CV_PROP_RW std::vector<double> initialCovariance;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;
     //! @ref NeighborhoodType. Default #NEIGHBORHOOD_GRID.
     CV_PROP_RW int neighborhood;
     //! Number of neighbors of a point for #NEIGHBORHOOD_KNN in the finest of four layers; each
-    //! further layer has twice as many; 1..1000. Default 10.
+    //! further layer has twice as many (up to 512); 1..1000. Default 10.
     CV_PROP_RW int neighbors;
     //! Radius in pixels for #NEIGHBORHOOD_RADIUS in the finest of four layers, doubled for each
-    //! further layer; > 0. Default 40.
+    //! further layer, with at most 512 neighbors; > 0. Default 40.
     CV_PROP_RW double neighborRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
     CV_PROP_RW int residual;
@@ -346,10 +347,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     in their own way; the others are uniform among all points. Only the uniform samples count for
     the termination criteria except #TERMINATION_PROSAC, because samples from a subset may never
     consist of inliers of the best model, and `confidence` would not hold. But all samples count if
-    more than half of the points outside the sample of the best model are its inliers. If
-    the order is known, the first 8 samples are uniform. With #TERMINATION_ORDER every second one
-    then follows it, and all do once it is confirmed. 1: all are drawn in the sampler's way, and all
-    count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
+    more than half of the points outside the sample of the best model are its inliers and no plane
+    dominates. If the order is known, the first 8 samples are uniform; with #TERMINATION_ORDER every
+    second sample then follows it at first, and every sample once it is confirmed. 1: all are drawn
+    in the sampler's way and count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default
     //! #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT | #TERMINATION_ORDER.
@@ -377,8 +378,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! 1: Report::covariance and Report::sigma are computed (0.1 to 0.3 ms); 0..1. Default 0.
     CV_PROP_RW int covariance;
 
-    /** @brief The configuration recommended in the paper, with robust polishing; same as Params().
-     */
+    /** @brief The configuration recommended in the paper, with robust polishing, as Params(). */
     CV_WRAP static Params usacV20();
     /** @brief Preset of UsacV20Method::USACV20_FAST: like usacV20(), but the search ends when a
     model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
@@ -395,8 +395,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     holds even for a wrong order. Preset of UsacV20Method::USACV20_PROSAC. */
     CV_WRAP static Params sorted();
     /** @brief Like usacV20(), for an order that the caller trusts (`scores`, or
-    #ORDERING_INPUT_ORDER): all samples are PROSAC's, and its criterion may end the search
-    @cite chum2005matching. If the order is wrong, the search may miss the model. */
+    #ORDERING_INPUT_ORDER): all samples are drawn as in PROSAC, and PROSAC's criterion may end the
+    search @cite chum2005matching. If the order is wrong, the search may miss the model. */
     CV_WRAP static Params trustedScores();
     /** @brief Like usacV20(), with all threads of OpenCV and the same result. Preset of
     UsacV20Method::USACV20_PARALLEL. */
@@ -439,11 +439,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     test for planes. */
     CV_WRAP static Params usac2013();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
-    @cite barath2019magsac. The largest standard deviation of the noise is `reach` times
-    `threshold` divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of
-    freedom as a match has constraints, one for F and E and two for H; the paper uses four, the
-    number of coordinates of a match. The fit divides the range of the noise scale into five parts.
-    If the data show more noise, the range grows (`widestReach`); the paper has a large bound. */
+    @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`
+    divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of freedom as
+    a match has constraints, one for F and E and two for H; the paper uses four, the number of
+    coordinates of a match. The fit divides the range of the noise scale into five parts. If the
+    data show more noise, the range grows (`widestReach`); the paper sets a large bound. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits
     (sigma-consensus++) @cite barath2020magsac. Preset of UsacV20Method::USACV20_MAGSAC. Noise scale

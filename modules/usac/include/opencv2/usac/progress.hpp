@@ -23,7 +23,7 @@ the time since the run began. */
 typedef std::function<bool(const Report& report)> Progress;
 
 /** @brief While an object exists, all estimations that its thread begins call a function every 5
-milliseconds, which decides whether to continue.
+milliseconds. The function decides whether to continue.
 
 This applies to all functions that estimate a model: those with a flag, #estimateHomography and
 similar functions, #estimateBatch, and Usac::run.
@@ -38,7 +38,7 @@ calls it between two tasks, with a default-constructed Report. Between two calls
 one step over all points, which cannot be interrupted: 0.15 s for a million points, 0.4 s with a
 kd-tree (#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS). After the function has returned false, the
 estimation takes up to 0.1 s to return. If it always returns true, the result is bit-identical to
-one without a ProgressScope. An exception from the function ends the run and is passed on to the
+that without a ProgressScope. An exception from the function ends the run and is passed on to the
 caller; a Usac can be run again afterwards. Scopes may be nested: their functions are called from
 the innermost outward until one returns false. Destroy them in reverse order, in the thread that
 created them. */

@@ -19,8 +19,8 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
 {
     CV_WRAP RelativePose();
 
-    //! Report on the search for the essential matrix. `inliers` counts only those in front of both
-    //! cameras, like the mask.
+    //! Report on the search for the essential matrix. Its `inliers` counts only inliers in front of
+    //! both cameras, like the mask.
     CV_PROP_RW Report report;
     //! The essential matrix [t]x R, 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there
     //! is none.

@@ -126,14 +126,14 @@ struct CV_EXPORTS_W_SIMPLE Report
     covariance does not cover a wrong model, wrong matches that agree with each other, errors of the
     calibration, and matches that are not independent (each repetition counts as a measurement). For
     F and E it is too small if wrong matches are among the inliers (for example with a third of all
-    matches wrong, forward motion or planes); for all models, if there are few matches with noise as
-    wide as the threshold. See doc/measurements/covariance.md. */
+    matches wrong, forward motion or planes). For all models it is too small if there are few
+    matches with noise as wide as the threshold. See doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
     //! Probability that the initial model and the model of the points differ by at least as much as
     //! they do if Params::initialCovariance and `covariance` describe their errors, 0..1. Below
     //! 0.001, the prior was not used. 0 also if there is no prior, or no covariance of the points.
-    //! With up to 20 matches and noise as wide as the threshold, their covariance is too small (see
-    //! there): a fifth to a half of right priors are then refused.
+    //! With up to 20 matches and noise as wide as the threshold, `covariance` is too small: a fifth
+    //! to a half of correct priors are then not used.
     CV_PROP_RW double priorChance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array. A model that maps all points to a single point then has all points as

@@ -140,7 +140,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     CV_PROP_RW Mat rotations;
     //! Report on the search for the model of the mask, or for the best rejected model.
     CV_PROP_RW Report report;
-    //! Number of samples drawn, without those for H among the inliers of E or F.
+    //! Number of samples drawn, not counting the samples from which H was estimated among the
+    //! inliers of E or F.
     CV_PROP_RW int iterations;
     //! Elapsed time in milliseconds.
     CV_PROP_RW double milliseconds;

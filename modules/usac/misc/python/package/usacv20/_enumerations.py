@@ -31,7 +31,7 @@ __all__ = [
 
 class UsacV20Method(enum.IntEnum):
     """Presets of the module, passed as the method flag of cv2.findHomography, cv2.findFundamentalMat, cv2.findEssentialMat,
-    cv2.estimateAffine2D and cv2.estimateAffinePartial2D."""
+    cv2.estimateAffine2D and cv2.estimateAffinePartial2D, or as the argument flags of cv2.solvePnPRansac."""
 
     USACV20 = 0x4000  # the configuration of the paper, with robust polishing; Params.usacV20()
     USACV20_FAST = 0x4001  # early termination and a short local optimization; Params.fast()
@@ -70,7 +70,7 @@ class SamplerType(enum.IntEnum):
     SAMPLER_UNIFORM = 0  # all points are equally likely
     SAMPLER_PROSAC = 1  # from a growing set of the best points
     SAMPLER_P_NAPSAC = 2  # P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
-    SAMPLER_NAPSAC = 3  # any point and its neighbors
+    SAMPLER_NAPSAC = 3  # a random point and neighbors of it
     SAMPLER_IMPORTANCE = 4  # each point with probability proportional to Params.scores, for example inlier probabilities
 
 

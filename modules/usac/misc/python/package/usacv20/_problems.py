@@ -213,7 +213,7 @@ def estimateRigid3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Opti
 
     points1, points2 -- N points of each space: Nx3, 3xN, Nx1x3 or 1xNx3
     params -- Params, None for the default; params.threshold is the distance between R X1 + t and X2, in the unit of the
-        points, so its default is rarely suitable
+        points; the default 1.5 is therefore rarely suitable
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
