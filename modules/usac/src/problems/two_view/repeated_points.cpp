@@ -73,8 +73,9 @@ private:
         }
     }
 
-    //! Adds the repetitions of match `of` if they are more than 1 / COMMON of all points. No point
-    //! repeats two different matches, so that an array of the size of the points is large enough.
+    //! Adds the repetitions of match `of` if its occurrences are more than 1 / COMMON of all
+    //! points. No point repeats two different matches, so that an array of the size of the points
+    //! is large enough.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;
