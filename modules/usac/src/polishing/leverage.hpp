@@ -24,9 +24,9 @@ lower errors.
 So the inliers with the highest leverage are left out. Fits to the remaining inliers start from the
 model and from samples of these inliers. Points with small errors under the fit are included again,
 at first only points of low leverage, as in a forward search @cite atkinson2000robust. A fit to all
-points that are included is polished. It replaces the model on two conditions:
-- The errors of these points, as far as they are inliers of the model, decrease by more than chance
-explains.
+points that are included is polished. The result replaces the model on two conditions:
+- The errors of the included points that are inliers of the original model decrease by more than
+chance explains.
 - The inliers that are lost are no evidence against the fit: the best of all models through two
 wrong matches would have as many inliers by chance, and the loss is less improbable than the
 decrease of the errors.
@@ -37,7 +37,7 @@ errors must decrease more, and E is not changed.
 
 The method is used only for errors with one component: with more components, a wrong match is rarely
 within the threshold by chance. At most #MOST inliers are used, which bounds the time of everything
-except polishing. */
+except polishing and three passes over the errors of all points. */
 class Leverage
 {
 public:

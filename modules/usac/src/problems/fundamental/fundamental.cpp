@@ -51,7 +51,7 @@ public:
     String name() const CV_OVERRIDE { return "fundamental"; }
     int dimension() const CV_OVERRIDE { return FundamentalParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    //! Values from measurements.
+    //! Measured time, in point tests, and measured number of models per sample.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(300, 1.2); }
     int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE

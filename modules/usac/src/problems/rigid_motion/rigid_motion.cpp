@@ -56,7 +56,7 @@ public:
     {
         result = movedBack(MapOfSpace(model.val), points.frame[0], points.frame[1]);
         const bool regular = MapOfSpace(result.val).leftCols<3>().squaredNorm() >
-                             0;  // 0 is an underflow
+                             0;  // 0: A has underflowed
         return regular && checkRange(Mat(3, 4, CV_64F, result.val));
     }
 
