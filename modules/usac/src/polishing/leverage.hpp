@@ -36,8 +36,8 @@ more of them than wrong matches that fit one epipole by chance. If most inliers 
 errors must decrease more, and E is not changed.
 
 The method is used only for errors with one component: with more components, a wrong match is rarely
-within the threshold by chance. At most #MOST inliers are used, which bounds the time of everything
-except polishing and three passes over the errors of all points. */
+within the threshold by chance. To limit the time, the first fit uses at most #MOST inliers. Later
+fits use only the first points, four times as many as were needed to find these inliers. */
 class Leverage
 {
 public:
@@ -53,7 +53,7 @@ public:
 private:
     //! doc/constants.md lists the effects of halving or doubling each constant.
     enum {
-        MOST = 200,  //!< maximum number of inliers that are used
+        MOST = 200,  //!< maximum number of inliers in the first fit
         STARTS = 4   //!< number of samples; the best of their models is another start of a fit
     };
 
@@ -107,7 +107,7 @@ private:
     const Components& parts;
     const double limit;  //!< squared threshold
     float* errors;       //!< squared errors; the array has the size of all points
-    int looked;          //!< only the first `looked` points are used
+    int looked;          //!< fits use only the first `looked` points
     Points inliers;      //!< at most MOST inliers among the first `looked` points
     Points bulk;         //!< the elements of `inliers` with low leverage
     int all;             //!< number of inliers of the model among all points

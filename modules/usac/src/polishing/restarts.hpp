@@ -15,7 +15,7 @@ few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
 the best minimum. A search that ends after its first sample may have missed it, for example because
-the errors of ten points are below the threshold for any model. Orientation checks make this worse
+the errors of ten points are below the threshold for every model. Orientation checks make this worse
 if they reject right models: for an H whose horizon lies between the points, they reject all samples
 except those on one side of the horizon, which may all lead to one wrong minimum.
 

@@ -21,7 +21,7 @@ constexpr int FIRST_POINTS = 64, OFTEN = 3, COMMON = 10;
 
 A point has at most one counterpart: if two matches share a point, one of them is wrong, or they are
 the same match twice. Repetitions of a match that make up more than a tenth of all matches count as
-a single inlier in the quality of a new so-far-the-best model, because any model fitted to this
+a single inlier in the quality of a new so-far-the-best model, because every model fitted to this
 match would have all of them as inliers. */
 class RepeatedPoints : public Degeneracy
 {
