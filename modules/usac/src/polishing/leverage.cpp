@@ -21,8 +21,9 @@ namespace {
 constexpr double BULK = 0.85;
 //! A point with at least this leverage (which is at most 1) may determine a parameter alone.
 constexpr double HIGH = 0.4;
-//! A point is included again if its error is at most DEVIATIONS times the standard deviation
-//! predicted for it and, in the first of two rounds, if its leverage is at most PREDICTED.
+//! A point is included again if its error is at most DEVIATIONS times the standard deviation that
+//! the fit predicts for this error. In the first of two rounds, the leverage of the point must also
+//! be at most PREDICTED.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 /** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
 less than HOPE, the attempt ends; the result must gain GAIN. Changing two parameters gains 6 by
@@ -238,8 +239,8 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
            result.count > parts.minimalSolver->sampleSize();
 }
 
-//! Uses derivatives with respect to all entries of the model, although it has fewer parameters; the
-//! difference affects all points alike.
+//! Uses derivatives with respect to all entries of the model, although the model has fewer degrees
+//! of freedom. This increases the leverages of all points alike.
 template <int ENTRIES>
 bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points,
                            double* result) const

@@ -15,28 +15,29 @@ namespace usacv20 {
 If the right matches hardly determine some parameters of a model (the epipole of F for a short
 baseline), the model can be distorted to fit wrong matches as well. The errors of the right matches
 then grow, but stay far below a threshold that is wide for the noise. Such a model has a lower cost
-than the true model, by the loss of any score or polisher and by the likelihood of the true noise,
-so that no search can prefer the true model by its cost. But the wrong matches alone determine these
-parameters. Therefore they have a high leverage (the fraction of its own error that a point removes
-from a fit), and without them, the other inliers have another optimum with clearly lower errors.
+than the true model for the loss of every score and polisher and for the likelihood of the true
+noise, so that no search can prefer the true model by its cost. But the wrong matches alone
+determine these parameters. Therefore they have a high leverage (the fraction of its own error that
+a point removes from a fit), and without them, the other inliers have another optimum with clearly
+lower errors.
 
 So the inliers with the highest leverage are left out. Fits to the remaining inliers start from the
 model and from samples of these inliers. Points with small errors under the fit are included again,
 at first only points of low leverage, as in a forward search @cite atkinson2000robust. A fit to all
-points that are included is polished. It replaces the model on two conditions:
-- The errors of these points, as far as they are inliers of the model, decrease by more than chance
-explains.
+points that are included is polished. The result replaces the model on two conditions:
+- The errors of the included points that are inliers of the original model decrease by more than
+chance explains.
 - The inliers that are lost are no evidence against the fit: the best of all models through two
 wrong matches would have as many inliers by chance, and the loss is less improbable than the
 decrease of the errors.
 
-Right matches off a plane have a high leverage, too. But there are more of them than matches that
-fit one epipole by chance. If most inliers are on a plane, the errors must decrease more, and E is
-not changed.
+If most right matches are on a plane, those off the plane have a high leverage, too. But there are
+more of them than wrong matches that fit one epipole by chance. If most inliers are on a plane, the
+errors must decrease more, and E is not changed.
 
 The method is used only for errors with one component: with more components, a wrong match is rarely
-within the threshold by chance. At most #MOST inliers are used, which bounds the time of everything
-except polishing. */
+within the threshold by chance. To limit the time, the first fit uses at most #MOST inliers. Later
+fits use only the first points, four times as many as were needed to find these inliers. */
 class Leverage
 {
 public:
@@ -52,7 +53,7 @@ public:
 private:
     //! doc/constants.md lists the effects of halving or doubling each constant.
     enum {
-        MOST = 200,  //!< maximum number of inliers that are used
+        MOST = 200,  //!< maximum number of inliers in the first fit
         STARTS = 4   //!< number of samples; the best of their models is another start of a fit
     };
 
@@ -64,7 +65,7 @@ private:
     };
 
     //! Finds the inliers that are used. @return false if there are too few inliers, if all points
-    //! are inliers, or if even one inlier less would be evidence against a fit
+    //! are inliers, or if the loss of even one inlier would be evidence against a fit
     bool look(const Model& model);
     //! True if a fit is better than the model for the points that agree with the fit, and if the
     //! lost inliers are no evidence against the fit.
@@ -85,7 +86,8 @@ private:
     //! @param first number of the first sample, which selects the random numbers
     bool sampled(const Points& points, int first, Model& model) const;
     //! Finds the points that agree with `model`, which is a fit to `fitted`, and whose leverage in
-    //! this fit is at most `most`. False if there are too few.
+    //! this fit is at most `most`. @return false if there are too few such points or if the
+    //! leverages cannot be computed
     bool agreeing(const Model& model, const Points& fitted, double most, Points& result) const;
     //! Computes the leverages of `points` in a fit to `fitted`.
     template <int ENTRIES>
@@ -105,7 +107,7 @@ private:
     const Components& parts;
     const double limit;  //!< squared threshold
     float* errors;       //!< squared errors; the array has the size of all points
-    int looked;          //!< only the first `looked` points are used
+    int looked;          //!< fits use only the first `looked` points
     Points inliers;      //!< at most MOST inliers among the first `looked` points
     Points bulk;         //!< the elements of `inliers` with low leverage
     int all;             //!< number of inliers of the model among all points

@@ -15,7 +15,7 @@ few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
 the best minimum. A search that ends after its first sample may have missed it, for example because
-the errors of ten points are below the threshold for any model. Orientation checks make this worse
+the errors of ten points are below the threshold for every model. Orientation checks make this worse
 if they reject right models: for an H whose horizon lies between the points, they reject all samples
 except those on one side of the horizon, which may all lead to one wrong minimum.
 
@@ -81,8 +81,9 @@ private:
     //! thresholds, each capped at 1.
     double lossOf(const Model& model, int size) const;
     bool fit(int size, Model& model) const;
-    //! Polishes a fit. It replaces the model if its loss, before and after polishing, is below
-    //! `limit`, the checks accept it, and its cost is not higher than that of the model.
+    //! Polishes a fit. The result replaces the model if the loss of the fit, before and after
+    //! polishing, is below `limit`, the checks accept the result, and its cost is not higher than
+    //! that of the model. @return true if the model was replaced
     bool accept(const Model& fitted, int size, double limit, Model& model, Quality& quality);
     //! Lets the checks update model and quality. False if they reject the model.
     bool check(Model& model, Quality& quality);

@@ -21,8 +21,9 @@ constexpr double SUPPORT = 5.3;
 all points if this number is larger, are within REACH thresholds. */
 constexpr int REACH = 3, FEW = 500, PART = 8;
 /** If there are more than MANY points, the search has used only a part of them
-(ProblemData::SEARCHED), and the model is further from the minimum in units of the standard error of
-all points. Therefore MORE steps are added, nearly all of them on the first points. */
+(ProblemData::SEARCHED). The model is then further from the minimum, compared with the standard
+error of a fit to all points. Therefore MORE steps are added, which nearly all use only the first
+points. */
 constexpr int MANY = 1 << 15, MORE = 6;
 //! BLOCK points are passed to each call of the kernel. The last fit has at most LAST steps, which
 //! are enough to converge.
@@ -30,8 +31,8 @@ constexpr int BLOCK = 256, LAST = 10;
 //! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
 //! point within the support, or if the scale changes by at least the fraction SAME_SCALE.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! The noise is estimated again if the loss has decreased by more than this fraction of the loss of
-//! the points within the support.
+//! The noise is also estimated again if the loss has decreased by more than this fraction of the
+//! loss of the points within the support.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
@@ -43,8 +44,8 @@ of its weight.
 
 The iteration ends when the last step has lowered the loss by less than a tenth of the mean loss of
 a point within the support (which does not depend on the threshold) and the scale of the noise no
-longer changes, but at the latest after Params::polishingSteps steps. The last of these steps is a
-fit that runs to convergence. */
+longer changes, but at the latest after Params::polishingSteps steps, or #MORE steps later if there
+are more than #MANY points. The last of these steps is a fit that runs to convergence. */
 class RobustPolisher : public Polisher
 {
 public:

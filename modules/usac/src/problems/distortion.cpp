@@ -50,7 +50,8 @@ Distortion::Distortion(const Mat& coefficients)
     limit = firstFold();
 }
 
-//! The factor that scales the radius, and its derivative with respect to the squared radius.
+//! The factor by which the radial terms scale the radius, and its derivative with respect to the
+//! squared radius.
 double Distortion::radial(double squared, double* derivative) const
 {
     const double q = squared;
@@ -165,7 +166,8 @@ void Distortion::undistort(double* x, double* y, int count) const
 }
 
 //! Newton's method, starting from `p`. A step that crosses the fold or does not decrease the error
-//! is halved. False if the method does not converge.
+//! is halved. False if the error that remains exceeds the tolerance (see EXACT) by a factor of more
+//! than 1000.
 bool Distortion::descend(const Vec2d& d, Vec2d& p) const
 {
     const double tolerance = EXACT * (1 + std::sqrt(d.dot(d)));

@@ -45,7 +45,7 @@ private:
     bool startOf(const Vec2d& d, Vec2d& p) const;
     bool descend(const Vec2d& d, Vec2d& p) const;
 
-    bool identity, straight;  //!< without any distortion; without a tilt of the sensor
+    bool identity, straight;  //!< true: no distortion at all; true: the sensor is not tilted
     double c[COEFFICIENTS];
     Matx33d tilt;
     double limit;  //!< squared radius of the first fold; INFINITY: there is no fold

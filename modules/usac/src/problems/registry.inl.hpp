@@ -10,9 +10,9 @@
 // and perhaps a macro USACV20_<ARGUMENTS> for each kind of arguments; all of these are undefined
 // here at the end.
 //
-// TYPE       its enumerator of ProblemType
-// NAME       estimate<NAME> is its public function, create<NAME>Problem() its factory
-// PLURAL     estimate<PLURAL> is its public function for many sets of points
+// TYPE       the enumerator of ProblemType for this kind of model
+// NAME       estimate<NAME> is the public function, create<NAME>Problem() the factory
+// PLURAL     estimate<PLURAL> is the public function for many sets of points
 // ARGUMENTS  what these functions take besides options:
 //            IMAGES   points1, points2: points of two images
 //            SPACES   points1, points2: points of two spaces

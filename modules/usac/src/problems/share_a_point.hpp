@@ -108,8 +108,8 @@ T square(T x)
     return x * x;
 }
 
-//! Limits of squared distances in the two images: two points at a distance of at most `near` may be
-//! the same up to noise; two points at a distance above `far` are far apart.
+//! Limits of squared distances in each of the two images: two points may be the same up to noise if
+//! their squared distance is at most `near`; they are far apart if it is above `far`.
 struct TargetLimits
 {
     /** The limits depend on the threshold and on the image size, because a threshold may be as

@@ -15,9 +15,9 @@ namespace usacv20 {
 struct SomeError
 {
     enum {
-        COLUMNS,      // numbers of a datum
-        NUMBERS,      // numbers of a model
-        COMPONENTS,   // components of the error vector
+        COLUMNS,      // number of coordinates of a datum
+        NUMBERS,      // number of entries of a model
+        COMPONENTS,   // number of components of the error vector
         HOMOGENEOUS,  // see Residual::homogeneous
         PROJECTION    // 1: the error of a projection, summed by ProjectionSums; 0: any other
     };

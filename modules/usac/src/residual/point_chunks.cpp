@@ -47,7 +47,8 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
     }
 }
 
-//! Replaces the weights by their products with the squared factors, and keeps factors and weights.
+//! Replaces the weights by their products with the squared factors of the errors. Two more rows of
+//! each chunk keep the factors and the original weights.
 void PointChunks::weigh(const double* factors, const int* indices)
 {
     for (int c = 0; c < chunks; ++c)

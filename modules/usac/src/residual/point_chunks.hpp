@@ -12,8 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** The points of a fit and their weights, copied to chunks as a SumsKernel takes them; once for all
-steps of the fit. */
+/** The points of a fit and their weights, copied to chunks as a SumsKernel takes them. They are
+copied only once for all steps of the fit. */
 class PointChunks
 {
 public:
@@ -23,8 +23,8 @@ public:
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! Computes the first `count` sums of a kernel over all chunks. The factor of an error
-    //! (Correspondences::numbers) is part of the weight.
+    //! Computes the first `count` sums of a kernel over all chunks. The factors of the errors
+    //! (see Correspondences::numbers), squared, are part of the weights.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
     //! Gets a point, Correspondences::numbers() numbers, and its weight. @return false if `index`
@@ -44,8 +44,8 @@ private:
     const int stride;  //!< rows of a chunk
     Arena own;         //!< used if no arena was given
     Arena::Scope scope;
-    Row* rows;  //!< each chunk: columns and weights; if there are factors, these and the weights
-                //!< without them, too
+    Row* rows;  //!< each chunk: columns and weights; if errors have factors, two more rows: the
+                //!< factors and the weights without them
     Row few[LOCAL_ROWS];  //!< memory of `rows` if there are only a few points
 
     PointChunks(const PointChunks&);

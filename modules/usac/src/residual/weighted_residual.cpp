@@ -14,7 +14,7 @@ namespace {
 class WeightedResidual : public Residual
 {
 public:
-    //! @param factor_ the column of the factors
+    //! @param factor_ index of the column of the factors
     WeightedResidual(const Ptr<Residual>& inner_, int factor_)
         : inner(inner_), factor(factor_), sums()
     {
@@ -64,7 +64,8 @@ public:
         return components;
     }
 
-    //! Only the sums: PointChunks multiplies the weights by the factors.
+    //! Only the kernels of sums, which need no factors, because PointChunks multiplies the weights
+    //! by the squared factors.
     const ResidualKernels* kernels() const CV_OVERRIDE { return sums.sums ? &sums : 0; }
     bool homogeneous() const CV_OVERRIDE { return inner->homogeneous(); }
 

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 /** The residual for Params::sigmas: the error of a residual multiplied by the factor that follows
 the coordinates of a datum, see Correspondences::numbers. Scores, fits, mask and covariance that use
-it thus weight each match by its noise, without knowing of it.
+this residual thus weight each match by its noise.
 @param residual the residual without weights; may be empty
 @param problem its problem, for the number of coordinates
 @param params options

@@ -18,15 +18,15 @@ constexpr int MOST_DRAWS = 64;
 
 A point is drawn with probability w_i / sum(w); if it is already in the sample, the draw is
 repeated. The k-th point of the sample is thus point i with probability w_i / (sum(w) - sum of the
-weights already in the sample). If fewer than m points (the sample size) have a positive weight,
-each sample contains all of them and uniformly drawn points of weight 0. Otherwise points of weight
-0 are not drawn.
+weights of the points already in the sample). If at most m points (m is the sample size) have a
+positive weight, each sample contains all of them and uniformly drawn points of weight 0. Otherwise
+only samples that are uniform because of Params::orderedEvery contain points of weight 0.
 
 The sampler uses Walker's alias method @cite walker1977efficient in the form of Vose
 @cite vose1991linear: each of n columns of equal probability belongs to one point up to a height and
-to another point above this height. The table is built once in O(N); a draw takes O(1) and has the
+to another point above this height. The table is built once in O(n); a draw takes O(1) and has the
 resolution of 32 random bits. If the points already in the sample have nearly all of the weight,
-almost every draw repeats one of them: after #MOST_DRAWS repetitions, an O(N) pass over the other
+almost every draw repeats one of them. After #MOST_DRAWS repetitions, an O(n) pass over the other
 weights finds the next point. */
 class ImportanceSampler : public Sampler
 {

@@ -123,7 +123,8 @@ private:
         Center& center = centers[sample[0]];
         // at most 16 doublings, to avoid an overflow
         const int wanted = FIRST_MEMBERS * m << std::min(center.chosen++, 16);
-        for (; center.layer < neighborhood.layers(); ++center.layer)  // skips too small layers
+        // skips layers with too few members
+        for (; center.layer < neighborhood.layers(); ++center.layer)
         {
             const int* members;
             const int count = neighborhood.members(context, center.layer, sample[0], members);

@@ -41,7 +41,8 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
 constexpr int BEFORE_ORDER = 8;
 
 //! The same as isOrdered() for a known order of the points, see orderIsKnown(). Depending on
-//! State::wanted, the result is true more often.
+//! State::wanted, the result is true more often, but not for the first #BEFORE_ORDER samples if
+//! Params::orderedEvery is above 1.
 inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;

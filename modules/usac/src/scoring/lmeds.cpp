@@ -31,8 +31,9 @@ the termination criterion would end the search too early.
 The threshold of the final inliers is q c (1 + 5 / (n - m)) s for n points and samples of m points.
 The factor c converts s to the standard deviation of Gaussian noise (1.4826 for F and E). The factor
 in parentheses is Rousseeuw's correction for small sets of points. The factor q is 2.5 for one
-degree of freedom (F, E), and for two (H) the quantile of the same probability. The threshold is at
-least as large as the rounding error of the residuals. Linear time. */
+degree of freedom (F, E), and the quantile of the same probability for more degrees of freedom (H
+has two). The threshold is at least as large as the rounding error of the residuals. Score and
+threshold take linear time. */
 class LmedsScore : public Score
 {
 public:

@@ -14,8 +14,9 @@ namespace usacv20 {
 
 The result is the logarithm of the ratio of two likelihoods of the inlier flags. For the first
 likelihood, the probability of being an inlier does not increase along the order; it is fitted by
-isotonic regression @cite barlow1972statistical. For the second, it is the same for all points. If
-the order is random, the result is about log(size) / 2 or less. It is 0 if the inliers come last.
+isotonic regression @cite barlow1972statistical. For the second, this probability is the same for
+all points. If the order is random, the result is about log(size) / 2 or less. It is 0 if the
+inliers come last.
 @param inliers 1 for inliers, 0 for outliers, best point first
 @param size number of points
 @param blocks temporary memory for 2 * size numbers

@@ -23,9 +23,10 @@ struct Agreement
 points.
 
 If the matches are random, any other pairing of their points is as likely as the pairing given. The
-wrong matches thus tell how often a random match is within the threshold of this very model, for any
-positions of the points and any model (even if it maps everything to a single point, or has an
-epipole amid the points). Right matches do not affect the result.
+wrong matches thus tell how often a random match is within the threshold of this very model,
+whatever the positions of the points and the model are (even if the model maps everything to a
+single point, or has an epipole amid the points). Right matches do not distort the result, because
+their points are paired anew, too.
 
 Of several inliers in the same cell of an image (see #markRepeated), only one is counted. Each point
 is paired with 4 other points, or with more of them to get `pairs` wrong matches, but at most with

@@ -41,7 +41,9 @@ InlierNoise roughNoise(const Context& context, const Model& model, double widest
 fitted to the errors in a wider range than those of the inliers.
 
 Keypoints on photographs need the tail: its weight is 0.2 to 0.4 for them, and 0 for Gaussian noise.
-The threshold is the error that 95 % of all inliers, including the tail, do not exceed. */
+The threshold is the error that 95 % of all inliers, including the tail, do not exceed. With fewer
+than 50 inliers, no mixture is fitted: sigma is that of roughNoise(), and the threshold follows from
+it for Gaussian noise. */
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
 
 /** @brief Noise of the numbers in a column of the points, divided by the noise of the last array.
@@ -53,12 +55,12 @@ double relativeNoise(const Correspondences& points, int column);
 
 /** @brief True if a threshold is too narrow for the noise by more than `factor`.
 
-The number of points within the threshold is compared with the number within half of it. If the
-threshold is too narrow, the errors continue beyond it, and this ratio is larger than for a right
-threshold `factor` times as wide. Matches of another motion or plane are not taken for noise,
-because few of them have small errors. The noise of the points is assumed to be Gaussian and equal
-in all directions in both images; the model may enlarge it in one direction (strongly tilted views).
-With heavy tails, the result is false. */
+The number of points within the threshold is divided by the number within half of it. If the
+threshold is too narrow, the errors continue beyond it, and this ratio is large. The result is true
+if the ratio is larger than expected if the right threshold were `factor` times as wide. Matches of
+another motion or plane are not taken for noise, because few of them have small errors. The noise of
+the points is assumed to be Gaussian and equal in all directions in both images; the model may
+enlarge it in one direction (strongly tilted views). With heavy tails, the result is false. */
 bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor);
 
 }  // namespace usacv20

@@ -38,8 +38,8 @@ constexpr int CELLS = 64;
 //! Step of the finite differences for the derivative of the caller's parameters with respect to
 //! those of the search; the derivative has an error of about 1e-10.
 constexpr double STEP = 1e-6;
-//! Maximum number of Gauss-Newton steps to the parameters of a prior, and the rest, relative to the
-//! norm of the model, at which they have arrived. Convergence is quadratic.
+//! Maximum number of Gauss-Newton steps that compute the parameters of a prior, and the difference
+//! from the prior, relative to its norm, at which they end. Convergence is quadratic.
 constexpr int STEPS_TO_PRIOR = 20;
 constexpr double REACHED = 1e-9;
 //! Largest difference between opposite entries of a prior's covariance, relative to its largest
@@ -53,9 +53,10 @@ Eigen::MatrixXd carried(const Eigen::MatrixXd& A, const Eigen::MatrixXd& C)
     return half * A.transpose();
 }
 
-//! Computes two expected values over the errors of inliers within the support. `slope`: of the
-//! derivative of weight times error, which for Gaussian noise is that of weight times squared error
-//! divided by the variance. `square`: of the square of a component of weight times error.
+//! Computes two expected values over the errors of inliers within the support. `slope` is that of
+//! the derivative of weight times error; for Gaussian noise, it equals the expected value of weight
+//! times squared error divided by the variance. `square` is that of the square of weight times
+//! error. Both are for one component of the error.
 void expectations(const Polisher& polisher, double support, double sigma, int degrees,
                   double& slope, double& square)
 {
@@ -364,8 +365,8 @@ Eigen::MatrixXd ModelCovariance::change(const Model& from) const
     return solveLeastSquares(basis, derivative);
 }
 
-//! Computes the parameters, at `here`, of another model by Gauss-Newton. False if the model cannot
-//! be reached.
+//! Computes the parameters of another model, in the parameterization around `here`, by Gauss-Newton
+//! steps. False if the steps do not converge.
 bool ModelCovariance::stepTo(const Model& model, Vector& step) const
 {
     step = Vector::Zero(dimension);
@@ -419,7 +420,7 @@ double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
     const Square half = sum.matrixL().solve(own);
     const Vector shift = own * sum.solve(step);
     if (sum.info() != Eigen::Success || !half.allFinite() || !shift.allFinite())
-        return 0;  // entries too large for their products
+        return 0;  // products of large entries have overflowed
     if (!(chance >= LEAST_CHANCE))
         return std::max(0., chance);  // 0 for NaN
     const Basis before = tangent;

@@ -99,7 +99,8 @@ private:
     const Residual& residual;
     const Ptr<Parameterization> rule;
     const int degrees, dimension;
-    double support, noise, right;  //!< Polisher::support(); sigma(); inliers in first `looked`
+    double support, noise, right;  //!< Polisher::support(); sigma(); expected number of inliers
+                                   //!< among the first `looked` points
     bool known;
     float* squared;     //!< squared errors of all points
     int* members;       //!< indices of the first `count` points within the support

@@ -24,8 +24,9 @@ repeat an earlier inlier do not count either.
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
 
 /** @brief True if the outliers of the best model cannot contain another motion, because its matches
-would be neighbors in both arrays, and too few outliers are. Matches of a motion that is about as
-smooth as the best model share cells of both arrays about as often as inliers of the best model.
+would be neighbors in both arrays, and too few outliers are neighbors. Matches of a motion that is
+about as smooth as the best model share cells of both arrays about as often as inliers of the best
+model.
 @param own pairs of inliers of the best model
 @param rest pairs of outliers of the best model
 @param other number of matches of the other motion among these outliers

@@ -30,11 +30,11 @@ namespace {
 
 /** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one
 @cite barath2019progressive, that is, with (1 + r) times as many. In the paper r is a constant. Here
-the factor does not apply to the points of the sample, because these are inliers of any model: with
-few points, a wrong model has only slightly fewer inliers than the right one. For the same reason r
-is Params::relaxation k / (k + #HALF) for k distinct inliers outside the sample. r is 0 if
-all-inlier samples may lead to a wrong model (State::successProbability), because such a wrong model
-has nearly as many inliers as the right one. */
+the factor does not apply to the points of the sample, because these are inliers even of a wrong
+model: with few points, a wrong model has only slightly fewer inliers than the right one. For the
+same reason r is Params::relaxation k / (k + #HALF) for k distinct inliers outside the sample. r is
+0 if all-inlier samples may lead to a wrong model (State::successProbability), because such a wrong
+model has nearly as many inliers as the right one. */
 class PNapsacTermination : public Termination
 {
 public:

@@ -54,16 +54,17 @@ namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
-If both conditions hold for a length n*, see prosacSamples, the search ends when T'_n* samples have
-been drawn.
+If maximality and non-randomness hold for a length n*, see prosacSamples, the search ends when T'_n*
+samples have been drawn.
 Three things differ from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
 is chosen. Here the set keeps growing, because other criteria need this, and the smallest n* is
 chosen. Only the first T'_n* samples count, which come from the n* best points (except local and
-uniform samples of P-NAPSAC). Only for n* = N does the number of samples have no limit.
+uniform samples of P-NAPSAC). Only for n* = N may more than T'_N samples be needed, and then all of
+them count.
 - In the paper, each sample counts as much as a uniform sample. But the first samples must contain
-the newest point of a small set: for any order of the inliers, the first T'_n* samples are worth
+the newest point of a small set: for every order of the inliers, the first T'_n* samples are worth
 only T_n* uniform samples. If each sample counted fully, two or three samples of the very best
 points could end a run with a wrong model.
 - In the paper, 5 % bounds the probability that one wrong model has so many inliers. But the best of

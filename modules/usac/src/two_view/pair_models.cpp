@@ -300,6 +300,7 @@ void PairModels::settle(const Report& report, double reach)
 }
 
 //! Stores the reason and the report if the rejected model has the lowest Report::chance so far.
+//! Adds the confidence to `limited` if Params::maxIterations has ended the search too early.
 void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
 {
     if (why.empty() || report.chance < refused.chance)

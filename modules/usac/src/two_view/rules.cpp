@@ -16,9 +16,9 @@ and parallax (F), and many samples are drawn from regions where right matches ar
 number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_FOR_E)^2
 samples for E, at least 1 and at most MOST_FOR_E, and as SAMPLES_FOR_F samples for F.
 doc/measurements/collections_tables.md has the measured numbers; the constants are near the
-lowest numbers measured on photographs and in collections, but above the number for E if matches are
-scattered over both images. Samples for H and of other presets, which were not measured, count as
-one. */
+lowest numbers measured on photographs and in collections, but above the number measured for E with
+matches that are scattered over both images. Samples for H and of other presets, which were not
+measured, count as one. */
 constexpr double ONE_FOR_E = 11.5, MOST_FOR_E = 4, SAMPLES_FOR_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.
@@ -48,7 +48,7 @@ double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, doub
     return part;
 }
 
-//! The number of samples as which a sample counts.
+//! The number of samples that one sample stands for when the number of samples is computed.
 double countedAs(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
                  double ratio)
 {

@@ -24,8 +24,8 @@ constexpr double MOST_EPSILON = 0.99, MOST_DELTA = 0.8;
 //! A new test is designed when epsilon has increased, or when delta has changed by more than this
 //! fraction of its value @cite matas2005randomized.
 constexpr double CHANGED = 0.05;
-//! Steps of the fixed-point iteration for A. Each step divides the error of A by A, which is at
-//! least 10.
+//! Steps of the fixed-point iteration for A. Each step divides the error of A by about A, which
+//! exceeds 10 unless epsilon is small or close to delta.
 constexpr int DESIGN_STEPS = 10;
 
 /** @brief Wald's sequential probability ratio test on blocks of points @cite matas2005randomized

@@ -19,7 +19,7 @@ constexpr double UNSEEN = 1e100;
 }  // namespace
 
 //! Projects a datum's object point; false if the camera does not see the point. `derivative` is
-//! with respect to K (R X + t), the point before the division by its depth.
+//! with respect to PoseCamera::matrix (R X + t), the point before the division by its depth.
 bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
                            Matx<double, 2, 3>* derivative) const
 {

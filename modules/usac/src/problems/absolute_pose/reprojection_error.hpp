@@ -24,7 +24,7 @@ struct ReprojectionError
     enum { COLUMNS = 5, NUMBERS = 12, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 1 };
 
     //! 1 / depth. In double precision, as used by fits, it is 0 for a point behind the camera, so
-    //! that such a point has no derivative.
+    //! that the derivatives for such a point are 0.
     static inline float inverse(float depth) { return 1.f / depth; }
     static inline double inverse(double depth) { return depth > 0 ? 1 / depth : 0; }
 

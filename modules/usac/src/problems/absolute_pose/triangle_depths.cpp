@@ -114,8 +114,8 @@ struct LinePair
 };
 
 /** The lines of a degenerate conic. Its adjugate is -p p^T, where p is the intersection of the
-lines. With p_i the largest entry of p, the other points are those on the line x_i = 0, the roots of
-a quadratic equation.
+lines. If p_i is the largest entry of p, the other point of each line is its intersection with the
+line x_i = 0. These two points are the roots of a quadratic equation.
 @return false if the lines are not real */
 bool split(const Conic& D, LinePair& lines)
 {

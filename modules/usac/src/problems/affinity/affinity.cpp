@@ -12,7 +12,7 @@ namespace usacv20 {
 namespace {
 
 //! Three points count as collinear if twice the area of their triangle is at most this fraction of
-//! the square of the longer side at the first point; the same value as for a homography.
+//! the square of the longer side at the first point. The value is the same as for a homography.
 constexpr double COLLINEAR = 1e-6;
 
 //! Computes the two sides of a triangle that start at its first point, as columns of a 2x2 matrix.
@@ -63,8 +63,8 @@ public:
 //! value includes a margin for points that are close together.
 constexpr double ON_A_LINE = 1e-13;
 
-//! Least squares of the transfer error, in closed form: A is the cross-covariance of the images
-//! times the inverse covariance of image 1.
+//! Least squares of the transfer error, in closed form: the linear part of the map is the
+//! cross-covariance of the images times the inverse covariance of image 1.
 class AffinityLeastSquares : public NonMinimalSolver
 {
 public:
@@ -96,7 +96,7 @@ Ptr<NonMinimalSolver> createAffinityLeastSquares() { return makePtr<AffinityLeas
 
 Ptr<Problem> createAffinity2DProblem()
 {
-    // 150 is the time in point tests, measured together with the cost of a homography
+    // 150 is SampleCost::time, measured together with that of a homography
     const PlaneMapParts parts = {"affinity", 150, false, createAffinity3Solver,
                                  createAffinityLeastSquares};
     return makePtr<PlaneMap<AffinityParameterization>>(parts);

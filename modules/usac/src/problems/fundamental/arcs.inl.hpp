@@ -15,8 +15,8 @@ namespace {
 PlaneParallax::setPlane(). For e = u + t v on a line, this becomes A t^2 + 2 B t + C <= 0. The arc
 begins where this polynomial becomes negative, at t = (-B - sqrt(D)) / A, and ends at
 (-B + sqrt(D)) / A; it passes through infinity if A is negative. D = B^2 - A C is expanded, because
-the fourth powers of r cancel. If D <= 0, the point is within the threshold for every e. Then it
-does not vote: its arc is from 0 to -1. */
+the fourth powers of r0 and r1 cancel. If D <= 0, the point is within the threshold for every e.
+Then the point does not vote: its arc is from 0 to -1. */
 void arcsKernel(const float* rows, int stride, const float* weights, int* USAC_RESTRICT from,
                 int* USAC_RESTRICT to)
 {

@@ -25,8 +25,8 @@ constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
 //! The last plane that was handled, called the known plane, is handled again if the number of its
 //! points has grown by more than this factor.
 constexpr double CLEARLY = 1.05;
-//! A plane counts as the known plane if more than this fraction of its points are on the known
-//! plane, too.
+//! A plane counts as the known plane if more than this fraction of the tested inliers on it are on
+//! the known plane, too. (If there is a sample, five of its points must be on the known plane.)
 constexpr double SAME_PLANE = 0.9;
 //! DOMINANT: minimum fraction of the model's inliers that lie on a dominant plane. ROUGHLY:
 //! fraction of this minimum that is required before the plane is fitted.
@@ -38,7 +38,7 @@ constexpr double SEEN = 0.1;
 //! searched for. The fraction is below 1 because local optimization may add inliers.
 constexpr double OF_INTEREST = 0.9;
 //! A match is off the plane and votes for the epipole if its squared transfer error exceeds this
-//! many squared thresholds; a match closer to the plane is an inlier for any epipole.
+//! many squared thresholds; a match closer to the plane is an inlier for every epipole.
 constexpr double OFF_PLANE = 4;
 
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
@@ -176,8 +176,8 @@ private:
     /** Repeats least squares over the points on the plane until their number stops growing, at most
     MAX_FITS times: the homography of three noisy points often explains only some of them.
     @param H replaced by the homography of the last fit
-    @return false if fewer than `least` points are on the plane, or a fit fails; otherwise onPlane
-    and offPlane are set for planeAndParallax() */
+    @return false if fewer than `least` or LEAST_POINTS points are on the plane, or a fit fails;
+    otherwise onPlane and offPlane are set for planeAndParallax() */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;

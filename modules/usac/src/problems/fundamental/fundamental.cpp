@@ -30,9 +30,10 @@ protected:
     }
 };
 
-/** The closest matrix of rank 2, scaled to unit norm. The product T2^T F T1 has rank 2 up to the
-rounding errors of its largest terms. If these terms cancel, for example because both epipoles are
-at the origin and coordinates are large, rounding errors are not small relative to the product. */
+/** The closest matrix of rank 2, scaled to unit norm. The product T2^T F T1, where T1 and T2
+normalize the points of the images, has rank 2 up to the rounding errors of its largest terms. If
+these terms cancel, for example because both epipoles are at the origin and coordinates are large,
+rounding errors are not small relative to the product. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;
@@ -50,7 +51,7 @@ public:
     String name() const CV_OVERRIDE { return "fundamental"; }
     int dimension() const CV_OVERRIDE { return FundamentalParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    //! Measured values.
+    //! Measured time, in point tests, and measured number of models per sample.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(300, 1.2); }
     int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE

@@ -26,9 +26,9 @@ constexpr double GOOD_LINES = 0.5;
 //! model has off the plane. The fraction is below 1 because the cost can be lower even if there are
 //! no more inliers.
 constexpr double WORTH_A_FIT = 0.8;
-//! A fit continues if its cost over the voters exceeds the lowest such cost by at most GOES_ON; a
-//! fitted epipole is scored over all points if the excess is at most WORTH_RATING. An outlier costs
-//! 1. The points on the plane decide between similar epipoles.
+//! A fit continues after two steps if its cost over the voters exceeds the lowest such cost by at
+//! most GOES_ON. A fitted epipole is scored over all points if the excess is at most WORTH_RATING,
+//! because the points on the plane decide between similar epipoles. An outlier costs 1.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
 //! Each step of a fit uses the voters within this many thresholds. The first steps use more voters,
 //! because a fit starts at the middle of a bin, which may be inaccurate.

@@ -12,7 +12,7 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief Plane and parallax: the best F = [e]x H for the homography H of a plane, that is, the
-epipole e of image 2 that agrees with most points off the plane.
+epipole e of image 2 that agrees with the largest number of points off the plane.
 
 For a correct match off the plane, the line through x2 and H x1 contains e, so two matches determine
 e. DEGENSAC @cite chum2005two draws pairs of matches and counts the inliers of each; if a fraction w
@@ -47,7 +47,8 @@ public:
     @param failure accepted probability, in (0, 1), of missing a better model if there is one
     @param wanted models with fewer inliers off the plane are of no interest; only inliers among
     the voters are counted
-    @param model, quality input: the known model; output: unit Frobenius norm
+    @param model, quality input: the known model and its quality; output: if the model was replaced,
+    the better model, of unit Frobenius norm, and its quality
     @return true if the model was replaced */
     bool search(const Context& context, double failure, double wanted, Model& model,
                 Quality& quality);

@@ -48,17 +48,15 @@ public:
     int coordinates(int) const CV_OVERRIDE { return 3; }
     //! With a scale, the unit of space 1 is unknown.
     bool commonUnit() const CV_OVERRIDE { return !SCALED; }
-    SampleCost sampleCost() const CV_OVERRIDE
-    {
-        return SampleCost(320, 1);
-    }  // measured together with the costs of H, affinity and similarity
+    //! The time was measured together with those of H, affinity and similarity.
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(320, 1); }
     int normalization(int) const CV_OVERRIDE { return SCALED ? SCALE_EACH : SCALE_COMMON; }
 
     bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
     {
         result = movedBack(MapOfSpace(model.val), points.frame[0], points.frame[1]);
         const bool regular = MapOfSpace(result.val).leftCols<3>().squaredNorm() >
-                             0;  // 0 is an underflow
+                             0;  // 0: A has underflowed
         return regular && checkRange(Mat(3, 4, CV_64F, result.val));
     }
 

@@ -40,8 +40,8 @@ struct Triangle
     Eigen::Matrix3d corners;  //!< relative to the center, as columns
     Eigen::Matrix3d axes;     //!< orthonormal, as columns
     Eigen::Vector3d center;
-    //! True if the ratio of height and longest side is above the square root of the machine
-    //! precision, so that the normal is determined.
+    //! True if the height above the longer of the two sides at the first corner is more than
+    //! sqrt(DBL_EPSILON) times this side, so that the normal is determined.
     bool regular;
 };
 

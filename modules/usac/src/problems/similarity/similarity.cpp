@@ -66,7 +66,7 @@ Ptr<NonMinimalSolver> createSimilarityLeastSquares() { return makePtr<Similarity
 
 Ptr<Problem> createSimilarity2DProblem()
 {
-    // 120 is the time in point tests, measured together with the cost of a homography
+    // 120 is SampleCost::time, measured together with that of a homography
     const PlaneMapParts parts = {"similarity", 120, false, createSimilarity2Solver,
                                  createSimilarityLeastSquares};
     return makePtr<PlaneMap<SimilarityParameterization>>(parts);

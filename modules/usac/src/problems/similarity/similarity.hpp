@@ -15,7 +15,7 @@ struct SimilarityMap
 {
     enum { DIMENSION = 4 };
 
-    //! Entries that should be equal are averaged.
+    //! Averages the entries of `m` that are equal, up to the sign, in a similarity.
     static void read(const double* m, double* p)
     {
         p[0] = (m[0] + m[4]) / 2;

@@ -64,7 +64,7 @@ public:
 
 Ptr<Problem> createTranslation2DProblem()
 {
-    // 120 is the time in point tests; measurements found no difference from a similarity
+    // 120 is SampleCost::time; measurements found no difference from a similarity
     const PlaneMapParts parts = {"translation", 120, true, createTranslation1Solver,
                                  createTranslationLeastSquares};
     return makePtr<PlaneMap<TranslationParameterization>>(parts);

@@ -17,8 +17,8 @@ namespace {
 // different points of array 1 are matched. doc/constants.md lists the effects of halving and
 // doubling these constants.
 
-//! The first FIRST_SEEN points, a random subset, are compared with each other. A point may belong
-//! to a place if at least SEEN others of them are near it.
+//! The first FIRST_SEEN points, a random subset, are compared with each other. One of these points
+//! can be the center of a place if at least SEEN others of them are near it.
 constexpr int FIRST_SEEN = 64, SEEN = 3;
 //! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED_PART
 //! of their coordinates.
@@ -71,7 +71,7 @@ bool isObject(const Correspondences& p, const int* members, int count)
         across += first * second.transpose();
         scatter += second.squaredNorm();
     }
-    within.diagonal().array() += 1e-12 * within.trace();  // coplanar points make it singular
+    within.diagonal().array() += 1e-12 * within.trace();  // it may be singular
     const double explained = (across.transpose() * within.ldlt().solve(across)).trace();
     return explained >= EXPLAINED * scatter;
 }
@@ -79,8 +79,8 @@ bool isObject(const Correspondences& p, const int* members, int count)
 /** @brief Check for maps and poses: matches of many points to one place (a watermark, a blinking
 light, a dead pixel) are no independent evidence, even if they are noisy.
 
-A map that shrinks everything to this place, or a camera far away, fits all these matches for any
-points in array 1. Therefore
+A map that shrinks everything to this place, or a camera far away, fits all these matches, wherever
+their points in array 1 are. Therefore
 - samples are rejected in which two matches to a place are far apart in array 1, see TargetLimits;
 - in the quality of a new so-far-the-best model, the inliers of each place count as a single inlier.
 The model is kept, but its score is no longer better than that of correct models. The map of a small

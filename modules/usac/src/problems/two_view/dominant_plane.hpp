@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Computes the homography of the plane through three correspondences that fulfill F:
+//! Computes the homography of the plane through three correspondences that agree with F:
 //! H = A - e (M^-1 b)^T, where e is the epipole of image 2 and A = [e]x F; the rows of M are the
 //! points x1. False if the correspondences do not determine a homography.
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
@@ -42,7 +42,7 @@ public:
     @param least a fraction below 1: more than this fraction of the tested inliers must be on the
     plane
     @param H output, the homography of the plane
-    @return false if no such plane is found */
+    @return false if no such plane is found or if F has fewer than LEAST_INLIERS inliers */
     bool find(const Context& context, Rng& rng, const Model& F, double least, Matx33d& H);
 
     //! The inliers that the last find() tested.

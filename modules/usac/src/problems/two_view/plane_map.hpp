@@ -49,7 +49,7 @@ public:
                             std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE;
 };
 
-//! What is different from one affine map of the plane to another.
+//! The differences between the kinds of affine maps.
 struct PlaneMapParts
 {
     const char* name;   //!< see Problem::name

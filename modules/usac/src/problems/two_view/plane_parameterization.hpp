@@ -15,8 +15,8 @@ parameterization around this map: increments of the parameters. Zero increments 
 
 The class `Map` defines the parameters p:
 - DIMENSION is their number;
-- read(m, p) writes to p the parameters of the map of this kind that is nearest to any map m, which
-has 9 entries, row by row;
+- read(m, p) writes to p the parameters of the map of this kind that is nearest to a given map m,
+which has 9 entries, row by row;
 - write(p, m) writes the first two rows of the map with the parameters p to m;
 - isRegular(p) is false if the map takes the plane to a line or a point. */
 template <class Map>

@@ -21,7 +21,7 @@ constexpr int FIRST_POINTS = 64, OFTEN = 3, COMMON = 10;
 
 A point has at most one counterpart: if two matches share a point, one of them is wrong, or they are
 the same match twice. Repetitions of a match that make up more than a tenth of all matches count as
-a single inlier in the quality of a new so-far-the-best model, because any model fitted to this
+a single inlier in the quality of a new so-far-the-best model, because every model fitted to this
 match would have all of them as inliers. */
 class RepeatedPoints : public Degeneracy
 {
@@ -73,8 +73,9 @@ private:
         }
     }
 
-    //! Adds the repetitions of match `of` if they are more than 1 / COMMON of all points. No point
-    //! repeats two different matches, so that an array of the size of the points is large enough.
+    //! Adds the repetitions of match `of` if its occurrences are more than 1 / COMMON of all
+    //! points. No point repeats two different matches, so that an array of the size of the points
+    //! is large enough.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;

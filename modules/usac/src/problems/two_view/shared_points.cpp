@@ -17,7 +17,7 @@ namespace {
 // doc/constants.md lists the effects of halving and doubling these constants.
 
 //! The quality is lowered only if at least FEW of the first LOOKED_AT points are matches that would
-//! be inliers for any position of one of their ends.
+//! be inliers for every position of one of their ends.
 constexpr int LOOKED_AT = 64, FEW = 8;
 //! Many matches share points if at least SHARED_PAIRS pairs (3 % of all pairs) of the first
 //! FIRST_PAIRS matches share a point. For comparison: if each of two points has a third of all
@@ -28,11 +28,11 @@ constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
 constexpr int TRIMMED = 10;
 
 //! A match does not constrain F if a shift of one end by this many thresholds moves the epipolar
-//! line across the whole other image. In images of 640 pixels, the second condition, with
-//! #FAR_APART, is stricter than this one if the threshold exceeds 1.1 pixels.
+//! line across the whole other image. In images of 640 pixels, the other condition of SharedPoints,
+//! with #FAR_APART, is stricter than this one if the threshold exceeds 1.1 pixels.
 constexpr double ANYWHERE = 60;
 
-/** Tests whether a match would be an inlier of F for any position of one of its two ends, see
+/** Tests whether a match would be an inlier of F for every position of one of its two ends, see
 SharedPoints. `sizes` are the extents of the points in the two images. */
 class InsensitivityTest
 {
@@ -64,15 +64,15 @@ private:
 if they are noisy.
 
 Matches to one point, called a target here (repeated patterns, matching without cross-check), are
-inliers of every epipolar geometry whose epipole is the target, for any position of their other
+inliers of every epipolar geometry whose epipole is the target, for every position of their other
 ends. Matches to two targets, or to points on a line, are inliers of an F of nearly rank 1 whose
 epipolar lines all coincide with this line. Therefore
 - samples are rejected in which two matches share a point. If many matches share points, points that
 are the same up to noise count as shared, too, see shareATarget(). If few matches share points, such
 near points may belong to correct matches that one camera sees close together;
-- in the quality of a new so-far-the-best model, all inliers that would be inliers for any position
-of one of their ends count as a single inlier. The model is kept, because there may be no better
-model, but its score is no longer better than that of correct models.
+- in the quality of a new so-far-the-best model, all inliers that would be inliers for every
+position of one of their ends count as a single inlier. The model is kept, because there may be no
+better model, but its score is no longer better than that of correct models.
 
 These inliers are recognized as follows. If the normal of the epipolar line F^T x2 (its first two
 entries) is nearly 0, a shift of x2 within the noise turns the line to any direction, and x1 is not
@@ -82,7 +82,7 @@ ratio of the local scales. The ratio is too large if it exceeds #FAR_APART times
 image sizes and if a shift of one end by #ANYWHERE thresholds moves the epipolar line across the
 whole other image. (The first condition alone is not enough: if a camera is among the points, the
 scale within its image varies by factors of hundreds.) If a camera moves forward, points near one
-epipole are near the other epipole, too, so that their ratio is not too large.
+epipole are near the other epipole, too, so that the ratio of their matches is not too large.
 
 The first #LOOKED_AT points decide whether the other points are tested at all. The quality is not
 changed for scores that are not a sum over the points. */

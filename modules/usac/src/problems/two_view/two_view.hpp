@@ -18,7 +18,7 @@ Ptr<Degeneracy> createRepeatedPoints();
 //! Creates the check for matches of many points to one small region, for maps of points, see
 //! CrowdedPlaces.
 Ptr<Degeneracy> createCrowdedPlaces();
-//! Adds the two checks above, which are all that maps of points have, if `flags` contains
+//! Adds the two checks above, the only ones for maps of points, if `flags` contains
 //! #DEGENERACY_REPEATED. Raises cv::Exception if #DEGENERACY_DEGENSAC is set, unless all flags are
 //! set.
 void createChecksOfMaps(int flags, const String& problem,
