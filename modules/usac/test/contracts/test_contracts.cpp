@@ -50,7 +50,8 @@ TEST_P(UsacContracts, true_matches_are_found)
         Mat mask;
         const Mat model = estimate(scene, Params(), mask);
         EXPECT_LT(modelError(scene, model), 0.6) << "seed " << seed;
-        int found = 0, within = 0;  // errors at most the threshold under the true model
+        // true matches: in the mask; within the threshold of the true model
+        int found = 0, within = 0;
         for (int i = 0; i < scene.size(); ++i)
         {
             found += scene.truth[i] && mask.at<uchar>(i);
