@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Mean errors in pixels over 20 scenes with either polishing after the same search.
+//! Mean errors in pixels over 20 scenes, with least-squares polishing and with robust polishing
+//! (`reweighted`) after the same search.
 void comparePolishers(ProblemType problem, double noise, double& leastSquares, double& reweighted)
 {
     leastSquares = reweighted = 0;
