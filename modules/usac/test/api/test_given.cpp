@@ -364,7 +364,7 @@ TEST_P(UsacGiven, mistakes)
 }
 
 //! OpenCV's method 0 minimizes the same error over all points, so that both sums of squares must be
-//! nearly equal. That of fitModel() must not be larger.
+//! nearly equal. The sum of fitModel() must not be larger.
 TEST(Usac_Given, homography_of_OpenCV)
 {
     for (uint64 seed = 1; seed <= 20; ++seed)

@@ -52,8 +52,8 @@ TEST(Usac_Cameras, transposed)
                     "cameraMatrix: ");
 }
 
-//! The same rays are seen by a camera with skew, with and without distortion. The distortion is so
-//! weak that both results must nearly agree.
+//! The rays of a scene are seen by a camera with skew, with and without distortion. The distortion
+//! is so weak that both results must nearly agree.
 TEST(Usac_Cameras, skew_and_distortion)
 {
     const Scene scene = makeScene(ESSENTIAL);

@@ -111,7 +111,7 @@ int different(const Solutions& a, const Solutions& b)
     return result;
 }
 
-//! Parameters are a problem and the fraction of true matches on a plane.
+//! The test parameters are a problem and the fraction of true matches on a plane.
 typedef testing::TestWithParam<std::tuple<int, double>> Usac_Lanes;
 
 ProblemType problemOf(const std::tuple<int, double>& parameters)

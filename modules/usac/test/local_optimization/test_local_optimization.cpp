@@ -23,7 +23,7 @@ double closeness(double squaredError, double inlierThreshold)
                : 0;
 }
 
-//! The energy as defined in the header of Labeling.
+//! The energy of a labeling, as defined in the header of the class Labeling.
 double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda,
                 const std::vector<uchar>& inlier)
 {

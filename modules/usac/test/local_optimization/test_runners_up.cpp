@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "local_optimization/runners_up.hpp"
 
-// Tests of RunnersUp, a list of models of samples. They are good but were never the best model.
-// When the search is about to end, they are optimized, too.
+// Tests of RunnersUp, which keeps good models that were never the best model. When the search is
+// about to end, these models are optimized, too.
 
 namespace opencv_test {
 namespace {
@@ -95,8 +95,8 @@ TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
     }
 }
 
-//! A model whose inliers are outliers of the best model must be kept, even if there are many
-//! cheaper models with the inliers of the best model.
+//! A model whose inliers are outliers of the best model must be kept, even if many models of lower
+//! cost have the inliers of the best model.
 TEST(Usac_RunnersUp, keepsWhatIsDifferent)
 {
     const Rows scene;

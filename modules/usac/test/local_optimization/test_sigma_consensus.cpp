@@ -185,8 +185,8 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! Neither optimizer may return a worse model than the given one. Both, must return the correct
-//! quality of the model, and improve most models of minimal samples.
+//! Neither optimizer may return a worse model than the given one. Both must return the correct
+//! quality of the model and improve most models of minimal samples.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
     const Bench bench((ProblemType)GetParam(), 5);

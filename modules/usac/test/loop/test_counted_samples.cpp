@@ -42,7 +42,8 @@ double subsets(double inliers, double n, int m)
     return p;
 }
 
-//! Number of samples log(1 - confidence) / log(1 - C(I, m) / C(n, m)) for the default confidence.
+//! Number of samples log(1 - confidence) / log(1 - C(inliers, m) / C(n, m)) for the default
+//! confidence 0.99.
 double wantedSamples(double inliers, double n, int m)
 {
     return std::log(0.01) / std::log1p(-subsets(inliers, n, m));

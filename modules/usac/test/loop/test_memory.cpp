@@ -100,7 +100,7 @@ std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& 
     for (size_t i = 0; i < variants.size(); ++i)
     {
         variants[i].params.threads = 1;
-        variants[i].params.spatialWeight = 0;  // OpenCV's graph cut allocates
+        variants[i].params.spatialWeight = 0;  // OpenCV's graph cut allocates memory
         variants[i].params.neighborhood = NEIGHBORHOOD_GRID;
         variants[i].params.maxIterations = std::min(variants[i].params.maxIterations, 300);
     }
@@ -186,7 +186,7 @@ TEST_P(Usac_Memory, otherPoints)
         }
 }
 
-//! A run with 20000 samples must not allocate more than one with 200.
+//! A run with 20000 samples must not make more allocations than a run with 200.
 TEST_P(Usac_Memory, nothingInTheLoop)
 {
     if (!allocationsAreCounted())

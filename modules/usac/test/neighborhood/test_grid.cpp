@@ -144,7 +144,7 @@ TEST(Usac_Neighborhood, edges)
     }
 }
 
-//! A point must have an edge exactly if another point is in its cell.
+//! A point must have an edge exactly if another point is in its cell of layer 1.
 TEST(Usac_Neighborhood, noPointIsForgotten)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

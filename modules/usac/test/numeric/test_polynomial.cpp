@@ -134,7 +134,8 @@ TEST(Usac_Polynomial, sparse)
         }
     }
     RNG rng(6);
-    for (int repeat = 0; repeat < 1000; ++repeat)  // nearly sparse, as from symmetric points
+    // nearly sparse polynomials, which symmetric points lead to
+    for (int repeat = 0; repeat < 1000; ++repeat)
     {
         std::vector<double> c(4 + repeat % 7, 0.), clean;
         c.back() = 1;

@@ -97,8 +97,8 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
     EXPECT_LE(taken, 1);
 }
 
-//! With more than 30 inliers and a threshold that is not wide there are no restarts, so that the
-//! model must not change.
+//! With more than 30 inliers and a threshold that is not wide (Report::wideThreshold), Restarts
+//! does nothing, so that the cost must not change.
 TEST(Usac_Restarts, manyInliersStay)
 {
     RNG rng(1);
