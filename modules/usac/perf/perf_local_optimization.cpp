@@ -41,7 +41,7 @@ Model modelOfSample(const PerfScene& scene, int stream)
     return best;
 }
 
-//! Full local optimizations of 20 models, each like that of the first model of a run.
+//! Full local optimizations of 20 models, each one as if its model were the first of a run.
 PERF_TEST_P(UsacGraphCut, optimize_20models,
             testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {
@@ -67,7 +67,7 @@ PERF_TEST_P(UsacGraphCut, optimize_20models,
     SANITY_CHECK_NOTHING();
 }
 
-//! The graph cut alone, 20 times at the true model. The graph has been built before.
+//! The graph cut alone, 20 times at the true model. The graph is built before the measurement.
 PERF_TEST_P(UsacGraphCut, cut_20times,
             testing::Combine(Problem::all(), testing::Values(1000, 10000)))
 {

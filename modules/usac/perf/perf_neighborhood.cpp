@@ -12,8 +12,9 @@ namespace {
 
 typedef TestBaseWithParam<int> UsacSize;
 
-// Work that is done once per run, before the first sample. One call makes as many runs as have 1
-// 000 000 points in total, so that a millisecond per call is a nanosecond per point.
+// The tests measure work that a run does once, before its first sample. One call does this work for
+// as many runs as have 1000000 points in total, so that a millisecond per call is a nanosecond per
+// point.
 
 const int POINTS = 1000000;
 

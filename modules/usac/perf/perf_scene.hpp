@@ -10,7 +10,7 @@
 
 namespace opencv_test {
 
-/** A synthetic scene with 50 % outliers, in the form in which components use it. */
+/** A synthetic scene with 50 % outliers, and a run whose components have been started. */
 struct PerfScene
 {
     PerfScene(ProblemType problem, int size, const Params& params_ = Params())
@@ -25,7 +25,7 @@ struct PerfScene
     bool isRight(int i) const { return truth[usac->points().inputIndex[i]] != 0; }
 
     const Params params;
-    std::vector<uchar> truth;  //!< for each row of the input; 1: a true match
+    std::vector<uchar> truth;  //!< for each row of the input, 1 if it is a true match
     Model model;               //!< the true model in internal coordinates
     const Ptr<Usac> usac;
     Arena arena;

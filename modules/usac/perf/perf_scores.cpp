@@ -8,8 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! How a model is rated: by the fused kernel; by the errors and then the score; or, for a wrong
-//! model, with an early exit at the cost of the true model.
+//! How a model is rated: by a kernel that fuses residual and score (FUSED), by the residual and
+//! then the score (NOT_FUSED), or by the fused kernel for a wrong model, which ends early when its
+//! cost exceeds that of the true model (EARLY_EXIT).
 enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
 
 enum { TRANSFER, SAMPSON };
@@ -40,8 +41,8 @@ private:
     const Ptr<Residual> known;
 };
 
-//! One call rates as many models as have 1 000 000 points in total, so that a millisecond per call
-//! is a nanosecond per point.
+//! One call rates a model so often that 1000000 errors are computed in total, so that a millisecond
+//! per call is a nanosecond per point.
 PERF_TEST_P(UsacScore, rate_1000000points,
             testing::Combine(ResidualKind::all(), ScoreKind::all(), RatingWay::all(),
                              testing::Values(100, 1000, 10000, 100000)))

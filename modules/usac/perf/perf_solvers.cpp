@@ -13,8 +13,8 @@ namespace {
 CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
 typedef TestBaseWithParam<Problem> UsacSolver;
 
-//! 10 000 samples per call, solved as many at once as in a run. With 50 % outliers, nearly all
-//! samples contain some, as in a real run.
+//! Each call solves 10000 samples, as many at once as in a run. As 50 % of the points are outliers,
+//! most samples contain outliers, as in a real run.
 PERF_TEST_P(UsacSolver, minimal_10000samples, Problem::all())
 {
     const int samples = 10000;

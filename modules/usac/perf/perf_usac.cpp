@@ -19,7 +19,8 @@ CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USA
         USACV20_ACCURATE)
 typedef TestBaseWithParam<Method> UsacMethod;
 
-//! A set of test_data/, repeated with offsets of a tenth of a pixel to `repeat` times its size.
+//! A data set of test_data/. It is enlarged to `repeat` times its size by copies with Gaussian
+//! offsets of standard deviation 0.1 pixels.
 struct PerfSet
 {
     PerfSet(const std::string& name, int repeat)

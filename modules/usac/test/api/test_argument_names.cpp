@@ -55,7 +55,7 @@ TEST(Usac_ArgumentNames, findHomography)
 {
     const Lists l;
     Mat mask;
-    Params wrong;  // the message names the field of Params
+    Params wrong;  // with a wrong field of Params, the message must name the field
     wrong.threshold = -1;
     const int method = (int)USACV20;
     expectBegin([&] { findHomography(l.solid, l.b, USACV20); }, "srcPoints");
@@ -164,8 +164,8 @@ TEST(Usac_ArgumentNames, fits_and_focal_lengths)
                     "focal, pp");
 }
 
-//! Messages of components written by the caller may begin with any text. It is translated only if
-//! it is a list of known argument names.
+//! Messages of components written by the caller may begin with any text. The beginning is
+//! translated to the caller's names only if it is a list of known argument names.
 TEST(Usac_ArgumentNames, other_messages_stay)
 {
     const ArgumentName names[] = {{"points1", "from"}, {"threshold", "ransacReprojThreshold"}};

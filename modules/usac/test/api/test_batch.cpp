@@ -7,7 +7,8 @@
 #include "opencv2/usac/batch.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 
-// Estimations of many tasks in one call must equal those of single calls.
+// The results of many tasks estimated in one call must equal, bit by bit, those of one call per
+// task.
 
 namespace opencv_test {
 namespace {
@@ -151,7 +152,7 @@ TEST(Usac_Batch, essentialMatrices)
 }
 
 //! A batch mixes problems. Task 2 has lists of different length, task 5 a negative threshold and
-//! task 8 no camera matrix: they report errors. Task 6 has no points and thus no model.
+//! task 8 no camera matrix: these three must report errors. Task 6 has no points and thus no model.
 TEST(Usac_Batch, mixedAndWrongTasks)
 {
     const Scenes H(HOMOGRAPHY), F(FUNDAMENTAL);
@@ -199,7 +200,8 @@ TEST(Usac_Batch, wrongLists)
     EXPECT_TRUE(estimateHomographies(std::vector<Mat>(), std::vector<Mat>()).empty());
 }
 
-//! The default is as many threads as OpenCV has; their number must not change the results.
+//! By default, as many threads are used as OpenCV has. The number of threads must not change the
+//! results.
 TEST(Usac_Batch, anyNumberOfThreads)
 {
     const Scenes scenes(HOMOGRAPHY);

@@ -5,8 +5,9 @@
 #include "test_precomp.hpp"
 #include "problems/random_rotation.hpp"
 
-// Conversion of a covariance of parameters to that of model entries, relative poses and points. It
-// is compared with finite differences and with the scatter of many perturbed models.
+// Tests of the conversion of the covariance of a model's parameters to the covariance of the
+// model's entries, of a relative pose and of mapped points. The results are compared with finite
+// differences and with the scatter of many perturbed models.
 
 namespace opencv_test {
 namespace {
@@ -49,8 +50,8 @@ Mat modelOf(ProblemType problem)
 
 Mat moved(const Mat& model, const Mat& change) { return model + change.reshape(1, model.rows); }
 
-//! A covariance with correlations, so small that functions of the parameters are practically linear
-//! over its errors.
+//! A covariance with correlations. It is so small that functions of the parameters are practically
+//! linear over errors of this size.
 Mat someCovariance(ProblemType problem, const Mat& model)
 {
     const int d = PARAMETERS[problem];
@@ -60,7 +61,8 @@ Mat someCovariance(ProblemType problem, const Mat& model)
     for (int i = 0; i < d; ++i)
         for (int k = 0; k <= i; ++k)
             L.at<double>(i, k) = (i == k ? 1 : 0.4 * rng.uniform(-1., 1.)) * 1e-5;
-    // makes relative errors small although entries have different units
+    // `scale` makes the relative errors of all entries small although the entries have different
+    // units
     Mat scale(d, d, CV_64F, Scalar(0));
     for (int i = 0; i < d; ++i)
     {
@@ -73,7 +75,7 @@ Mat someCovariance(ProblemType problem, const Mat& model)
     return scale * L * L.t() * scale;
 }
 
-//! Draws changes of the parameters with this covariance.
+//! Draws Gaussian changes of the parameters with a given covariance.
 class Errors
 {
 public:
@@ -159,7 +161,7 @@ TEST(Usac_Covariance, parameters_of_maps_are_entries)
     EXPECT_LT(cv::norm(tangentOfModel(SIMILARITY, modelOf(SIMILARITY)), expected), 1e-7);
     const Mat H = modelOf(HOMOGRAPHY), T = tangentOfModel(HOMOGRAPHY, H);
     EXPECT_EQ(0, cv::norm(T.row(8), NORM_INF));  // h33 is always 1
-    // T must become an orthonormal basis for H of unit norm
+    // the columns of T, as changes of H / |H|, must be orthonormal
     const double size = cv::norm(H);
     const Mat unit = Mat(H / size).reshape(1, 9);
     const Mat changes = (T - unit * (unit.t() * T)) / size;
@@ -200,7 +202,7 @@ TEST(Usac_Covariance, basis_of_epipolar_models)
         const Mat scaled = tangentOfModel(problem, model * -5);
         EXPECT_LT(std::min(cv::norm(scaled, T), cv::norm(scaled, -T)), 1e-6);
     }
-    // no rotation: many candidates for the basis are equally large
+    // without rotation, many candidates for a vector of the basis have the same length
     const Mat E = Mat(cross(Vec3d(1, 0, 0)) * std::sqrt(0.5));
     const Mat T = tangentOfModel(ESSENTIAL, E);
     EXPECT_LT(cv::norm(T.t() * T, Mat::eye(5, 5, CV_64F)), 1e-8);
@@ -252,8 +254,8 @@ TEST(Usac_Covariance, pose_of_essential_matrix)
     }
 }
 
-//! Mapped points, one column of them per model, by formulas independent of the library; for F and E
-//! the signed distances of the second points from their epipolar lines.
+//! All mapped points in one column, computed by formulas independent of the library. For F and E,
+//! the column has the signed distances of the second points from their epipolar lines instead.
 Mat predictionOf(ProblemType problem, const Mat& model, const Mat& first, const Mat& second)
 {
     Mat result;

@@ -18,7 +18,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(FLAG_PROBLEMS));
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
-//! A confidence so low and a number of iterations so small that they change the result.
+//! A confidence so low, and a number of iterations so small, that each of them changes the result.
 const double LOW = 1e-15;
 const int FEW = 20;
 
@@ -48,7 +48,7 @@ Scene hardScene(ProblemType problem)
 {
     SceneOptions options;
     options.inliers = 10;
-    options.outliers = problem == SIMILARITY ? 80 : 16;  // two-point samples
+    options.outliers = problem == SIMILARITY ? 80 : 16;  // two-point samples need more outliers
     options.seed = 2;
     return makeScene(problem, options);
 }
@@ -227,7 +227,7 @@ TEST(Usac_Flags, every_overload_of_findFundamentalMat)
     const Scene s = hardScene(FUNDAMENTAL);
     const UsacV20Method flag = USACV20_ACCURATE;
     Mat mask;
-    // defaults: 3 pixels, confidence 0.99; OpenCV's 1000 iterations
+    // defaults: 3 pixels, confidence 0.99; 1000 iterations as in OpenCV
     const Wanted plain(s, paramsOf(flag, 3, 0.99, 1000)), coarse(s, paramsOf(flag, 2, 0.99, 1000)),
         low(s, paramsOf(flag, 2, LOW, 1000)), few(s, paramsOf(flag, 2, 0.98, FEW));
     plain.same("flag", findFundamentalMat(s.points1, s.points2, flag));
@@ -308,8 +308,8 @@ TEST(Usac_Flags, order_of_two_cameras)
         E, findEssentialMat(s.points1, s.points2, s.K, d2, K2, d1, USACV20, 0.999, 2, other)));
 }
 
-//! OpenCV's functions, selected by their types: those that a call with an int reaches without this
-//! module.
+//! OpenCV's functions, selected by their types. Without this module, a call with an int as the
+//! method calls these functions.
 typedef Mat (*OldHomography)(InputArray, InputArray, int, double, OutputArray, const int,
                              const double);
 typedef Mat (*OldFundamental)(InputArray, InputArray, int, double, double, int, OutputArray);

@@ -5,7 +5,7 @@
 #include "support/contracts.hpp"
 
 // Tests of every form of estimateAffine2D and estimateAffinePartial2D: with a flag known at compile
-// time, with the int of any flag, and with Params. Calls with OpenCV's flags must go to calib3d.
+// time, with any flag as an int, and with Params. Calls with OpenCV's flags must go to calib3d.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,7 @@ const UsacV20Method AFFINE_FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_AC
                                       USACV20_AUTO};
 
 //! The functions of one problem under common names. `calib3d` is OpenCV's function, selected by its
-//! type: the one that a call with an int reaches without this module.
+//! type: the function that a call with an int as the method calls without this module.
 struct Functions
 {
     typedef Mat (*Old)(InputArray, InputArray, OutputArray, int, double, size_t, double, size_t);
@@ -35,7 +35,7 @@ Functions functionsOf(ProblemType problem)
     return problem == AFFINITY ? affine : partial;
 }
 
-//! Few inliers, so that each argument changes the result.
+//! A scene with so few inliers that each argument changes the result.
 Scene hardAffineScene(ProblemType problem)
 {
     SceneOptions options;
@@ -235,7 +235,7 @@ TEST_P(Usac_FindAffine, wrongArguments)
 }
 
 //! Without polishing (refineIters 0) the model must differ, but be about as accurate if the
-//! threshold suits the noise, because local optimization has already fitted it.
+//! threshold suits the noise, because local optimization has already fitted the model.
 TEST_P(Usac_FindAffine, refineIters)
 {
     const Functions call = functionsOf(problem());

@@ -169,8 +169,8 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
     CHECK_FORM(findEssentialMat, a, b, K, noArray(), K, noArray(), method, 0.9, 2, mask);
 }
 
-//! calib3d's USAC is not deterministic for E. Therefore the test checks only that the model is none
-//! of this module's, and none of calib3d's RANSAC or LMedS.
+//! calib3d's USAC is not deterministic for E. Therefore the test checks only that the model differs
+//! from every model of this module and from those of calib3d's RANSAC and LMedS.
 TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -267,8 +267,8 @@ TEST(Usac_FlagsAtRunTime, without_a_flag)
                          usacv20::findEssentialMat(e.points1, e.points2)));
 }
 
-//! The same functions also take a UsacV20Method. An unqualified call is not ambiguous if both
-//! namespaces, cv and cv::usacv20, are visible by using-directives.
+//! The same functions also take a UsacV20Method. An unqualified call must not be ambiguous although
+//! both namespaces, cv and cv::usacv20, are visible by using-directives.
 TEST(Usac_FlagsAtRunTime, the_flag_itself)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);

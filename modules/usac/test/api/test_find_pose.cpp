@@ -103,8 +103,8 @@ TEST(Usac_FindPose, failure_leaves_the_vectors)
     EXPECT_TRUE(inliers.empty());
 }
 
-//! With 5 % inliers, 10 samples hardly contain an all-inlier one, so that a correct pose can only
-//! come from the initial guess. A wrong guess must not lead to it.
+//! With 5 % inliers, 10 samples hardly ever include an all-inlier sample, so that a correct pose
+//! can only come from the initial guess. With a wrong guess, no correct pose must be found.
 TEST(Usac_FindPose, guess_is_a_hypothesis)
 {
     PoseSceneOptions options;

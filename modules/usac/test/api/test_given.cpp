@@ -6,7 +6,8 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// Tests of the functions without a search: fitModel, refineModel and modelErrors.
+// Tests of the functions that do not search (fitModel, refineModel and modelErrors), of
+// estimateModel, and of the fields of Report that describe the best sample.
 
 namespace opencv_test {
 namespace {
@@ -179,7 +180,8 @@ TEST_P(UsacGiven, errors_are_those_of_the_mask)
             ASSERT_EQ(mask.rows, errors.rows);
             for (int i = 0; i < mask.rows; ++i)
                 EXPECT_EQ(mask.at<uchar>(i) != 0, errors.at<double>(i) <= report.threshold) << i;
-            // the threshold equals one of the errors, so that rounding could decide
+            // the threshold equals one of the errors, so that rounding could decide whether this
+            // point is an inlier
             std::vector<double> sorted(errors.begin<double>(), errors.end<double>());
             std::sort(sorted.begin(), sorted.end());
             Matches same(matches);
@@ -193,8 +195,8 @@ TEST_P(UsacGiven, errors_are_those_of_the_mask)
     }
 }
 
-//! The fit must have the least sum of squares: no model nearby and no model found by a search may
-//! have a smaller one.
+//! The fit must have the least sum of squared errors: no model nearby and no model found by a
+//! search may have a smaller one.
 TEST_P(UsacGiven, fit_is_least_squares)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -362,7 +364,7 @@ TEST_P(UsacGiven, mistakes)
 }
 
 //! OpenCV's method 0 minimizes the same error over all points, so that both sums of squares must be
-//! nearly equal. That of fitModel() must not be larger.
+//! nearly equal. The sum of fitModel() must not be larger.
 TEST(Usac_Given, homography_of_OpenCV)
 {
     for (uint64 seed = 1; seed <= 20; ++seed)

@@ -54,7 +54,7 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
 }
 
 //! LensOracle is used to check results for E. Its error bounds must hold, and they must be so tight
-//! that the five steps of cv::undistortPoints often exceed them.
+//! that the errors of cv::undistortPoints, which makes five iterations, often exceed them.
 TEST(Usac_Lens, oracle)
 {
     const int counts[] = {4, 5, 8, 12, 14};

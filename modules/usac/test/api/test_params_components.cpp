@@ -69,7 +69,8 @@ TEST_P(UsacComponents, verification)
 class FitRecorder : public NonMinimalSolver
 {
 public:
-    //! @param part_ fraction of the step from the old model to the fit that is taken; 1: the fit
+    //! @param part_ fraction of the step from the old model to the fitted model that is taken; with
+    //! 1, the fitted model is returned
     FitRecorder(const Ptr<NonMinimalSolver>& solver_, double part_) : solver(solver_), part(part_)
     {}
 
@@ -92,8 +93,8 @@ private:
     double part;
 };
 
-//! Sizes of the fits of all local optimizations of a run, which has no polishing because that fits,
-//! too.
+//! Number of points of each fit that the local optimizations of a run make. The run has no
+//! polishing, because its fits would be recorded, too.
 std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0, double part = 1)
 {
     params.polishing = POLISHING_NONE;
@@ -185,7 +186,8 @@ TEST_P(UsacComponents, spatialWeight)
 {
     const Scene scene = makeScene(problem(), 200, 50, 3);
     Params params;
-    params.threshold = 0.5;  // about the noise, so that neighbors change the label of some points
+    // the standard deviation of the noise, so that neighbors change the label of some points
+    params.threshold = 0.5;
     std::vector<int> before;
     const double weights[] = {0, 0.14, 5};
     for (int i = 0; i < 3; ++i)

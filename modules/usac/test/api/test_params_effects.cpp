@@ -49,7 +49,7 @@ TEST_P(UsacEffects, threshold)
 
 TEST_P(UsacEffects, confidence)
 {
-    // few samples suffice, so the inlier ratio is lower
+    // if a sample has one point, few samples suffice, so the inlier ratio is made lower
     const bool single = sampleSizeOf(problem()) == 1;
     const Scene scene = makeScene(problem(), single ? 15 : 150, 150, 3);
     int before = 0;
@@ -82,7 +82,7 @@ TEST_P(UsacEffects, maxIterations)
     }
 }
 
-//! Records the samples of the default sampler as rows of the input.
+//! Records the samples that the given sampler draws, as row numbers of the input.
 class SampleRecorder : public Sampler
 {
 public:
@@ -200,7 +200,8 @@ TEST_P(UsacEffects, threads)
     }
 }
 
-//! The scene with its true matches first, without scores.
+//! The scene with its true matches moved to the first rows. The scores are not moved, because the
+//! tests do not use them.
 Scene sorted(const Scene& scene)
 {
     Scene result = scene;
@@ -359,13 +360,15 @@ TEST_P(UsacEffects, quality)
     EXPECT_GT(std::abs(report.cost - counted.cost), 0.01);
 }
 
-//! The mask must always use `threshold`, whatever the reach; the model must change with the reach.
+//! Params::reach is the multiple of the threshold that the search uses. The mask must always use
+//! `threshold` itself, but the model must change with `reach`.
 TEST_P(UsacEffects, reach)
 {
     const Scene scene = makeScene(problem(), 200, 100, 3);
     Params params = Params::magsacPlusPlus();
-    params.threshold = 1.3;  // not preserved by rounding if multiplied by 4 and divided again in
-                             // some coordinates
+    // rounding may change this value if it is scaled to normalized coordinates, multiplied by 4,
+    // and scaled back
+    params.threshold = 1.3;
     Mat masks[2], models[2];
     for (int i = 0; i < 2; ++i)
     {

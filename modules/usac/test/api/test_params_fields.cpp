@@ -168,8 +168,8 @@ struct DocumentationReader
     static const char* typeName(std::vector<double>*) { return "std::vector<double>"; }
 };
 
-//! Fails if visitFields lacks a field of the header, or if its default or range differs from the
-//! comment.
+//! Fails if visitFields lacks a field of the header, or if the default or range of a field differs
+//! from its comment in the header.
 TEST(Usac_ParamsFields, are_as_declared_and_documented)
 {
     const std::string header = readHeader();

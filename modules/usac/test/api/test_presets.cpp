@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! A preset and the fields in which it differs from the preset `from`.
+//! A preset, and the fields in which it differs from the parameters `from`.
 struct Expected
 {
     const char* name;

@@ -146,8 +146,8 @@ void checkPlanes(const Params& params)
 
 TEST(Usac_RelativePose, planes) { checkPlanes(Params()); }
 
-//! As above with an estimated threshold: the search for the plane must use that threshold instead
-//! of Params::threshold.
+//! Like the test `planes`, but with an estimated threshold: the search for the plane must use that
+//! threshold instead of Params::threshold.
 TEST(Usac_RelativePose, planesWithEstimatedThreshold)
 {
     Params params = Params::automatic();
@@ -156,7 +156,7 @@ TEST(Usac_RelativePose, planesWithEstimatedThreshold)
 }
 
 //! All true matches are on one plane, so that either of its two motions may be returned. The
-//! correct motion must be among both.
+//! correct motion must be one of the two.
 TEST(Usac_RelativePose, nothing_but_a_plane)
 {
     int either = 0;
@@ -181,8 +181,9 @@ TEST(Usac_RelativePose, nothing_but_a_plane)
     EXPECT_EQ(40, either);
 }
 
-//! A match on its epipolar line whose point would be behind a camera must not be an inlier. Such
-//! matches are made from the points X = -4 x1, which have a negative depth.
+//! A match whose points are on their epipolar lines, but whose point of space would be behind a
+//! camera, must not be an inlier. Such matches are made from the points X = -4 x1, which have a
+//! negative depth.
 TEST(Usac_RelativePose, points_behind)
 {
     SceneOptions options;
@@ -191,7 +192,8 @@ TEST(Usac_RelativePose, points_behind)
     Scene scene = makeScene(ESSENTIAL, options);
     const int behind = 10;
     const Matx33d inverse = scene.K.inv();
-    for (int i = 0; i < behind; ++i)  // a point behind camera 1 is on the same epipolar line
+    // the image of a point behind camera 1 is on the same epipolar line
+    for (int i = 0; i < behind; ++i)
     {
         const Vec3d x1 = inverse * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
         const Vec3d x2 = scene.K * (scene.R * (x1 * -4.) + scene.t);
@@ -210,8 +212,8 @@ TEST(Usac_RelativePose, points_behind)
     EXPECT_EQ(scene.size() - behind, pose.report.inliers);
 }
 
-//! Half of the points are at infinity, so that noise decides the sign of their depth. They must
-//! count as points in front of the cameras.
+//! Half of the points are at infinity, so that noise decides the sign of their depth. These points
+//! must count as points in front of the cameras.
 TEST(Usac_RelativePose, points_at_infinity)
 {
     SceneOptions options;

@@ -27,12 +27,13 @@ const char* const CHANCE = "no better than chance";
 typedef UsacProblem UsacReport;
 INSTANTIATE_TEST_CASE_P(/**/, UsacReport, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! The points are on the normalized image plane, but the threshold is in pixels, so that any model
-//! has all points as inliers. The report must say that the threshold is too wide. With the
-//! threshold in the unit of the points it must not.
+//! The points are on the normalized image plane, but the threshold is in pixels, so that almost
+//! every model has all points as inliers. The report must say that the threshold is too wide. With
+//! a threshold in the unit of the points, the report must not say so.
 TEST_P(UsacReport, threshold_in_another_unit)
 {
-    const double focals[] = {350, 800, 2000};  // fields of view of 85 to 18 degrees
+    // in pixels: horizontal fields of view of 85 to 18 degrees
+    const double focals[] = {350, 800, 2000};
     for (double f : focals)
     {
         SceneOptions options;
@@ -61,7 +62,8 @@ TEST_P(UsacReport, threshold_in_another_unit)
     }
 }
 
-//! The same test for poses and 3-D motions, whose threshold is in the unit of the points.
+//! The same test for poses, whose threshold must be in the unit of the image points, and for 3-D
+//! motions, whose threshold must be in the unit of space.
 TEST(UsacReport_Space, threshold_in_another_unit)
 {
     RNG rng(3);

@@ -6,8 +6,8 @@
 #include "support/run_context.hpp"
 #include "support/contracts.hpp"
 
-// A custom problem with one array of points: the plane n x + d = 0 through points of space, a model
-// of four numbers.
+// Tests of a custom problem with one array of points: a plane n x + d = 0 is fitted to points of
+// space. The model has four numbers.
 
 namespace opencv_test {
 namespace {
@@ -38,8 +38,8 @@ private:
     }
 };
 
-//! The total least-squares plane, through the weighted mean and along the two largest principal
-//! axes. Returns false if the points are collinear.
+//! Fits a plane by total least squares: it passes through the weighted mean along the two largest
+//! principal axes. Returns false if the points are collinear.
 bool fitPlane(const Correspondences& p, const int* indices, int count, const double* weights,
               Model& plane)
 {
@@ -117,8 +117,8 @@ public:
     }
 };
 
-//! Planes with a normal of unit length. Two parameters rotate the normal, the third one moves the
-//! plane along it.
+//! Planes with a normal of unit length. Two parameters rotate the normal, and the third one moves
+//! the plane along the normal.
 class PlaneParameterization : public cv::usacv20::Parameterization
 {
 public:
@@ -161,7 +161,7 @@ private:
     }
 };
 
-//! This problem has no solver for fits of its own, but a parameterization of planes.
+//! This problem has no non-minimal solver of its own, but a parameterization of planes.
 class VaryingPlaneProblem : public PlaneProblem
 {
 public:
@@ -222,8 +222,8 @@ TEST(Usac_CustomPlane, everyPreset)
     }
 }
 
-//! A problem with a parameterization and no solver for fits must get the fits of the module, with
-//! results as good as with its own solver.
+//! If a problem has a parameterization but no non-minimal solver, the module must make the fits,
+//! with results as good as those of the problem's own solver.
 TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
 {
     const PlaneParameterization planes;
@@ -246,8 +246,8 @@ TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
     }
 }
 
-//! Among 300 random points some plane has several inliers by chance. The reported chance must be
-//! large.
+//! Among 300 random points some plane has several inliers by chance. The reported probability of
+//! this (Report::chance) must be large.
 TEST(Usac_CustomPlane, chanceOfRandomPoints)
 {
     Params params;
@@ -281,8 +281,8 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
         }
 }
 
-//! In three dimensions the neighbors must be those with the smallest distances, found by exhaustive
-//! search.
+//! In three dimensions, the neighbors must be the points with the smallest distances, which the
+//! test finds by exhaustive search.
 TEST(Usac_CustomPlane, nearestNeighbors)
 {
     Params params;
@@ -329,8 +329,7 @@ TEST(Usac_CustomPlane, layoutsOfPoints)
         << "a second array";
 }
 
-//! A wrong solver that leaves the number of rows and columns of its model 0. The run must raise an
-//! exception.
+//! A wrong solver, whose model has 0 rows and 0 columns. The run must raise an exception.
 class ShapelessSolver : public PlaneSolver
 {
 public:

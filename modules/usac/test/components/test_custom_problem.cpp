@@ -51,8 +51,8 @@ struct AffineScene
     std::vector<Point2d> points1, points2;
 };
 
-//! Every preset must find the affine map of a scene with half outliers. Together the presets use
-//! all samplers, scores, verifications, local optimizations, terminations and polishings.
+//! Every preset except LMedS must find the affine map of a scene with half outliers. The presets
+//! differ in sampler, score, verification, local optimization, termination and polishing.
 TEST(Usac_CustomProblem, everyPreset)
 {
     const AffineScene scene(200, 200, 0.5);
@@ -63,7 +63,7 @@ TEST(Usac_CustomProblem, everyPreset)
         params.threshold = 2;
         params.maxIterations = 5000;
         if (params.quality == QUALITY_LMEDS)
-            continue;  // half of the points are outliers
+            continue;  // half of the points are outliers, too many for LMedS
         Mat mask;
         Report report;
         const Mat A = scene.estimate(params, mask, &report);
@@ -75,7 +75,8 @@ TEST(Usac_CustomProblem, everyPreset)
     }
 }
 
-//! A problem without a parameterization, for which there is no covariance.
+//! A problem without a parameterization, so that the module has no covariance of its models. A
+//! prior with a covariance must then have the same effect as an initial model alone.
 class StartedAffineProblem : public custom::AffineProblem
 {
 public:

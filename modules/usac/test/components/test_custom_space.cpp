@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "support/contracts.hpp"
 
-// A custom problem whose errors have three dimensions: the translation of points of space, a model
-// of three numbers.
+// Tests of a custom problem whose errors have three dimensions: a translation is fitted to pairs of
+// points of space. The model has three numbers.
 
 namespace opencv_test {
 namespace {
@@ -141,8 +141,8 @@ TEST(Usac_CustomSpace, everyPreset)
     }
 }
 
-//! Errors of more than three dimensions, of none, or of more dimensions than the points must be
-//! refused.
+//! Errors with more than three dimensions, with none, or with more dimensions than the points have
+//! must be refused.
 TEST(Usac_CustomSpace, dimensionsThatCannotBe)
 {
     const Mat space = Mat::eye(10, 3, CV_64F), plane = Mat::eye(10, 2, CV_64F);

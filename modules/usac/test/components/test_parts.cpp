@@ -17,8 +17,8 @@ Params allOf(int iterations)
     return params;
 }
 
-//! A solver that returns one wrong model for the first sample and none for the others, or none at
-//! all.
+//! A solver that returns one wrong model for the first sample and none for the others (`models_`
+//! 1), or no model at all (0).
 class FirstSample : public MinimalSolver
 {
 public:
@@ -35,9 +35,9 @@ private:
     mutable int models;
 };
 
-//! A run with a termination criterion must end after a million samples without any model. Without a
-//! criterion, or if there has been a model, it must end after maxIterations. The model has no
-//! inliers, so that none is returned.
+//! A run with a termination criterion must end after a million samples if none of them has yielded
+//! a model. Without a criterion, or if there has been a model, the run must end after
+//! maxIterations. This model has no inliers, so that the run returns no model.
 TEST(Usac_Parts, hopeless)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -58,7 +58,8 @@ TEST(Usac_Parts, hopeless)
         }
 }
 
-//! A degeneracy check that rejects all models of samples, or all models of the local optimization.
+//! A degeneracy check that rejects either all models of samples (`fromSample`) or all models of the
+//! local optimization.
 class Refusal : public Degeneracy
 {
 public:

@@ -8,8 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! countOnce() must count the inliers of a subset of the points as one (`kept` 1) or none. The
-//! number of inliers and the cost are compared with those of the other points.
+//! countOnce() must count all inliers of a subset of the points together as one inlier (`kept` 1)
+//! or as none (`kept` 0). The expected number of inliers and cost are computed from the errors of
+//! the points outside and inside the subset.
 TEST(Usac_CountedOnce, asIfOthersWereNotThere)
 {
     SceneOptions options;

@@ -10,8 +10,9 @@
 namespace opencv_test {
 namespace {
 
-//! Matches and a mask for independentInliers(). It divides each image into square cells with the
-//! threshold as side and returns the smaller number of cells with inliers of both images.
+//! Matches and a mask for independentInliers(). This function divides each image into square cells
+//! whose side is the threshold of the image. It counts the cells that contain inliers and returns
+//! the smaller of the counts of the two images.
 struct Points
 {
     void add(double a1, double b1, double a2, double b2, bool inlier = true)
@@ -82,8 +83,8 @@ TEST(Usac_Repetitions, independentInliersAgainstASet)
     }
 }
 
-//! Of the inliers in a cell of side 2, markRepeated() must mark all but the first in the given
-//! order.
+//! Of the inliers in each cell of side 2, markRepeated() must mark all except the first one in the
+//! given order.
 TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
 {
     RNG rng(2);

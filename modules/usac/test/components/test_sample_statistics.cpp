@@ -8,7 +8,7 @@
 namespace opencv_test {
 namespace {
 
-//! P(Binomial(n, p) = k) for k = 0 .. n, computed by adding one trial after the other.
+//! P(Binomial(n, p) = k) for k = 0 .. n, computed by adding the trials one by one.
 std::vector<long double> distribution(int n, double p)
 {
     std::vector<long double> all(1, 1.L);
@@ -86,8 +86,8 @@ TEST(Usac_NonRandomness, chanceOfAMillionPoints)
     }
 }
 
-//! More inliers must be less probable by chance; more points or a higher ratio must make them more
-//! probable.
+//! The probability of at least a given number of inliers by chance must decrease with this number,
+//! and increase with the number of points and with the inlier ratio of random models.
 TEST(Usac_NonRandomness, chanceIsMonotone)
 {
     for (int n = 20; n < 3000; n *= 3)

@@ -8,8 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! The streams of random numbers must not overlap each other or those of the samples, for any
-//! number of iterations.
+//! The numbers of the streams of random numbers from STREAM_ROTATION to STREAM_RESTARTS must differ
+//! from each other and from those of the samples, which are 0 to INT_MAX, for every number of
+//! iterations.
 TEST(Usac_Streams, doNotMeet)
 {
     uint64 end = INT_MAX;

@@ -5,13 +5,13 @@
 #ifndef OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 #define OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 
-// Shared by test_input.cpp, test_layouts.cpp and test_pose_layouts.cpp.
+// Shared by test_input.cpp, test_layouts.cpp, test_pose_layouts.cpp and test_rigid_layouts.cpp.
 
 #include "support/contracts.hpp"
 
 namespace opencv_test {
 
-//! The result for some points. Every other form of the same points must give the same bits.
+//! The result for given points. Every other form of the same points must give the same bits.
 struct ExpectedAnswer
 {
     ExpectedAnswer(ProblemType problem_, const Mat& points1, const Mat& points2,
@@ -39,7 +39,7 @@ struct ExpectedAnswer
     Mat model, mask;
 };
 
-//! The points as a part of a larger matrix, so that they are not continuous.
+//! The points as part of a larger matrix, so that their rows are not contiguous in memory.
 inline Mat partOfLarger(const Mat& points)
 {
     Mat larger(points.rows + 2, points.cols + 3, points.type(), Scalar::all(-11));
@@ -48,7 +48,7 @@ inline Mat partOfLarger(const Mat& points)
     return part;
 }
 
-//! A two-dimensional matrix as a three-dimensional one.
+//! The rows of a matrix as a three-dimensional array of `first` x `second` x cols numbers.
 inline Mat threeDimensional(const Mat& points, int first, int second)
 {
     const int sizes[] = {first, second, points.cols};
@@ -61,7 +61,8 @@ inline Mat solid(const Mat& points, bool across)
     return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
 }
 
-//! Every depth that can represent the integers 0 .. 127; OpenCV 5 has more of them than OpenCV 4.
+//! Every depth of a matrix that can represent the integers 0 .. 127. OpenCV 5 has more such depths
+//! than OpenCV 4.
 inline std::vector<int> depthsOfIntegers()
 {
     std::vector<int> depths = {CV_8U, CV_8S, CV_16U, CV_16S, CV_32S, CV_32F, CV_64F, CV_16F};
@@ -71,8 +72,8 @@ inline std::vector<int> depthsOfIntegers()
     return depths;
 }
 
-//! The points of a scene, scaled and rounded to integers 0 .. 127, so that every depth can
-//! represent them. They are Nx2 matrices of type CV_64F, and K is scaled in the same way.
+//! Makes the points of a scene, scaled and rounded to integers 0 .. 127, which every depth can
+//! represent. They are Nx2 matrices of type CV_64F, and K is scaled in the same way.
 inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
 {
     const double scale = 0.19;

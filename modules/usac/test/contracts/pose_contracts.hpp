@@ -10,15 +10,17 @@
 
 namespace opencv_test {
 
-//! The scene and the parameters as a call that the oracle brokenResult takes.
+//! The scene and the parameters in the form that brokenResult() takes, the oracle that checks
+//! results.
 EstimatorCall callOf(const PoseScene& scene, const Params& params);
 
-//! Runs one estimation; the oracle brokenResult must find no error, and the input must not change.
+//! Runs one estimation. The oracle brokenResult() must find no error, and the input must not
+//! change.
 Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report& report);
 
-/** Runs every preset and every flag on the scene. Expects no exception, a result that keeps all
-promises, the same bits when repeated and with any number of threads, and unchanged input. @return
-the poses of the presets */
+/** Runs every preset and every flag on the scene. Expects no exception, a result that satisfies all
+contracts, the same bits when repeated and with every number of threads, and unchanged input.
+@return the poses of the presets */
 std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels = 2, int maxIterations = 100);
 
 }  // namespace opencv_test

@@ -24,15 +24,17 @@ Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, con
                    OutputArray mask, Report& report);
 Estimate estimate(ProblemType type, const RigidScene& scene, const Params& params);
 
-//! The scene and the parameters as a call that the oracle brokenResult takes.
+//! The scene and the parameters in the form that brokenResult() takes, the oracle that checks
+//! results.
 EstimatorCall callOf(ProblemType type, const RigidScene& scene, const Params& params);
 
-//! Runs one estimation; the oracle brokenResult must find no error, and the input must not change.
+//! Runs one estimation. The oracle brokenResult() must find no error, and the input must not
+//! change.
 Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& params);
 
 /** Runs every preset on the scene with the threshold `limit`. Expects no exception, a result that
-keeps all promises, the same bits when repeated and with any number of threads, and unchanged input.
-@return the motions of the presets */
+satisfies all contracts, the same bits when repeated and with every number of threads, and unchanged
+input. @return the motions of the presets */
 std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit,
                                int maxIterations = 100);
 

@@ -39,7 +39,8 @@ std::string inWordsOf(ProblemType problem, const std::string& words)
     return result;
 }
 
-//! A call with a wrong argument, by the estimate function or (`viaFlag`) the find function.
+//! A call with a wrong argument: of the estimate function, or (if `viaFlag`) of calib3d's function
+//! with a flag of this module.
 struct WrongCall
 {
     WrongCall(ProblemType problem_, const Mat& points1_, const Mat& points2_)
@@ -69,8 +70,8 @@ struct WrongCall
                              params.maxIterations, mask);
     }
 
-    //! Both functions must raise an exception whose message contains the words. In those of the
-    //! find function, arguments have the names that calib3d uses.
+    //! Both functions must raise an exception whose message contains the words. In the messages of
+    //! calib3d's function, arguments have the names that calib3d uses.
     void expect(const std::string& words)
     {
         for (int i = 0; i < (hasFlags(problem) ? 2 : 1); ++i)
@@ -318,7 +319,8 @@ TEST(Usac_Arguments, arrays_of_three_dimensions)
 }
 
 //! Affinities and similarities have no check for a dominant plane, so that DEGENSAC must be
-//! refused. Only the default, all bits, is accepted and means all checks that the problem has.
+//! refused. Of the sets with this flag only the default, all bits, is accepted. It means all checks
+//! that the problem has.
 TEST(Usac_Arguments, degeneracies_of_maps_of_points)
 {
     const int right[] = {0, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED,

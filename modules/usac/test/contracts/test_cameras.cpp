@@ -21,7 +21,7 @@ Mat essentialOf(const Scene& scene, InputArray K, InputArray distortion, Mat& ma
 TEST(Usac_Cameras, a_multiple_is_the_same_camera)
 {
     const Scene scene = makeScene(ESSENTIAL);
-    const double factors[] = {2, 0.25, -1, 1024};  // multiplication by these is exact
+    const double factors[] = {2, 0.25, -1, 1024};  // multiplication by these factors is exact
     Mat mask, other;
     const Mat E = essentialOf(scene, scene.K, noArray(), mask);
     ASSERT_FALSE(E.empty());
@@ -52,8 +52,8 @@ TEST(Usac_Cameras, transposed)
                     "cameraMatrix: ");
 }
 
-//! The same rays are seen by a camera with skew, with and without distortion. The distortion is so
-//! weak that the results must nearly agree.
+//! The rays of a scene are seen by a camera with skew, with and without distortion. The distortion
+//! is so weak that both results must nearly agree.
 TEST(Usac_Cameras, skew_and_distortion)
 {
     const Scene scene = makeScene(ESSENTIAL);
@@ -116,7 +116,7 @@ std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
 }
 
 //! Exact matches must be inliers with a threshold of 1e-4 pixels, also in the corners of the image.
-//! The five steps of cv::undistortPoints would leave larger errors there.
+//! The five iterations of cv::undistortPoints would leave larger errors there.
 TEST(Usac_Cameras, distortion_is_removed_exactly)
 {
     SceneOptions options;
@@ -140,8 +140,8 @@ TEST(Usac_Cameras, distortion_is_removed_exactly)
     }
 }
 
-//! r (1 - 0.25 r^2) is at most 0.77, so that no point is mapped to a larger radius. A match with
-//! such an image point must never be an inlier.
+//! r (1 - 0.25 r^2) is at most 0.77, so that no point is mapped to a larger radius. A match with an
+//! image point at a larger radius must never be an inlier.
 TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
 {
     Scene scene = makeScene(ESSENTIAL);

@@ -50,7 +50,9 @@ TEST_P(UsacContracts, true_matches_are_found)
         Mat mask;
         const Mat model = estimate(scene, Params(), mask);
         EXPECT_LT(modelError(scene, model), 0.6) << "seed " << seed;
-        int found = 0, within = 0;  // errors at most the threshold under the true model
+        // numbers of true matches: those in the mask, and those whose error under the true model is
+        // at most the threshold
+        int found = 0, within = 0;
         for (int i = 0; i < scene.size(); ++i)
         {
             found += scene.truth[i] && mask.at<uchar>(i);

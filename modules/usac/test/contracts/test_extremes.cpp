@@ -12,8 +12,8 @@ namespace {
 typedef UsacProblem UsacExtremes;
 INSTANTIATE_TEST_CASE_P(/**/, UsacExtremes, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! The squares of the smallest and largest thresholds leave the range of float, some also that of
-//! double.
+//! The squares of the smallest and largest thresholds leave the range of float, and some of them
+//! also that of double.
 TEST_P(UsacExtremes, thresholds)
 {
     const double thresholds[] = {1e-320, 1e-300, 1e-160, 1e-25, 1e-9,
@@ -30,7 +30,8 @@ TEST_P(UsacExtremes, thresholds)
             Matx33d K = scene.K;
             if (exact)
             {
-                // focal lengths below 1 make the normalized threshold larger than the given one
+                // focal lengths below 1 make the threshold in normalized coordinates larger than
+                // the given threshold
                 const double scale = 1e-3;
                 K = Matx33d(scale * K(0, 0), 0, scale * K(0, 2), 0, scale * K(1, 1),
                             scale * K(1, 2), 0, 0, 1);
@@ -73,8 +74,8 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
 }
 
 /** With maxIterations = INT_MAX a run must not go on forever if its termination criterion cannot
-fire. It must end when all possible samples have been drawn, or when none of the first million
-yields a model. */
+fire. The run must end when all possible samples have been drawn, or when none of the first million
+samples yields a model. */
 TEST_P(UsacExtremes, all_iterations_without_a_model)
 {
     RNG rng(11);

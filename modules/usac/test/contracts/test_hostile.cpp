@@ -4,8 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// Tests of difficult points: far away, tiny, on a line or all with the same counterpart, and such
-// points in any number.
+// Tests of difficult points, few or many of them: far away, tiny, on a line, or all with the same
+// corresponding point.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacHostile, testing::ValuesIn(TWO_VIEW_PROBLEMS))
 
 Point2d randomPixel(RNG& rng) { return uniformPoint(rng, 0., 640., 0., 480.); }
 
-//! The default scene with `rows` additional matches, of which some coordinates are `value`.
+//! The default scene with `rows` additional matches, in which some coordinates are `value`.
 Scene withRows(ProblemType problem, double value, int rows)
 {
     Scene scene = makeScene(problem);
@@ -73,7 +73,7 @@ TEST_P(UsacHostile, denormals)
     checkEveryWay(problem(), tiny1, clean.points2);
 }
 
-//! Points and threshold are scaled by the same factor; models must be found at any scale.
+//! Points and threshold are scaled by the same factor; a model must be found at every scale.
 TEST_P(UsacHostile, scales)
 {
     const double scales[] = {1e-75, 1e-30, 1e-10, 1e10, 1e30, 1e75};
@@ -101,7 +101,8 @@ TEST_P(UsacHostile, scales)
     }
 }
 
-//! The singular values of the model in normalized coordinates, in which the points have unit scale.
+//! The singular values of the model in the normalized coordinates, in which the points have unit
+//! scale.
 Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
                      const std::vector<Point2d>& points2, const Mat& model)
 {
@@ -113,7 +114,7 @@ Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
 }
 
 //! The matrix l2 l1^T of rank 1 is consistent with all points on the line l1, but is no fundamental
-//! matrix. Here most points are on such a line; no returned F may have rank 1.
+//! matrix. Here most points are on such a line, but no returned F may have rank 1.
 TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
 {
     const double lines[] = {0, 300, 1e6};
@@ -138,8 +139,8 @@ TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
     }
 }
 
-//! The singular matrix that maps the plane to one point has the most inliers here, but is no
-//! homography.
+//! Here the singular matrix that maps the whole plane to one point has the most inliers, but it is
+//! no homography and must not be returned.
 TEST(Usac_Hostile, most_matches_share_one_target)
 {
     Scene scene = makeScene(HOMOGRAPHY);
@@ -163,8 +164,8 @@ TEST(Usac_Hostile, most_matches_share_one_target)
         EXPECT_TRUE(none[i].empty()) << allPresets()[i].name;
 }
 
-//! Both epipoles are at the origin and the coordinates are large. In pixel units the small entries
-//! of F decide, so that rounding could spoil its rank.
+//! Both epipoles are at the origin and the coordinates are large. In pixel units the smallest
+//! entries of F matter most, so that rounding could give F rank 3.
 TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
 {
     const double scales[] = {1, 1e3, 1e6};
@@ -186,8 +187,8 @@ TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
     }
 }
 
-//! The determinant of an F from seven points is 0 only up to the error of the root of a cubic. The
-//! returned F must have rank 2 nevertheless.
+//! The determinant of an F from seven points is 0 only up to the error of the root of a cubic
+//! polynomial. The returned F must have rank 2 nevertheless.
 TEST(Usac_Hostile, rank_of_a_minimal_model)
 {
     Params params = Params::ransac();
@@ -228,7 +229,7 @@ TEST(Usac_Hostile, h33_is_one_at_any_scale)
     }
 }
 
-//! The squares of the coordinates leave the range of double. There may be no model, but if there is
+//! The squares of the coordinates leave the range of double. A call may find no model. If it finds
 //! one, mask and report must be correct.
 TEST_P(UsacHostile, scales_near_the_ends_of_the_range)
 {

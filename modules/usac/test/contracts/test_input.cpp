@@ -6,7 +6,8 @@
 #include "support/contracts.hpp"
 #include "contracts/expected_answer.hpp"
 
-// Any layout and depth of points, masks and camera matrices must give the same result bit by bit.
+// Every layout and depth of points, masks and camera matrices must give the same result, bit by
+// bit.
 
 namespace opencv_test {
 namespace {
@@ -162,7 +163,7 @@ TEST_P(UsacInput, prefilled_mask_is_cleared_when_there_is_no_model)
     const std::vector<Point2d> few(1, Point2d(1, 2)), same(50, Point2d(10, 20));
     Mat mask(3, 1, CV_8U, Scalar(1)), wrong(80, 2, CV_32S, Scalar(1));
     Report report;
-    if (sampleSizeOf(problem()) == 1)  // one match, also repeated, determines a translation
+    if (sampleSizeOf(problem()) == 1)  // one match, even if repeated, determines a translation
         return;
     EXPECT_TRUE(estimatePoints(problem(), few, few, Params(), mask, report).empty());
     EXPECT_EQ(Size(1, 1), mask.size());
@@ -278,7 +279,8 @@ TEST_P(UsacInput, hundred_thousand_points)
 
 TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
 {
-    // 60 000 matches inside one pixel and a few far away: nearly all pairs of matches are neighbors
+    // 60 000 matches are within one pixel of each image and 600 are elsewhere, so that nearly all
+    // pairs of matches are neighbors
     SceneOptions options;
     options.inliers = 500;
     Scene scene = makeScene(problem(), options);

@@ -14,7 +14,7 @@ typedef UsacProblem UsacLayouts;
 INSTANTIATE_TEST_CASE_P(/**/, UsacLayouts, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! Homogeneous coordinates. The absolute values of the weights cycle through `weights` powers of
-//! two, by which division is exact.
+//! two, by which division is exact, and the signs alternate.
 Mat homogeneous(const Mat& points, int weights)
 {
     Mat result(points.rows, 3, CV_64F);
@@ -133,8 +133,8 @@ TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
     expected.compare("6xN", withMore(more1).t(), more2);
 }
 
-//! The arrays have so few points that rows as well as columns could be the points. The number of
-//! points must be as given in the table, or that of the rows of a square array.
+//! The arrays are so small that either the rows or the columns could be the points. The number of
+//! points must be the fourth number of `shapes`. In a square array, each row must be a point.
 TEST_P(UsacLayouts, both_readings_possible)
 {
     const int shapes[][4] = {{1, 2, 1, 1}, {1, 3, 1, 1}, {2, 1, 1, 1}, {3, 1, 1, 1}, {2, 2, 1, 2},
@@ -180,7 +180,7 @@ TEST_P(UsacLayouts, both_readings_possible)
 }
 
 //! Calls OpenCV's function for the problem. @return the number of rows of its mask; 0 if it found
-//! no model, so that this is unknown; -1 if it raised an exception
+//! no model, so that this number is unknown; -1 if it raised an exception
 int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int flag)
 {
     Mat model, mask;
@@ -225,9 +225,8 @@ TEST_P(UsacLayouts, whatever_opencv_takes)
         rng.fill(points1, RNG::UNIFORM, 1., 400.);
         rng.fill(points2, RNG::UNIFORM, 1., 400.);
         const int count = openCvTakes(problem(), points1, points2, flag);
-        if (count < 0 ||
-            (channels > 1 &&
-             rows * cols < channels))  // here OpenCV takes single coordinates for points
+        if (count < 0 || (channels > 1 &&
+                          rows * cols < channels))  // here OpenCV reads each coordinate as a point
             continue;
         ++taken;
         SCOPED_TRACE(cv::format("%dx%d with %d channels, flag %d", rows, cols, channels, flag));

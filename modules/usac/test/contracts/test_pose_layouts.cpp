@@ -5,7 +5,7 @@
 #include "contracts/expected_answer.hpp"
 #include "contracts/pose_contracts.hpp"
 
-// Any layout and element type of object and image points must give the same result bit by bit.
+// Every layout and element type of object and image points must give the same result, bit by bit.
 
 namespace opencv_test {
 namespace {
@@ -16,7 +16,7 @@ struct PoseArrays
     Mat object, image;
 };
 
-//! The result for some points. Every other form of the same points must give the same bits.
+//! The result for given points. Every other form of the same points must give the same bits.
 class ExpectedPose
 {
 public:
@@ -108,7 +108,8 @@ TEST(Usac_PoseLayouts, every_depth)
     PoseArrays a = arraysOf(scene);
     double least = 0;
     minMaxLoc(a.object, &least);
-    a.object = (a.object - least) * 10;  // shifted and scaled to positive integers
+    // not negative, so that CV_8U can represent the rounded numbers
+    a.object = (a.object - least) * 10;
     a.object.convertTo(a.object, CV_8U);
     a.image.convertTo(a.image, CV_8U, 0.2);
     scene.K = scene.K * 0.2;

@@ -5,8 +5,8 @@
 #include "contracts/expected_answer.hpp"
 #include "contracts/rigid_contracts.hpp"
 
-// Any layout and depth of the points of both spaces must give the same result bit by bit. Arrays
-// that are no list of 3-D points must be refused.
+// Every layout and depth of the points of both spaces must give the same result, bit by bit. Arrays
+// that are not lists of 3-D points must be refused.
 
 namespace opencv_test {
 namespace {
@@ -24,7 +24,7 @@ SpaceArrays arraysOf(const RigidScene& scene)
     return arrays;
 }
 
-//! The result for some points. Every other form of the same points must give the same bits.
+//! The result for given points. Every other form of the same points must give the same bits.
 class ExpectedMotion
 {
 public:

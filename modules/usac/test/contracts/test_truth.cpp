@@ -4,8 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// The result must depend on the points but not on their order, and the caller's arrays must not
-// change.
+// Apart from the effect of noise, the result must depend on the points but not on their order. The
+// caller's arrays must not change.
 
 namespace opencv_test {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 typedef UsacProblem UsacTruth;
 INSTANTIATE_TEST_CASE_P(/**/, UsacTruth, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! The scene with shuffled rows; row i was row order[i].
+//! The scene with shuffled rows; row i of the result is row order[i] of `scene`.
 Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
 {
     Scene result = scene;
@@ -33,10 +33,10 @@ Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
 }
 
 /** Samples are drawn by position in a pseudo-random order that depends only on the number of
-points. After a permutation other points form the samples. With noise, the model then differs within
-the noise, and so does the mask where an error is near the threshold. With exact points all
-all-inlier samples agree, so that the mask must be permuted like the points. @return number of rows
-with another mask */
+points. After a permutation, the samples therefore consist of other points. With noise, the model
+then differs within the noise, and the mask may differ where an error is near the threshold. With
+exact points, all all-inlier samples give the same model, so that the mask must be permuted like the
+points. @return number of matches whose mask differs */
 int rowsThatDiffer(const Scene& scene, Params params, uint64 seed)
 {
     std::vector<int> order;
@@ -87,8 +87,8 @@ TEST_P(UsacTruth, permuting_noisy_points_changes_few_rows)
         EXPECT_LE(rowsThatDiffer(scene, Params(), seed), 0.04 * scene.size()) << "seed " << seed;
 }
 
-//! Whether a row is an inlier must depend only on the model and its coordinates, not on its
-//! position.
+//! Whether a row is an inlier must depend only on the model and on the coordinates of the row, not
+//! on its position.
 TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
 {
     const Scene scene = makeScene(problem());

@@ -20,10 +20,10 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-//! Milliseconds for which a busy machine may suspend the process.
+//! Milliseconds by which a run may end late, because a busy machine may suspend the process.
 const double SLACK = 400;
 
-//! 5 % inliers. With endless(), F takes minutes.
+//! A scene with 5 % inliers. With the parameters endless(), the search for F would take minutes.
 Scene hardScene(ProblemType problem, int size = 2000)
 {
     SceneOptions options;
@@ -38,7 +38,7 @@ Params endless(ProblemType problem)
     params.confidence = 1 - 1e-15;
     params.persistence = 100;
     if (problem != FUNDAMENTAL && problem != ESSENTIAL)
-        params.termination = 0;  // all samples are drawn
+        params.termination = 0;  // no criterion ends the search before maxIterations
     return params;
 }
 
@@ -82,7 +82,7 @@ TEST_P(UsacStop, what_is_found_by_then_is_returned)
     options.setSize(1000, 0.7);
     const Scene scene = makeScene(problem(), options);
     Params params = endless(problem());
-    params.termination = 0;  // the criteria would soon end the search with so many inliers
+    params.termination = 0;  // with so many inliers, the criteria would soon end the search
     params.maxTime = 100;
     Report report;
     const Mat model = estimate(scene, params, noArray(), &report);
@@ -143,12 +143,13 @@ TEST_P(UsacStop, exception_of_the_callback_comes_out)
     EXPECT_TRUE(sameResult(expectedMask, mask));
     Report report;
     const ProgressScope scope([](const Report&) { return false; });
-    EXPECT_NO_THROW(usac->run(mask, &report));  // the object whose run was ended by the exception
+    // `usac`, whose run was ended by the exception, must be usable again
+    EXPECT_NO_THROW(usac->run(mask, &report));
     EXPECT_EQ((int)STOP_CANCELLED, report.stop);
 }
 
-//! A time limit that is not reached and a function that always returns true must not change any bit
-//! of the result.
+//! A time limit that is not reached and a progress function that always returns true must not
+//! change any bit of the result.
 TEST_P(UsacStop, same_bits_when_it_goes_on)
 {
     for (int threads : {1, 3})
@@ -223,7 +224,8 @@ TEST(Usac_Stop, scopes_are_asked_the_innermost_first)
     EXPECT_THROW(const ProgressScope empty(none), cv::Exception);
 }
 
-//! When a run is canceled, no further step may begin that processes all points of a large scene.
+//! After the progress function has canceled a run on a large scene, no further step that processes
+//! all points may begin. The run must therefore end within about a second.
 TEST(Usac_Stop, many_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
@@ -284,8 +286,8 @@ TEST(Usac_Stop, batches)
     }
 }
 
-//! Each task takes less time than passes between two calls of the function. A batch must
-//! nevertheless call it, and end after the third call.
+//! Each task takes less time than passes between two calls of the progress function. A batch must
+//! nevertheless call this function, and must end after the third call, which returns false.
 TEST(Usac_Stop, batches_of_short_tasks)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

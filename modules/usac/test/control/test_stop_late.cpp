@@ -6,14 +6,15 @@
 #include "test_precomp.hpp"
 #include "control/watch.hpp"
 
-// Tests of how long a run of a million points continues after Params::maxTime or after the function
-// of a ProgressScope has returned false.
+// Tests of how long a run of a million points continues after Params::maxTime or after the progress
+// function (ProgressScope) has returned false.
 
 namespace opencv_test {
 namespace {
 
-//! Milliseconds of processor time, so that other programs hardly count. LATE is the longest delay
-//! allowed: 100 ms are documented, and the factor of 2 is for caches shared with other programs.
+//! Milliseconds of processor time, which other programs hardly affect. LATE is the longest delay
+//! allowed, in milliseconds: 100 ms are documented, and the factor of 2 allows for caches shared
+//! with other programs.
 double processorTime() { return 1e3 * std::clock() / CLOCKS_PER_SEC; }
 const double LATE = 200;
 
@@ -25,8 +26,9 @@ Params presetOfMany(int preset)
                          : Params::magsac();
 }
 
-//! For a million points, the neighborhoods, the order, PROSAC's criterion, the chance and the
-//! independent inliers take up to seconds each. None of them may delay the end.
+//! For a million points, computing the neighborhoods, the order of the points, PROSAC's termination
+//! criterion, the false-alarm probability or the independent inliers takes up to seconds each. None
+//! of these steps may delay the end of the run.
 TEST(Usac_StopLate, a_million_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
@@ -64,7 +66,7 @@ public:
     int calls;
 };
 
-//! Sorting a million points takes 130 ms. If there is less time, the order must be skipped, but the
+//! Sorting a million points takes 130 ms. If less time is left, this step must be skipped, but the
 //! run must not end, because it has time for other steps.
 TEST(Usac_StopLate, no_time_for_the_order)
 {
@@ -87,8 +89,9 @@ TEST(Usac_StopLate, no_time_for_the_order)
     }
 }
 
-//! The same test when a function returns false. The run cannot know this in advance, so that it
-//! cannot skip long steps as with a time limit.
+//! The same test as `a_million_points`, but the progress function ends the run by returning false.
+//! The run cannot know this in advance, so that it cannot skip long steps as it does with a time
+//! limit.
 TEST(Usac_StopLate, a_million_points_cancelled)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL})

@@ -13,7 +13,7 @@
 
 namespace opencv_test {
 
-//! Reads the bytes one after the other, then zeros.
+//! Reads the bytes one after the other. After the last byte, it reads zeros.
 class Bytes
 {
 public:
@@ -34,7 +34,7 @@ public:
         return result;
     }
 
-    //! A critical number such as NaN or DBL_MAX, a round number, or any other.
+    //! A critical number such as NaN or DBL_MAX, a small or round number, or an arbitrary one.
     double number()
     {
         static const double special[] = {0,

@@ -49,7 +49,7 @@ Answer run(const FuzzInput& input, int threads)
 {
     Answer answer;
     Params params = input.params;
-    if (params.threads == 1)  // otherwise the number of the input is used
+    if (params.threads == 1)  // another number of the input is used unchanged
         params.threads = threads;
     try
     {
@@ -62,8 +62,8 @@ Answer run(const FuzzInput& input, int threads)
     return answer;
 }
 
-//! 1: the camera matrix is invalid, 0: it is valid, -1: nearly singular, so that either answer is
-//! allowed.
+//! Returns 1 if the camera matrix is invalid, 0 if it is valid, and -1 if it is nearly singular, so
+//! that the call may raise an exception or not.
 int wrongCamera(const Mat& K)
 {
     if (K.empty())
@@ -82,7 +82,7 @@ bool wrongDistortion(const Mat& d)
 
 bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIMILARITY_3D; }
 
-//! 1: the call has to raise an exception, 0: it must not, -1: both are allowed.
+//! Returns 1 if the call must raise an exception, 0 if it must not, and -1 if both are allowed.
 int wrongArguments(const FuzzInput& input)
 {
     const bool space = isSpace(input.problem);

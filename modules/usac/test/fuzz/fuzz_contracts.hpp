@@ -10,10 +10,11 @@
 
 namespace opencv_test {
 
-/** Makes the call twice and says in words which promise is broken, "" if none is. There must be a
-cv::Exception that names an argument exactly if an argument is wrong. The input must not change.
-There must be either no model, a zero mask and a reason, or a finite model of the promised norm and
-rank with mask == (error <= threshold). Both calls must give the same bits. */
+/** Makes the call twice. Returns a description of the first contract that is broken, or "" if none
+is. A call must raise a cv::Exception, which names an argument, exactly if an argument is wrong. The
+input must not change. The result must be either no model, a zero mask and a reason (Report::stop),
+or a finite model of the documented norm and rank with mask == (error <= threshold). Both calls must
+give the same bits. */
 std::string brokenContract(const FuzzInput& input);
 
 }  // namespace opencv_test

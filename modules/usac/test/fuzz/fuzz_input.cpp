@@ -29,7 +29,8 @@ Params preset(int number)
     return presets[number % 16]();
 }
 
-//! Reduces a valid value to at most about `most`; an invalid one does not change.
+//! Reduces a valid value, from `low` to `high`, to less than `low` + `most`. An invalid value does
+//! not change.
 void reduce(int& value, int low, int high, int most)
 {
     if (value >= low && value <= high && value > most)
@@ -93,7 +94,7 @@ Mat readDistortion(Bytes& bytes)
     return coefficients;
 }
 
-//! Matches of a scene, true and wrong ones.
+//! Reads options and makes a scene with true and wrong matches from them.
 void readScene(Bytes& bytes, FuzzInput& input)
 {
     SceneOptions options;
@@ -109,7 +110,7 @@ void readScene(Bytes& bytes, FuzzInput& input)
     input.points2 = scene.points2;
 }
 
-//! One change of one row or of all rows.
+//! Makes one change: of one row, of all rows, or of the number of rows.
 void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     if (points1.empty() || points2.empty())
@@ -164,7 +165,7 @@ FuzzInput readFuzzInput(const uchar* data, size_t size)
 {
     Bytes bytes(data, size);
     FuzzInput input;
-    // not modulo the number of problems, because stored inputs depend on this mapping
+    // not the byte modulo the number of problems, because the stored inputs depend on this mapping
     const int problem = bytes.byte();
     const bool space = problem == 6 || problem == 7 || (problem > 64 && problem < 89);
     input.problem = space ? (problem % 2 ? SIMILARITY_3D : RIGID_3D)

@@ -14,10 +14,10 @@ struct FuzzInput : EstimatorCall
     int otherThreads;  //!< number of threads of the second run, which must give the same bits
 };
 
-/** Makes a call from any bytes. A small change of the bytes is mostly a small change of the call:
-first come problem, preset and changed fields, then cameras, the points, changes of them, and
-scores. Valid numbers of iterations and threads are reduced, because large ones only cost time.
-Everything else is arbitrary. */
+/** Makes a call from arbitrary bytes. A small change of the bytes mostly makes a small change of
+the call: the bytes give first the problem, the preset and the changed fields, then the cameras, the
+points, changes of the points, and the scores. Valid numbers of iterations and threads are reduced,
+because large ones only cost time. Everything else is arbitrary. */
 FuzzInput readFuzzInput(const uchar* data, size_t size);
 
 }  // namespace opencv_test

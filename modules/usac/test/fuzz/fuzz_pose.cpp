@@ -14,7 +14,7 @@ namespace opencv_test {
 
 namespace {
 
-//! Matches of a scene without lens distortion, true and wrong ones.
+//! Reads options and makes a scene without lens distortion, with true and wrong matches, from them.
 void readPoseScene(Bytes& bytes, FuzzInput& input)
 {
     PoseSceneOptions options;
@@ -33,7 +33,7 @@ void readPoseScene(Bytes& bytes, FuzzInput& input)
     input.points2 = scene.image;
 }
 
-//! One change of one row or of all rows.
+//! Makes one change: of one row, of all rows, or of the number of rows.
 void edit(Bytes& bytes, std::vector<Point3d>& object, std::vector<Point2d>& image)
 {
     if (object.empty() || image.empty())

@@ -31,7 +31,7 @@ void readRigidScene(Bytes& bytes, FuzzInput& input)
     input.space2 = scene.points2;
 }
 
-//! One change of one row or of all rows.
+//! Makes one change: of one row, of all rows, or of the number of rows.
 void edit(Bytes& bytes, std::vector<Point3d>& points1, std::vector<Point3d>& points2)
 {
     if (points1.empty() || points2.empty())

@@ -11,7 +11,8 @@
 namespace opencv_test {
 namespace {
 
-//! Inputs for which the fuzzer has found errors, and the fuzzer's inputs that reach the most code.
+//! The stored inputs are those for which the fuzzer has found errors, and those that reach the most
+//! code. None of them may break a contract.
 TEST(Usac_Fuzz, kept_inputs)
 {
     std::vector<cv::String> files;
@@ -28,7 +29,8 @@ TEST(Usac_Fuzz, kept_inputs)
     }
 }
 
-//! Random bytes, which need no fuzzer. Most of them are invalid calls, but some give a model.
+//! Random bytes, which need no fuzzer. Most of the calls made from them are senseless, but some
+//! give a model.
 TEST(Usac_Fuzz, random_bytes)
 {
     RNG rng(1);
@@ -54,8 +56,8 @@ TEST(Usac_Fuzz, random_bytes)
     EXPECT_GT(refused, 10);
 }
 
-//! The oracle brokenResult must detect a wrong row of the mask, or the tests with it would be
-//! worthless.
+//! The oracle brokenResult must detect a wrong row of the mask, because the tests that use this
+//! oracle would otherwise be worthless.
 TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
 {
     FuzzInput input = readFuzzInput(0, 0);

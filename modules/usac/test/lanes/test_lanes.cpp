@@ -19,7 +19,7 @@ struct NamedKernels
     lanes::Kernels kernels;
 };
 
-//! Kernels of all instruction sets that this processor has.
+//! The solver kernels for all instruction sets that this processor has.
 std::vector<NamedKernels> availableKernels()
 {
     std::vector<NamedKernels> result;
@@ -37,7 +37,7 @@ std::vector<NamedKernels> availableKernels()
     return result;
 }
 
-//! Samples of true and wrong matches, and degenerate ones.
+//! Samples of true and wrong matches. Some samples are degenerate, because points are repeated.
 struct Samples
 {
     Samples(ProblemType problem_, double planeFraction)
@@ -54,7 +54,7 @@ struct Samples
             int* const own = &indices[i * MAX_SAMPLE_SIZE];
             Rng(2, i).distinct(points().size, size, own);
             if (i % 9 == 0)
-                own[1] = own[0];  // degenerate: a repeated point
+                own[1] = own[0];  // degenerate: one point is repeated
             if (i % 31 == 0)
                 std::fill(own, own + size, own[0]);
             all.push_back(own);
@@ -76,7 +76,8 @@ struct Samples
 
 typedef std::vector<std::vector<double>> Solutions;  //!< the entries of all models of each sample
 
-//! Solves all samples by one kernel, `together` at once, but the first `apart` samples one by one.
+//! Solves all samples by one kernel: the first `apart` samples one by one, the others in groups of
+//! `together` samples at once.
 Solutions solutions(const Samples& samples, SolverKernel solver, int together, int apart = 0)
 {
     Solutions result;
@@ -99,7 +100,7 @@ Solutions expectedOf(const Samples& samples)
     return solutions(samples, samples.solverOf(lanes::baselineKernels()), 1);
 }
 
-//! Number of samples whose models differ in at least one bit.
+//! Number of samples whose models differ between `a` and `b` in at least one bit.
 int different(const Solutions& a, const Solutions& b)
 {
     int result = a.size() != b.size();
@@ -110,7 +111,7 @@ int different(const Solutions& a, const Solutions& b)
     return result;
 }
 
-//! Parameters are a problem and the fraction of true matches on a plane.
+//! The test parameters are a problem and the fraction of true matches on a plane.
 typedef testing::TestWithParam<std::tuple<int, double>> Usac_Lanes;
 
 ProblemType problemOf(const std::tuple<int, double>& parameters)
@@ -134,8 +135,8 @@ TEST_P(Usac_Lanes, sameBitsWithEveryInstructionSet)
     }
 }
 
-//! The models of a sample must not depend on how many samples are solved at once, or on its
-//! position among them.
+//! The models of a sample must not depend on how many samples are solved at once, or on the
+//! position of the sample among them.
 TEST_P(Usac_Lanes, sameBitsInEveryLane)
 {
     const Samples samples(problemOf(GetParam()), std::get<1>(GetParam()));
@@ -182,7 +183,7 @@ INSTANTIATE_TEST_CASE_P(Problems, Usac_Lanes,
                         testing::Combine(testing::Values((int)FUNDAMENTAL, (int)ESSENTIAL),
                                          testing::Values(0., 0.8)));
 
-//! A solver of a caller, which does not override solveMany().
+//! A solver as a caller could write it, which does not override solveMany().
 class OwnSolver : public MinimalSolver
 {
 public:

@@ -64,16 +64,17 @@ int rightOnes(int others, bool scores)
     return right;
 }
 
-//! The correct F has 96 inliers beside those on the plane. The wrong F has 90 and some uniform
-//! outliers, so that its cost is slightly lower. Without scores 2 of 20 models are correct, with
-//! scores 8. In the other scenes the costs differ by more, or the correct F was not found.
+//! The correct F has 96 inliers beside those on the plane. Beside those, the wrong F has 90 inliers
+//! and by chance some of the uniform outliers, so that its cost is slightly lower. Without scores 2
+//! of 20 returned models are correct, and with scores 8. In the other scenes the costs differ by
+//! more, or the correct F was not found.
 TEST(Usac_Alternatives, good_scores_decide_between_models_of_nearly_the_same_cost)
 {
     EXPECT_GE(rightOnes(90, true), rightOnes(90, false) + 4);
 }
 
-//! With 180 such matches the wrong F has many more inliers than the correct one, so that scores
-//! must not matter.
+//! With 180 matches of the other epipole, the wrong F has many more inliers than the correct one,
+//! so that scores must not matter.
 TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
 {
     EXPECT_LE(rightOnes(180, true), 1);

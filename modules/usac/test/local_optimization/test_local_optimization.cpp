@@ -14,7 +14,8 @@
 namespace opencv_test {
 namespace {
 
-//! K of a point as in Labeling: 1 for an error of 0, nearly 0 far away. NaN counts as far.
+//! The closeness K of a point to the model, as in Labeling: 1 for an error of 0, nearly 0 for a
+//! large error. NaN counts as a large error.
 double closeness(double squaredError, double inlierThreshold)
 {
     return squaredError == squaredError
@@ -22,7 +23,7 @@ double closeness(double squaredError, double inlierThreshold)
                : 0;
 }
 
-//! The energy as defined in the header of Labeling.
+//! The energy of a labeling, as defined in the header of the class Labeling.
 double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda,
                 const std::vector<uchar>& inlier)
 {
@@ -64,8 +65,8 @@ struct Graph
         residual->given.assign(size, 0.f);
     }
 
-    //! Adds each pair of points as an edge with this probability, unless one of them already has
-    //! `degree` edges.
+    //! Adds each pair of points as an edge with the given probability, unless one of the two points
+    //! already has `degree` edges.
     void addEdges(double probability, int degree, RNG& rng)
     {
         std::vector<int> edgesOf(size, 0);
@@ -90,7 +91,7 @@ struct Graph
     std::vector<uchar> cut()
     {
         Labeling labeling;
-        std::vector<int> inliers(size, 1);  // previous contents must have no effect
+        std::vector<int> inliers(size, 1);  // the previous contents must have no effect
         inliers.resize(labeling.cut(context, Matx33d::eye(), inliers.data()));
         return labelsOf(inliers, size);
     }
@@ -119,7 +120,8 @@ struct Graph
     const Context context;
 };
 
-//! Draws errors between 0 and `reach` thresholds, so that K has all its values.
+//! Draws errors between 0 and `reach` times the threshold, so that K takes high, medium and low
+//! values.
 void drawErrors(Graph& graph, double reach, RNG& rng)
 {
     for (int i = 0; i < graph.size; ++i)
@@ -155,8 +157,8 @@ TEST(Usac_GraphCut, exactMinimum)
     EXPECT_LT(inliers, total * 4 / 5);
 }
 
-//! The minimum must also be exact with points far from the model and undefined errors, at the
-//! default weight.
+//! The minimum must also be exact if some points are far from the model and some errors are
+//! undefined. The spatial weight has its default.
 TEST(Usac_GraphCut, exactMinimumWithOutliers)
 {
     RNG rng(2);
@@ -244,7 +246,7 @@ TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
     }
 }
 
-//! Parameters are a problem and a local optimization.
+//! The test parameters are a problem and a local optimization.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_LocalOptimization;
 
 TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
@@ -308,7 +310,8 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         params.localOptimization = std::get<1>(GetParam());
         if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS &&
             params.localOptimization <=
-                LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)  // the threshold bounds their noise
+                // for these methods the threshold bounds the noise scale
+                LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)
         {
             params.threshold = 4;
             params.quality = QUALITY_MAGSAC_PLUS_PLUS;
@@ -327,8 +330,8 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         usac->components().localOptimizer->optimize(context, state, model, quality);
         good += quality.cost < truth.cost * 1.02;
     }
-    // GC-RANSAC uses only the inliers, not all points within three thresholds, and therefore often
-    // ends in a worse local minimum.
+    // GC-RANSAC fits models only to inliers, not to all points within three times the threshold,
+    // and therefore often ends in a worse local minimum.
     EXPECT_GE(good,
               SCENES * (std::get<1>(GetParam()) == LOCAL_OPTIMIZATION_GC_RANSAC ? 1 : 8) / 10);
 }
@@ -338,7 +341,8 @@ INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization,
                                          testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT,
                                                         LOCAL_OPTIMIZATION_GC_RANSAC + 1)));
 
-//! Each `period`-th fit fails, or (`silent`) returns a wrong model as if it were correct.
+//! A solver of which each `period`-th fit fails, or (if `silent`) returns a wrong model as if it
+//! were correct.
 class UnreliableSolver : public NonMinimalSolver
 {
 public:

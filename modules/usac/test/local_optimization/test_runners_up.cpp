@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "local_optimization/runners_up.hpp"
 
-// Tests of RunnersUp, the list of good models of samples that were never the best model. When the
-// search is about to end, they are optimized, too.
+// Tests of RunnersUp, which keeps good models that were never the best model. When the search is
+// about to end, these models are optimized, too.
 
 namespace opencv_test {
 namespace {
@@ -95,8 +95,8 @@ TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
     }
 }
 
-//! A model whose inliers are outliers of the best model must be kept, even if there are many
-//! cheaper models with the inliers of the best model.
+//! A model whose inliers are outliers of the best model must be kept, even if many models of lower
+//! cost have the inliers of the best model.
 TEST(Usac_RunnersUp, keepsWhatIsDifferent)
 {
     const Rows scene;
@@ -123,7 +123,8 @@ TEST(Usac_RunnersUp, followTheBestModel)
     kept.setBest(scene.bitsOf(0));
     EXPECT_EQ(scene.each, kept.mostUnexplained());
     kept.add(candidateOf(9),
-             scene.bitsOf(3));  // it replaces the model whose inliers the best model has
+             // replaces the model of row 0, all of whose inliers are inliers of the best model
+             scene.bitsOf(3));
     const double expected[] = {1, 2, 9};
     EXPECT_EQ(std::vector<double>(expected, expected + 3), costsOf(kept));
     kept.clear();
@@ -203,8 +204,8 @@ TEST_P(Usac_RunnersUpOf, areOptimizedBesideTheBestModels)
     EXPECT_LE(calls[2], calls[0] + 10 * 20);
 }
 
-//! With runners-up the search is the same, but more models are compared. The cost must therefore
-//! never be higher, and must be lower in some hard scene.
+//! Runners-up leave the regular samples of the search unchanged, but more models are compared. The
+//! cost must therefore never be higher, and must be lower in some hard scene.
 TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
 {
     int lower = 0;
@@ -248,7 +249,7 @@ TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 INSTANTIATE_TEST_CASE_P(/**/, Usac_RunnersUpOf,
                         testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-/* 90 % of the true matches are on a plane, which has two motions that agree with them. The motion
+/* 90 % of the true matches are on a plane, and two motions agree with these matches. The motion
 with the lower cost is correct, and runners-up must help to find it. */
 TEST(Usac_RunnersUp, tellTheTwoMotionsOfAPlane)
 {

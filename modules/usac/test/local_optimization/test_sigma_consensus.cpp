@@ -14,7 +14,7 @@
 namespace opencv_test {
 namespace {
 
-//! A scene and a started run for the optimizers.
+//! A scene, and a run whose components have been started, to which optimizers can be applied.
 struct Bench
 {
     explicit Bench(ProblemType problem, double inlierThreshold = 3,
@@ -33,8 +33,8 @@ struct Bench
 
     const Context& context() const { return *run; }
 
-    //! The best model of a random minimal sample of true matches. Returns false if it has no
-    //! inliers.
+    //! The best model of a random minimal sample of true matches. Returns false if this model has
+    //! no inliers.
     bool minimalModel(int trial, Model& model, Quality& quality) const
     {
         const MinimalSolver& solver = *usac->components().minimalSolver;
@@ -72,8 +72,8 @@ struct Bench
     std::vector<int> inliers;
 };
 
-//! Integral over sigma from `from` to `to` of the density of an error r, up to a constant factor.
-//! The density is 0 where r exceeds k sigma.
+//! Integral over the noise scale sigma, from `from` to `to`, of the density of an error r, up to a
+//! constant factor. The density is 0 where r exceeds k sigma.
 double marginalDensity(int degrees, double r, double from, double to)
 {
     const int STEPS = 400;
@@ -89,9 +89,9 @@ double marginalDensity(int degrees, double r, double from, double to)
     return sum * std::max(to - begin, 0.) / STEPS;
 }
 
-/** The weights by their definition. For each part of the range of sigma, a model is fitted to the
-points near `start`, and the density of the errors under it is integrated numerically. Errors below
-1/45 of the threshold are raised to this value. */
+/** The weights of sigma-consensus, computed by their definition. For each part of the range of the
+noise scale sigma, a model is fitted to the points near `start`, and the density of the errors under
+it is integrated numerically. Errors below 1/45 of the threshold are raised to this value. */
 std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, int parts)
 {
     const Correspondences& p = bench.usac->points();
@@ -137,7 +137,7 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
                                                            SigmaConsensus::PARTITIONS);
     Model fitted = model;
     ASSERT_TRUE(consensus.fit(bench.context(), rng, fitted));
-    // both are defined up to a factor
+    // both sets of weights are defined up to a constant factor
     std::vector<double> ratios;
     const double most = *std::max_element(expected.begin(), expected.end());
     std::vector<uchar> seen(expected.size(), 0);
@@ -155,8 +155,8 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
     EXPECT_NEAR(1, ratios.back() / ratios.front(), 0.01);
 }
 
-//! Five parts must approximate the limit of many parts: the models must differ by less than their
-//! distance from the true model.
+//! Five parts of the range of sigma must approximate the limit of many parts: the models fitted
+//! with five and with 100 parts must differ by less than the former differ from the true model.
 TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
 {
     const Bench bench((ProblemType)GetParam());
@@ -185,8 +185,8 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! Both optimizers must never return a worse model, must return the correct quality of the model,
-//! and must improve most models of minimal samples.
+//! Neither optimizer may return a worse model than the given one. Both must return the correct
+//! quality of the model and improve most models of minimal samples.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
     const Bench bench((ProblemType)GetParam(), 5);
@@ -246,7 +246,7 @@ TEST_P(Usac_Sigma_Consensus, iterationsHaveAnEffect)
     }
 }
 
-//! A model without any point near it must not change.
+//! A model with no point near it must not change.
 TEST_P(Usac_Sigma_Consensus, nothingNear)
 {
     const Bench bench((ProblemType)GetParam(), 1e-9);
@@ -262,7 +262,8 @@ TEST_P(Usac_Sigma_Consensus, nothingNear)
     EXPECT_EQ(before.cost, quality.cost);
 }
 
-//! Each step of re-weighted least squares must lower the loss from which the weights derive.
+//! Each step of re-weighted least squares must not raise the loss from which the weights are
+//! derived.
 TEST_P(Usac_Sigma_Consensus, reweightingDescends)
 {
     const Bench bench((ProblemType)GetParam(), 5);

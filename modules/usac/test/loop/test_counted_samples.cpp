@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! Uniform samples. Every second one is marked as not counting for the termination criteria
+//! Draws uniform samples. Every second sample is marked as not counted by the termination criteria
 //! (State::counts).
 class HalfCounting : public Sampler
 {
@@ -42,7 +42,8 @@ double subsets(double inliers, double n, int m)
     return p;
 }
 
-//! Number of samples log(1 - confidence) / log(1 - C(I, m) / C(n, m)) for the default confidence.
+//! Number of samples log(1 - confidence) / log(1 - C(inliers, m) / C(n, m)) for the default
+//! confidence 0.99.
 double wantedSamples(double inliers, double n, int m)
 {
     return std::log(0.01) / std::log1p(-subsets(inliers, n, m));
@@ -102,8 +103,8 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
 }
 
 //! The counters are set as if the 150 matches were 30 different ones, each five times, 18 of them
-//! true. From the number of refused samples, the probability of a good sample must be that for 30
-//! matches instead of 150.
+//! true. From the number of samples that were refused because of repeated matches, the probability
+//! of a good sample must be that for 30 matches instead of 150.
 TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -129,8 +130,8 @@ TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
     }
 }
 
-//! A wrong match occurs 100 times among 400 matches, so that any H that maps it has 100 inliers.
-//! The copies must count as one inlier only.
+//! A wrong match occurs 100 times among 400 matches, so that every H that agrees with it has at
+//! least 100 inliers. The copies must count as one inlier only.
 TEST(Usac_CountedSamples, one_match_many_times_is_one)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -169,12 +170,12 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
 }
 
 //! The check for a dominant plane draws triples of points. Its random numbers must differ from
-//! those of the next sample, whose stream is the number of the iteration.
+//! those of the next sample, whose stream of random numbers is the number of the iteration.
 TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
 {
     SceneOptions options;
-    options.planeFraction = 0.8;  // near the limit of a dominant plane, so that some triples do not
-                                  // find it
+    // near the limit above which a plane counts as dominant, so that some triples do not find it
+    options.planeFraction = 0.8;
     options.noise = 1;
     const Scene scene = makeScene(ESSENTIAL, options);
     const Params params;

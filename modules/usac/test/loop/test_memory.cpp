@@ -12,10 +12,10 @@
 namespace opencv_test {
 namespace {
 
-//! Number of allocations of one run. `mask` and `report` have their memory before it.
+//! Number of allocations of one run. `mask` has its memory already.
 long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
 {
-    report.sample.reserve(MAX_SAMPLE_SIZE);  // memory of the caller
+    report.sample.reserve(MAX_SAMPLE_SIZE);  // this memory is not allocated by the run
     const long before = allocationsSoFar();
     const Mat model = usac.run(mask, &report);
     const long after = allocationsSoFar();
@@ -32,7 +32,7 @@ long allocationsOfModel()
     return allocationsSoFar() - before;
 }
 
-//! Named parameters.
+//! Parameters with a name for messages.
 struct Variant
 {
     std::string name;
@@ -64,7 +64,8 @@ void addVariants(std::vector<Variant>& variants, const Params& base, const char*
     }
 }
 
-//! All presets, and the default parameters with one component changed, without and with scores.
+//! All presets, and the default parameters with one component changed, each of them without and
+//! with scores.
 std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& scores)
 {
     const bool hasSymmetric = problem < ABSOLUTE_POSE;
@@ -99,7 +100,7 @@ std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& 
     for (size_t i = 0; i < variants.size(); ++i)
     {
         variants[i].params.threads = 1;
-        variants[i].params.spatialWeight = 0;  // OpenCV's graph cut allocates
+        variants[i].params.spatialWeight = 0;  // OpenCV's graph cut allocates memory
         variants[i].params.neighborhood = NEIGHBORHOOD_GRID;
         variants[i].params.maxIterations = std::min(variants[i].params.maxIterations, 300);
     }
@@ -150,8 +151,8 @@ TEST_P(Usac_Memory, nothingButTheModel)
     EXPECT_GT(found, 2 * (int)variants.size());
 }
 
-//! As many or fewer other points must be read without any allocation, also points of type float,
-//! which are converted.
+//! setPoints() with as many or fewer points must not allocate memory, not even for points of type
+//! float, which are converted. A run with these points may allocate only the returned model.
 TEST_P(Usac_Memory, otherPoints)
 {
     if (!allocationsAreCounted())
@@ -185,7 +186,7 @@ TEST_P(Usac_Memory, otherPoints)
         }
 }
 
-//! A run with 20000 samples must not allocate more than one with 200.
+//! A run with 20000 samples must not make more allocations than a run with 200.
 TEST_P(Usac_Memory, nothingInTheLoop)
 {
     if (!allocationsAreCounted())
@@ -219,7 +220,8 @@ TEST_P(Usac_Memory, nothingInTheLoop)
 }
 
 //! OpenCV itself allocates memory: a list for each cut of the maximal flow, and a list for each
-//! point whose neighbors the kd-tree finds. The number of allocations must not grow with the runs.
+//! point whose neighbors the kd-tree finds. The number of allocations must not grow from run to
+//! run.
 TEST_P(Usac_Memory, ofOpenCV)
 {
     if (!allocationsAreCounted())
@@ -251,8 +253,8 @@ TEST_P(Usac_Memory, ofOpenCV)
         }
 }
 
-//! The same for absolute poses. The last polishing and the mask use points distorted by the lens,
-//! which must not allocate, either.
+//! The same test as Usac_Memory.nothingButTheModel for absolute poses. The last polishing and the
+//! mask use points distorted by the lens, and must not allocate memory, either.
 TEST(Usac_Memory_Pose, nothingButTheModel)
 {
     if (!allocationsAreCounted())
@@ -289,7 +291,8 @@ TEST(Usac_Memory_Pose, nothingButTheModel)
     }
 }
 
-//! The same for 3-D motions, also when the points are replaced.
+//! The same test for 3-D motions. Replacing the points by fewer points must not allocate memory,
+//! either.
 TEST(Usac_Memory_Space, nothingButTheModel)
 {
     if (!allocationsAreCounted())

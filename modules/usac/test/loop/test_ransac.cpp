@@ -133,12 +133,14 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_LE(r.rejectedSamples + r.degenerateSamples, r.iterations);
             EXPECT_LE(r.rejectedModels + r.refusedModels + r.droppedModels, r.models);
             if (params.verification == VERIFICATION_NONE ||
-                GetParam() <= ESSENTIAL)  // smaller samples rarely give wrong models
+                // with smaller samples, models are rarely so wrong that they are refused
+                GetParam() <= ESSENTIAL)
             {
                 EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
             }
             EXPECT_LE(r.localImprovements, r.localOptimizations);
-            // at most one per kept model, two per runner-up, and one more per improvement
+            // at most one local optimization per model that is not rejected, two per runner-up, and
+            // one more per improvement
             EXPECT_LE(r.localOptimizations, r.models - r.rejectedModels - r.droppedModels +
                                                 2 * params.runnersUp + r.localImprovements);
             EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE,
@@ -204,8 +206,8 @@ TEST_P(Usac_Ransac, recoversTheModel)
     }
 }
 
-//! Without noise, and with a threshold so small that hardly any outlier is an inlier, only rounding
-//! errors may remain.
+//! Without noise, and with a threshold so small that hardly any wrong match is an inlier, only
+//! rounding errors may remain.
 TEST_P(Usac_Ransac, exactWithoutNoise)
 {
     for (uint64 seed = 1; seed <= 15; ++seed)
@@ -303,8 +305,8 @@ TEST(Usac_Ransac_Stop, standardNumberOfSamples)
     }
 }
 
-//! Models of random matches must have a large chance. Copies of a match must count as one
-//! independent inlier.
+//! Models of random matches must have a large false-alarm probability (Report::chance). Copies of a
+//! match must count as one independent inlier.
 TEST(Usac_Ransac_Report, nonRandomness)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -375,7 +377,8 @@ TEST(Usac_Ransac_Stop, custom)
 {
     const Scene scene = sceneWith(HOMOGRAPHY, 0.5, 1);
     Params params = stopBy(0);
-    params.runnersUp = 0;  // the search ends without optimizing runners-up
+    // otherwise, samples of the outliers of the best model would be additional iterations
+    params.runnersUp = 0;
     Report report;
     const Ptr<Usac> usac = createUsac(scene, params);
     usac->components().terminations.push_back(makePtr<StopAt>(123));
@@ -384,7 +387,7 @@ TEST(Usac_Ransac_Stop, custom)
     EXPECT_EQ(123, report.iterations);
 }
 
-//! A run must also work if all optional components but one termination criterion are removed.
+//! A run must also work if all optional components except one termination criterion are removed.
 TEST(Usac_Ransac_Parts, withoutOptionalComponents)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

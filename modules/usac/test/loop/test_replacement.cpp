@@ -6,14 +6,14 @@
 #include "components/sample_statistics.hpp"
 #include "../../../../samples/line_distance.hpp"
 
-// A component that the caller has replaced must take effect everywhere. An unsuitable one must
-// raise an exception that names it.
+// A component that the caller has replaced must take effect everywhere. An unsuitable component
+// must raise an exception that names it.
 
 namespace opencv_test {
 namespace {
 
-//! The residual of the sample program, the distance to the epipolar line in image 2. Its derivative
-//! is the analytic one, or (`derived` false) by finite differences.
+//! The residual of the sample program, which is the distance to the epipolar line in image 2. Its
+//! derivative is the analytic one, or (if `derived` is false) computed by finite differences.
 class LineDistance : public custom::LineDistance
 {
 public:
@@ -56,7 +56,7 @@ Scene zoomedScene()
 }
 
 //! A replaced residual must be used for scores, fits and the mask: the mask must agree with it, and
-//! no nearby F of rank 2 may have a smaller error over the mask.
+//! no nearby F of rank 2 may have a smaller error over the matches in the mask.
 TEST(Usac_Replacement, residual)
 {
     const Scene scene = zoomedScene();
@@ -83,7 +83,7 @@ TEST(Usac_Replacement, residual)
                 << i;
         }
         RNG rng(5);
-        for (int i = 0; i < 200; ++i)  // nearby models of rank 2
+        for (int i = 0; i < 200; ++i)  // compares with nearby models of rank 2
         {
             Matx33d other((const double*)models[derived].ptr());
             for (int k = 0; k < 9; ++k)
@@ -139,7 +139,8 @@ TEST(Usac_Replacement, derivativeByDifferences)
     }
 }
 
-//! Draws uniform samples whatever Params::sampler says. `mistake` 1 to 3 makes invalid samples.
+//! Draws uniform samples whatever Params::sampler says. With `mistake` 1 to 3, its samples are
+//! invalid.
 class OwnSampler : public Sampler
 {
 public:
@@ -232,7 +233,8 @@ TEST(Usac_Replacement, uniformSampler)
     }
 }
 
-//! Claims to keep only this fraction of the good models, so that more samples are needed.
+//! Reports that it keeps only the fraction `kept_` of the good models, so that more samples are
+//! needed.
 class DroppingVerifier : public Verifier
 {
 public:
@@ -282,7 +284,7 @@ private:
     const int mistake;
 };
 
-//! The message of the exception that a run raises, "" if none.
+//! The message of the exception that a run raises, or "" if it raises none.
 std::string complaint(const Ptr<Usac>& usac)
 {
     try

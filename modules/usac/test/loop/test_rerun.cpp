@@ -39,7 +39,8 @@ TEST_P(Usac_Rerun, givesTheSame)
     {
         Params params = presets[p].params;
         params.maxIterations = std::min(params.maxIterations, 500);
-        params.threshold = 0.3;  // below the noise, so that the reach of magsac() grows
+        // below the noise, so that Params::reach of magsac() grows during a run
+        params.threshold = 0.3;
         const Ptr<Usac> usac = createUsac(scene, params);
         Mat masks[3], models[3];
         Report reports[3];
@@ -90,8 +91,8 @@ TEST(Usac_RerunPoints, afterAMistake)
     EXPECT_EQ(0, cv::norm(usac->run(), estimate(scene, Params()), NORM_INF));
 }
 
-//! Counts the starts of a component and its uses since the last one. `size` is the number of points
-//! at the last start; `wrong` counts uses with another number.
+//! Counts the starts of a component, and its uses since the last start. `size` is the number of
+//! points at the last start. `wrong` counts the uses with another number of points.
 struct Life
 {
     Life() : starts(0), size(-1), uses(0), wrong(0) {}
@@ -255,7 +256,7 @@ public:
     Life life;
 };
 
-//! Each component must be started once per run, before it is used, also if there are too few
+//! Each component must be started once per run, before it is used, even if there are too few
 //! points.
 TEST(Usac_RerunComponents, beginOnceARun)
 {

@@ -15,7 +15,7 @@ enum { LAYERS = 4, LINKS = 8, WIDEST = 512 };
 class Pixels
 {
 public:
-    //! The unit of the given points counts as a pixel.
+    //! Distances are in the unit of the given points.
     explicit Pixels(const OwnPoints& own) : around(own.view(), unitThreshold(own.view().threshold))
     {
         const Correspondences& p = own.view();
@@ -91,7 +91,8 @@ void checkKnn(const Pixels& pixels, int k)
         for (int step = 0; step < LAYERS; ++step)
         {
             const int layer = point % 2 ? step
-                                        : LAYERS - 1 - step;  // widest layer first for even points
+                                        // for even points, the widest layer comes first
+                                        : LAYERS - 1 - step;
             const std::vector<int> list = listOf(pixels, *knn, layer, point);
             const int expected = std::min(pixels.size(),
                                           std::max(k, std::min<int>(k << layer, WIDEST)) + 1);
@@ -149,7 +150,7 @@ TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
     for (int problem = 0; problem < 3; ++problem)
     {
         Scene scene = makeScene((ProblemType)problem);
-        if (problem != ESSENTIAL)  // image 2 three times as large
+        if (problem != ESSENTIAL)  // makes image 2 three times as large
             for (int i = 0; i < scene.size(); ++i)
                 scene.points2[i] *= 3;
         Params params;
@@ -160,8 +161,8 @@ TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
     }
 }
 
-//! With a radius, at most WIDEST neighbors are kept, the nearest ones. With a number of neighbors
-//! there may be more if so many are asked for.
+//! With a radius, at most the nearest WIDEST neighbors of a point may be kept. With a given number
+//! of neighbors, more are kept if this number is larger.
 TEST(Usac_NeighborhoodFlann, boundedMemory)
 {
     RNG rng(2);
@@ -199,7 +200,8 @@ void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
         EXPECT_LE(pixels.distance(i, j), std::max(reach[i], reach[j]));
     }
     int missing = 0;
-    for (int i = 0; i < pixels.size(); ++i)  // members surely among the nearest must have an edge
+    // a member that is certainly among the nearest must have an edge
+    for (int i = 0; i < pixels.size(); ++i)
     {
         const std::vector<int> members = listOf(pixels, neighborhood, 0, i);
         for (size_t k = 1; k < members.size() && (int)k <= links; ++k)
@@ -286,7 +288,8 @@ TEST(Usac_NeighborhoodFlann, reproducible)
         EXPECT_EQ(listOf(pixels, *first, 2, i), listOf(pixels, *second, 2, i));
 }
 
-//! With these neighborhoods, P-NAPSAC and graph cut must lead to correct models for each problem.
+//! With the neighborhoods of FLANN, P-NAPSAC and graph cut must lead to correct models for each
+//! problem.
 TEST(Usac_NeighborhoodFlann, rightModels)
 {
     for (int problem = 0; problem < 3; ++problem)
@@ -348,7 +351,8 @@ TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
     cut.neighbors = 8;
     cut.sampler = SAMPLER_UNIFORM;
     cut.spatialWeight = 0.5;
-    cut.threshold = 1;  // about the noise, so that neighbors change the label of some points
+    // the standard deviation of the noise, so that neighbors change the label of some points
+    cut.threshold = 1;
     cut.maxIterations = 200;
     cut.polishing = POLISHING_NONE;
     for (int problem = 0; problem < 3; ++problem)

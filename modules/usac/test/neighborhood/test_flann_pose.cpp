@@ -38,7 +38,8 @@ TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
             std::sort(nearest.begin(), nearest.end());
             const std::set<int> found = membersOf(*knn, around.context, 0, i);
             ASSERT_EQ(7u, found.size());
-            for (int k = 0; k < 6; ++k)  // the seventh may be as far away as another point
+            // the seventh member may be as far away as a point that is not a member
+            for (int k = 0; k < 6; ++k)
                 EXPECT_EQ(1u, found.count(nearest[k].second)) << unit << " " << i << " " << k;
             const std::set<int> close = membersOf(*within, around.context, 0, i);
             for (size_t k = 0; k < nearest.size(); ++k)

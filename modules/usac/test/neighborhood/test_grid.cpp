@@ -58,7 +58,7 @@ TEST(Usac_Neighborhood, gridAgainstBruteForce)
     compareWithBruteForce(createUsac(makeScene(ESSENTIAL), Params())->points());
 }
 
-//! If nearly all points, but not all, are within the given range, those outside must belong to the
+//! Here many points are outside the given range of the coordinates. Such points must belong to the
 //! outermost cells.
 TEST(Usac_Neighborhood, gridOfANarrowRange)
 {
@@ -144,7 +144,7 @@ TEST(Usac_Neighborhood, edges)
     }
 }
 
-//! A point must have an edge exactly if another point is in its cell.
+//! A point must have an edge exactly if another point is in its cell of layer 1.
 TEST(Usac_Neighborhood, noPointIsForgotten)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

@@ -4,7 +4,7 @@
 
 #include "test_precomp.hpp"
 
-// Tests of Arena, from which a run takes its memory.
+// Tests of Arena, which owns the memory that a run uses.
 
 namespace opencv_test {
 namespace {
@@ -33,8 +33,8 @@ void expectIntact(const std::vector<Piece>& pieces)
         ASSERT_TRUE(pieces[i].intact()) << i;
 }
 
-//! Makes nested scopes. Pieces are taken from each scope and, for the whole run, from the arena. No
-//! piece may overlap another.
+//! Makes nested scopes. In each scope, some pieces are taken from the scope and some from the
+//! arena, which keeps them for the whole run. No piece may overlap another.
 void useScopes(Arena& arena, RNG& rng, int depth, size_t largest, std::vector<Piece>& kept)
 {
     const Arena::Scope untouched(arena);

@@ -43,7 +43,7 @@ double squaredEpipolar(const Matx33d& F, const Point2d& a, const Point2d& b, boo
     return symmetric ? N * N * (1 / n1 + 1 / n2) : N * N / (n1 + n2);
 }
 
-//! Sorted squared errors of one exact match with `count` draws of noise in its four coordinates.
+//! Sorted squared errors of one exact match for `count` draws of the noise of its four coordinates.
 std::vector<double> noisyErrors(const Scene& scene, const Matx33d& inverse, int row, bool symmetric,
                                 int count, RNG& rng)
 {

@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-//! Coefficients of the product of (x - root), the constant first.
+//! Coefficients of the product of (x - root) over all roots, the constant term first.
 std::vector<double> expand(const std::vector<double>& roots)
 {
     std::vector<double> c(1, 1.);
@@ -58,7 +58,7 @@ TEST(Usac_Polynomial, spreadRoots)
         for (int repeat = 0; repeat < 50; ++repeat)
         {
             std::vector<double> roots(degree);
-            for (int i = 0; i < degree; ++i)  // no two closer than 0.2
+            for (int i = 0; i < degree; ++i)  // no two roots are closer than 0.3
                 roots[i] = -2.5 + 5. * (i + rng.uniform(0.1, 0.5)) / degree;
             std::vector<double> c = expand(roots);
             const double factor = std::pow(10., rng.uniform(-30., 30.)) * (repeat % 2 ? 1 : -1);
@@ -116,7 +116,7 @@ TEST(Usac_Polynomial, multipleRoots)
     EXPECT_NEAR(3, found[1], 1e-5);
 }
 
-//! The Sturm sequences of x^n - a^n skip degrees.
+//! The Sturm sequences of x^n - a^n skip degrees. All real roots must be found nevertheless.
 TEST(Usac_Polynomial, sparse)
 {
     for (int degree = 2; degree <= MAX_DEGREE; ++degree)
@@ -134,7 +134,8 @@ TEST(Usac_Polynomial, sparse)
         }
     }
     RNG rng(6);
-    for (int repeat = 0; repeat < 1000; ++repeat)  // nearly sparse, as from symmetric points
+    // nearly sparse polynomials, which symmetric points lead to
+    for (int repeat = 0; repeat < 1000; ++repeat)
     {
         std::vector<double> c(4 + repeat % 7, 0.), clean;
         c.back() = 1;
@@ -151,7 +152,9 @@ TEST(Usac_Polynomial, sparse)
     }
     const double quartic[] = {
         -0.05, 0.1, 0, 0,
-        1};  // one change of sign, so one positive root; likewise one negative root
+        // The coefficients have one change of sign, so that there is one positive root. The same
+        // holds for -x, so that there is one negative root.
+        1};
     EXPECT_EQ(2u, findRoots(std::vector<double>(quartic, quartic + 5)).size());
 }
 
@@ -186,7 +189,7 @@ TEST(Usac_Polynomial, noRoots)
     EXPECT_TRUE(findRoots(bad).empty());
 }
 
-//! Eigenvalues of the companion matrix.
+//! The complex roots as eigenvalues of the companion matrix.
 std::vector<std::complex<long double>> companionRoots(const std::vector<double>& c)
 {
     const int degree = (int)c.size() - 1;
@@ -212,7 +215,7 @@ TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
         for (int i = 0; i <= degree; ++i)
             c[i] = rng.gaussian(1) * std::pow(10., rng.uniform(-1., 1.));
         const std::vector<std::complex<long double>> all = companionRoots(c);
-        bool clear = true;  // no roots so close that rounding decides if they are real
+        bool clear = true;  // no two roots are so close that rounding decides whether they are real
         for (size_t i = 0; i < all.size(); ++i)
         {
             const double size = std::max(1e-3, (double)std::abs(all[i]));

@@ -34,7 +34,7 @@ void solvesAndRefuses()
         const Vector expected = Vector::LinSpaced(SIZE, -1, 2);
         Vector x = given * expected;
         ASSERT_TRUE(solvePositiveDefinite(A, x));
-        // the condition number, times the rounding error, times a margin
+        // the condition number times the rounding error times a margin of 10
         EXPECT_LE((x - expected).norm(), std::pow(10., SIZE - 1) * 1e-15);
         EXPECT_LE((given * x - given * expected).norm(), 1e-14);
     }

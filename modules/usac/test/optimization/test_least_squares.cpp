@@ -30,7 +30,8 @@ std::vector<double> randomWeights(int count, RNG& rng)
     return weights;
 }
 
-//! Parameters 0 to 2 are H, F and E with the standard residual, 3 to 5 with the symmetric residual.
+//! Test parameters 0 to 2 are H, F and E with the standard residual, 3 to 5 with the symmetric
+//! residual.
 ProblemType problemOf(int param) { return (ProblemType)(param % 3); }
 
 Formula::Kind kindOf(int param)
@@ -134,7 +135,8 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
         EXPECT_LE((JtJ - sums.JtJ).norm(), 1e-6 * JtJ.norm());
         EXPECT_GT(Jtr.norm(),
                   1e-3 * J.norm() *
-                      r.norm());  // not a minimum, where a wrong gradient would be small, too
+                      // the model is no minimum, where a wrong gradient would be small, too
+                      r.norm());
     }
 }
 
@@ -183,7 +185,8 @@ TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
                     1e-12);
         const Parameterization::Basis tangent = here.tangent();
         ASSERT_EQ(here.dimension(), tangent.cols());
-        EXPECT_GT(singularValues(tangent)[here.dimension() - 1], 1e-3);  // linearly independent
+        // the tangents are linearly independent
+        EXPECT_GT(singularValues(tangent)[here.dimension() - 1], 1e-3);
         for (int k = 0; k < here.dimension(); ++k)
         {
             Parameterization::Step step = Parameterization::Step::Zero(here.dimension());

@@ -39,11 +39,11 @@ private:
     mutable std::vector<double> errors;
 };
 
-//! Parameters are a problem and a residual.
+//! The test parameters are a problem and a residual.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_LeastSquares_Minimum;
 
 //! The method of Nelder and Mead, which needs no derivatives, must find no smaller sum near the
-//! result of the fit. It must reach the same minimum from a start beside it.
+//! result of the fit. From a start beside this result, the method must reach the same minimum.
 TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 {
     for (uint64 seed = 1; seed <= 3; ++seed)

@@ -10,13 +10,13 @@ namespace opencv_test {
 namespace {
 
 //! The standard deviation of Gaussian noise among uniform outliers must be estimated within 20 %.
-//! Without enough defined errors, the threshold must count as the 0.99 quantile.
+//! If too few errors are defined, the threshold must count as the 0.99 quantile of the errors.
 TEST(Usac_Statistics, noiseScale)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)
         for (int k = 0; k < 4; ++k)
         {
-            const double sigma = 0.2 * (k + 1);  // as a multiple of the threshold of 3 pixels
+            const double sigma = 0.2 * (k + 1);  // in units of the threshold, which is 3 pixels
             RNG rng(1 + k);
             std::vector<float> errors;
             for (int i = 0; i < 400; ++i)

@@ -12,7 +12,7 @@ namespace {
 
 typedef cv::usacv20::Parameterization Rule;
 
-//! Calls `test` for each problem with random matrices, of which the parameterization makes valid
+//! Calls `test` for each problem with random matrices, from which the parameterization makes valid
 //! models.
 void forEachProblem(const std::function<void(const Problem&, const Model&)>& test)
 {

@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Squared errors. Those of inliers have a standard deviation of 1 in each of `degrees` directions,
-//! outliers are uniform in a cube of side 400 with this dimension.
+//! Draws squared errors. The errors of inliers have a standard deviation of 1 in each of `degrees`
+//! directions. Those of outliers are uniform in a cube of side 400 with `degrees` dimensions.
 std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
 {
     std::vector<float> errors;
@@ -37,7 +37,7 @@ double scaleOf(const std::vector<float>& errors, int degrees, double unit)
         .sigma;
 }
 
-//! The standard deviation must be estimated within 15 %, whatever the threshold `unit`.
+//! The standard deviation must be estimated within 15 %, whatever the threshold `unit` is.
 TEST(Usac_SignificantScale, isThatOfTheNoise)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)
@@ -54,9 +54,9 @@ TEST(Usac_SignificantScale, isThatOfTheNoise)
         }
 }
 
-//! A third of the points form a narrow core; the others have a larger scale but agree with the
-//! model, too. The scale must be that of all points, or that of the core if no radius above the
-//! threshold is tried.
+//! A third of the errors form a narrow core with standard deviation 0.5. The others, with standard
+//! deviation 9, agree with the model, too. The scale must be that of all errors, or that of the
+//! core if no radius above the threshold is tried.
 TEST(Usac_SignificantScale, ofTheCore)
 {
     RNG rng(7);
@@ -79,7 +79,8 @@ TEST(Usac_SignificantScale, ofTheCore)
     EXPECT_LT(core.inliers, 400);
 }
 
-//! If a third of the inliers have ten times the noise, the scale must be that of the others.
+//! If a third of the inliers have ten times the noise of the others, the scale must be that of the
+//! others.
 TEST(Usac_SignificantScale, ofTwoSurfaces)
 {
     for (int degrees = 2; degrees <= 3; ++degrees)
@@ -108,8 +109,9 @@ TEST(Usac_SignificantScale, noneOfRandomErrors)
     EXPECT_EQ(0, SignificantScale::estimate(0, 0, 0, 0, 1, 0.1, 2, 4).sigma);
 }
 
-//! Clustered points are near many models. If random matches of the same points have as many small
-//! errors (third argument), the errors of the model are no evidence, and the scale must be 0.
+//! Clustered points are near many models. If random matches of the same points (third argument of
+//! estimate()) have as many small errors as the given matches, the errors of the model are no
+//! evidence, and the scale must be 0.
 TEST(Usac_SignificantScale, noneOfWhatWrongMatchesHave)
 {
     RNG rng(5);

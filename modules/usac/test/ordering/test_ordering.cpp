@@ -49,7 +49,7 @@ TEST(Usac_Priors, densityPutsClusteredMatchesFirst)
                 first += scene.truth[usac->points().inputIndex[order[i]]];
                 last += scene.truth[usac->points().inputIndex[order[999 - i]]];
             }
-            // 40 are expected by chance
+            // 40 true matches are expected by chance
             EXPECT_GT(first, 60) << "problem " << problem << " seed " << seed;
             EXPECT_LT(last, 40) << "problem " << problem << " seed " << seed;
         }
@@ -65,7 +65,7 @@ TEST(Usac_Priors, densityOfClumsyPoints)
         sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, points1, points2).view());
     }
     const std::vector<Point2d> equal(70000,
-                                     // one cell has more points than fit in 16 bits
+                                     // so many points in one cell that 16 bits cannot count them
                                      Point2d(1, 2));
     sortBy(createDensityOrdering(), OwnPoints(HOMOGRAPHY, equal, equal).view());
 }
@@ -121,7 +121,7 @@ TEST(Usac_Priors, inputOrder)
     }
 }
 
-//! Matches that repeat an earlier one must come last, ordered by density or by scores.
+//! Matches that repeat an earlier one must come last, whether the order is by density or by scores.
 TEST(Usac_Priors, repeatedMatchesAreLast)
 {
     SceneOptions options;

@@ -6,13 +6,14 @@
 #include "problems/kernels.hpp"
 
 // If the true matches leave some parameters of F nearly free, a model can be bent to outliers of
-// high leverage. Leverage must prevent this.
+// high leverage. The class Leverage must prevent this.
 
 namespace opencv_test {
 namespace {
 
-//! F of a camera that moves by a small `baseline` (depths are 4 to 9), with 60 % inliers and a
-//! threshold of five standard deviations of the noise.
+//! A scene for F, whose camera moves by a small `baseline`; the depths are 4 to 9 in the same unit.
+//! 60 % of the matches are inliers. The threshold of 1.5 pixels is five standard deviations of the
+//! noise.
 Scene smallBaseline(int size, double baseline, uint64 seed)
 {
     SceneOptions options;
@@ -45,8 +46,8 @@ struct Errors
 };
 
 //! For comparison, cv::USAC_MAGSAC has medians of 0.09 to 0.10 pixels with 200 matches and 0.05
-//! with 1000, and upper sextiles of 0.12 to 0.15 and 0.06 to 0.08. Without Leverage the medians are
-//! 0.17 to 0.19 and 0.09 to 0.16 pixels at a baseline of 0.02.
+//! with 1000, and upper sextiles of 0.12 to 0.15 and 0.06 to 0.08 pixels. Without Leverage the
+//! medians are 0.17 to 0.19 and 0.09 to 0.16 pixels at a baseline of 0.02.
 TEST(Usac_Leverage, small_baselines)
 {
     const Params presets[] = {Params::usacV20(), Params::accurate(), Params::magsacPlusPlus()};
@@ -61,7 +62,8 @@ TEST(Usac_Leverage, small_baselines)
 }
 
 //! True matches off a dominant plane also have a high leverage and must not be dropped. Of 100
-//! models 2 miss them; without Leverage 1 does, and if it ignored planes, 27 would.
+//! models, 2 miss them. Without Leverage, 1 model misses them, and if Leverage ignored planes, 27
+//! models would.
 TEST(Usac_Leverage, few_matches_off_a_plane_stay)
 {
     int lost = 0;

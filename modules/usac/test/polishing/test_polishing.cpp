@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Mean errors in pixels over 20 scenes with either polishing after the same search.
+//! Mean errors in pixels over 20 scenes, with least-squares polishing and with robust polishing
+//! (`reweighted`) after the same search.
 void comparePolishers(ProblemType problem, double noise, double& leastSquares, double& reweighted)
 {
     leastSquares = reweighted = 0;
@@ -28,8 +29,9 @@ void comparePolishers(ProblemType problem, double noise, double& leastSquares, d
     }
 }
 
-//! A threshold below the noise cuts off many true matches. Smooth weights with a longer range must
-//! then be more accurate than least squares.
+//! A threshold of only one standard deviation of the noise cuts off many true matches. Robust
+//! polishing, whose smooth weights have a longer range, must then be more accurate than least
+//! squares.
 TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};

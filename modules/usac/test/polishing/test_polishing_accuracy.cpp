@@ -70,7 +70,7 @@ SceneOptions optionsOf(Motion motion, double noise, uint64 seed)
     return options;
 }
 
-//! Parameters are a problem and a motion.
+//! The test parameters are a problem and a motion.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_Polishing_Accuracy;
 
 /** The root mean square error of polishing over the scenes must be at most 1.1 times that of least
@@ -100,7 +100,7 @@ TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
     }
 }
 
-//! Without noise, each preset must return the exact model.
+//! Without noise, each of three presets must return the exact model.
 TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
 {
     const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate()};
@@ -116,9 +116,9 @@ TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
         }
 }
 
-/** For H and F, image 2 is scaled to coordinates below 1 but the threshold is not, so that any
-model has all matches as inliers. Polishing must nevertheless reach about the accuracy of least
-squares. */
+/** For H and F, image 2 is scaled to coordinates below 1 but the threshold is not, so that almost
+every model has all matches as inliers. Polishing must nevertheless reach about the accuracy of
+least squares. */
 TEST_P(Usac_Polishing_Accuracy, thresholdFarAboveTheNoise)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());

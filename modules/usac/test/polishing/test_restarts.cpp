@@ -9,8 +9,8 @@
 namespace opencv_test {
 namespace {
 
-//! `right` matches of a translation, followed by `wrong` random ones. In image 1 the first point is
-//! far from the others, which lie in a narrow strip.
+//! Makes `right` matches of a translation, followed by `wrong` random matches. In image 1 the first
+//! point is far from the others, which lie in a narrow strip.
 void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point2d>& points1,
                  std::vector<Point2d>& points2)
 {
@@ -24,8 +24,8 @@ void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point
     }
 }
 
-//! Fits a model by least squares to the caller's rows `first` to `end` - 1 and applies restarts to
-//! it.
+//! Fits a model by least squares to the caller's rows `first` to `end` - 1, and applies Restarts to
+//! it: fits from other starting points that also try single outliers.
 struct Restarted
 {
     Restarted(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
@@ -97,8 +97,8 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
     EXPECT_LE(taken, 1);
 }
 
-//! With more than 30 inliers and a threshold that is not wide there are no restarts, so that the
-//! model must not change.
+//! With more than 30 inliers and a threshold that is not wide (Report::wideThreshold), Restarts
+//! does nothing, so that the cost must not change.
 TEST(Usac_Restarts, manyInliersStay)
 {
     RNG rng(1);
