@@ -153,7 +153,7 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
 }
 
 //! Number of real F with det F = 0 in the null space of the constraints, by SVD and the
-//! discriminant of the cubic. -1 if rounding could decide.
+//! discriminant of the cubic. Returns -1 if rounding could change the number.
 int countFundamental(const Correspondences& p)
 {
     Matx<double, 7, 9> A;

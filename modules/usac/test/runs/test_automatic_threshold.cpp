@@ -280,8 +280,8 @@ TEST_P(UsacAutomaticThreshold, initialModel)
     EXPECT_LE(modelError(scene, model), 1.5 * modelError(scene, first));
 }
 
-//! The noise must also be found with scores that estimate a threshold, and with scores that are
-//! marginalized over the noise.
+//! The noise must also be found with quality functions that estimate a threshold (LMedS), and with
+//! those that are marginalized over the noise (MAGSAC).
 TEST_P(UsacAutomaticThreshold, otherScores)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.7);

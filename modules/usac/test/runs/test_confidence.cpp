@@ -210,8 +210,9 @@ TEST(Usac_Confidence, pNapsac)
                STOP_P_NAPSAC);
 }
 
-//! SPRT rejects some good models, so that its criterion asks for more samples. These are few,
-//! because SPRT rejects rarely if the solver is as expensive as here.
+//! SPRT rejects some good models, so that its criterion asks for more samples than the standard
+//! criterion. The difference is small, because SPRT rarely rejects a good model if the solver is as
+//! expensive as here.
 TEST(Usac_Confidence, sprt)
 {
     const Rivals rivals(202, 200, 198);
@@ -230,8 +231,9 @@ TEST(Usac_Confidence, sprt)
     runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys, n, 4))), STOP_SPRT);
 }
 
-//! PROSAC's criterion must keep its promise for the n* best points and end after the number of
-//! samples that it computes.
+//! PROSAC's criterion chooses a number n* of best points. Among them it must not miss the true
+//! model more often than promised, and it must end the search after the number of samples that it
+//! computes.
 TEST(Usac_Confidence, prosac)
 {
     const Rivals rivals(102, 100, 98);

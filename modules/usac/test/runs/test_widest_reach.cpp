@@ -152,7 +152,7 @@ public:
     int refused;
 };
 
-//! Two groups of points, each with a homography of its own, and such a check.
+//! Two groups of points, each with a homography of its own, and a RefusesGroup check.
 struct TwoGroups
 {
     TwoGroups(int seed, double noise, int others, int outliers, bool wider)

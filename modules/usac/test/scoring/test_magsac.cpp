@@ -91,7 +91,8 @@ TEST_P(Usac_Magsac_Problem, magsacPlusPlusAgainstItsFormula)
 TEST_P(Usac_Magsac_Problem, bounds)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const double thresholds[] = {1, 1000};  // the second is larger than the area of the points
+    const double thresholds[] = {
+        1, 1000};  // the second threshold is larger than the extent of the points
     for (int t = 0; t < 2; ++t)
     {
         const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));

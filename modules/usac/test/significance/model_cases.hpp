@@ -93,8 +93,8 @@ Case makeCase(ProblemType problem, int seed, int size = 100, double noise = 1)
     return result;
 }
 
-//! The squared Mahalanobis distance of the true model from `model`. The covariance is that of
-//! another model, if one is given.
+//! The squared Mahalanobis distance of the true model from `model`. `covariance` is that of `other`
+//! if it is given, otherwise that of `model`.
 double squaredDistance(const Case& scene, const Mat& model, const Mat& covariance,
                        const Mat& other = Mat())
 {

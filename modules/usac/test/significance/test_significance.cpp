@@ -33,8 +33,8 @@ Report significantReport(const Scene& scene, Params params)
     return reportOf(scene, params);
 }
 
-//! The chance of random matches must be at most a with a probability of at most a. With F and E it
-//! must not always be near 1.
+//! For random matches and each level a, Report::chance must be at most a with a probability of at
+//! most a. With F and E it must not always be near 1.
 TEST(Usac_Significance, calibratedOnRandomMatches)
 {
     const int sizes[] = {15, 60, 300}, iterations[] = {100, 500}, RUNS = 40;
@@ -264,8 +264,8 @@ TEST(Usac_Significance, repeatedMatches)
 }
 
 //! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks the map takes
-//! everything to this point. Its independent inliers are no better than chance, which enough other
-//! points show, so that no model may be returned.
+//! everything to this point. It has no more independent inliers than expected by chance, and there
+//! are enough other points to decide this, so that no model may be returned.
 TEST(Usac_Significance, mapsToOnePlace)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})

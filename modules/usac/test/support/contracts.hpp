@@ -28,7 +28,7 @@ Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
 //! Checks what is promised of every result with the standard residual and a threshold in pixels.
-//! The second form is for points that are not of type double, with their camera matrix.
+//! The second form is for points and a camera matrix that are not those of a Scene.
 void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask,
                  const Report& report, double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1,
@@ -43,8 +43,8 @@ struct NamedPreset
 };
 
 std::vector<NamedPreset> allPresets();
-//! As allPresets(); for problems other than H, F and E, usac2013() is without DEGENSAC, which they
-//! refuse.
+//! As allPresets(); for problems other than H, F and E, usac2013() is without DEGENSAC, for which
+//! they raise an exception.
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Runs every preset on the points, by the estimate function and by Usac::create, and every flag by

@@ -101,7 +101,8 @@ private:
             return grows(close) ? UNDECIDED : NO;
         if (d[12] == 0 && d[13] == 0)
             return YES;
-        // For a tilted sensor: depth, after the tilt, of the point that the other terms give.
+        // For a tilted sensor: depth, after the tilt, of the point to which the other terms move
+        // (x, y).
         const std::vector<Point3d> point(1, Point3d(x, y, 1));
         std::vector<Point2d> flat;
         cv::projectPoints(point, Vec3d(), Vec3d(), Matx33d::eye(),
@@ -121,7 +122,8 @@ private:
     {
         const std::vector<Point3d> points(1, point);
         std::vector<Point2d> image;
-        Mat J;  // of the image by rvec, tvec, focal lengths, center and the coefficients
+        Mat J;  // derivatives of the image point by rvec, tvec, focal lengths, center and the
+                // coefficients
         cv::projectPoints(points, Vec3d(), Vec3d(), Matx33d::eye(),
                           Mat(1, 14, CV_64F, const_cast<double*>(d)), image, J);
         // cv::projectPoints ignores the skew, so K is applied here

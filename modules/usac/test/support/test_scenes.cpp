@@ -40,7 +40,7 @@ double rankedRight(const Scene& scene)
     return right / pairs;
 }
 
-//! For each point of image 2 with wrong matches, their number.
+//! For each point of image 2 to which wrong matches lead, the number of these matches.
 std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
 {
     std::map<std::pair<double, double>, int> result;

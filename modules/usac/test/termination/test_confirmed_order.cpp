@@ -24,8 +24,8 @@ double evidence(const std::vector<uchar>& inliers, int m)
     return orderEvidence(inliers.data(), none.data(), (int)inliers.size(), m);
 }
 
-//! For random orders the normalized rank sum must have mean 0 and standard deviation 1. It may be
-//! smaller if the first inliers do not count.
+//! For random orders the normalized rank sum must have mean 0 and standard deviation 1. The rank
+//! sum may be smaller if the first inliers do not count.
 TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
 {
     RNG rng(1);
@@ -41,7 +41,9 @@ TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
     }
     EXPECT_NEAR(0, sum / RUNS, 0.04);
     EXPECT_NEAR(1, squares / RUNS, 0.05);
-    EXPECT_LE(beyond, 40);  // 1 in 1000; fewer because the first seven inliers do not count
+    EXPECT_LE(
+        beyond,
+        40);  // 20 are expected (1 in 1000), or fewer because the first seven inliers do not count
 }
 
 //! Compared with the definition: the number of pairs of an inlier and an outlier in which the
@@ -133,7 +135,7 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
 }
 
 //! Few matches are seldom in a common small cell. Larger cells must show more often that there is
-//! no other motion, and must miss none.
+//! no other motion, and must miss hardly any other motion that exists.
 TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -222,8 +224,9 @@ TEST(Usac_ConfirmedOrder, goodScoresPayWhereFewAreRight)
     EXPECT_LE(found.iterations, 2000);  // 14 000 without scores
 }
 
-//! Scores must not mislead the search: best ones for a smaller other motion, for a square or near a
-//! point of image 1, random ones and reversed ones.
+//! Scores must not mislead the search: neither if the best scores are those of a smaller second
+//! motion, of the true matches in a square of image 1, or of the matches near a point of image 1,
+//! nor if the scores are random or reversed.
 TEST(Usac_ConfirmedOrder, badScoresAreSeen)
 {
     const ProblemType problems[] = {HOMOGRAPHY, ESSENTIAL};
@@ -236,7 +239,7 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
             options.scoreModel = kind < 3 ? (ScoreModel)(SCORES_OF_SECOND + kind) : SCORES_OF_TRUTH;
             options.scoreInformation = kind == 4 ? 0.05 : 0.5;
             EXPECT_LE(run(problems[k], options, true).failed, 1) << (int)problems[k] << " " << kind;
-            if (kind == 0)  // trustedScores() is misled by these
+            if (kind == 0)  // scores of the second motion mislead trustedScores()
             {
                 EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10)
                     << (int)problems[k];

@@ -78,7 +78,7 @@ TEST_P(Usac_Magsac_Termination, againstItsFormula)
             EXPECT_NEAR(sum, termination->iterations(found.context, found.state),
                         1.001 + 1e-9 * sum)
                 << inlierThreshold;
-            // must not end before the standard criterion
+            // the criterion must not end the search before the standard criterion does
             EXPECT_GE(termination->iterations(found.context, found.state),
                       createStandardTermination()->iterations(found.context, found.state));
         }

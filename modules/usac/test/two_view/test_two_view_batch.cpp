@@ -77,8 +77,8 @@ TEST(Usac_TwoViewBatch, a_mistake_is_that_of_its_pair)
     EXPECT_EQ("", found[3].error);
 }
 
-//! Whenever a pair is canceled, the result must say so. A function that never returns false must
-//! change no bit.
+//! Whenever a pair is canceled, the result must say so. A progress function that never returns
+//! false must change no bit.
 TEST(Usac_TwoViewBatch, cancelled_at_any_time)
 {
     SceneOptions options;
@@ -108,7 +108,8 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
         EXPECT_TRUE(sameBits(whole.mask, found.mask) && sameBits(whole.H, found.H));
         break;
     }
-    EXPECT_GT(cancelled, 0);  // each period of the progress can cancel the run
+    EXPECT_GT(cancelled,
+              0);  // at least the first call of the progress function must cancel the run
 }
 
 TEST(Usac_TwoViewBatch, cancelled)

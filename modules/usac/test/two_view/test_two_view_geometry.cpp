@@ -238,8 +238,9 @@ TEST(Usac_TwoViewGeometry, watermark)
         second(i) = first(i) + Point2d(3, 0) + gaussianPoint(rng, 0.3);
     }
     TwoViewPair pair(first, second);
-    EXPECT_NE((int)TWO_VIEW_WATERMARK,
-              estimateTwoViewGeometry(pair, twoPixels()).configuration);  // sizes unknown
+    EXPECT_NE(
+        (int)TWO_VIEW_WATERMARK,
+        estimateTwoViewGeometry(pair, twoPixels()).configuration);  // the image sizes are unknown
     pair.imageSize1 = pair.imageSize2 = Size(SCENE_WIDTH, SCENE_HEIGHT);
     EXPECT_EQ((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
     pair.taken2 = second + Scalar(0, -200);  // original positions of the points

@@ -233,8 +233,8 @@ TEST(Usac_AbsolutePose, near_lines_clusters_and_copies)
         }
 }
 
-//! Camera matrices with different focal lengths, a negative one or skew, and points undistorted to
-//! K = I.
+//! The pose must be found, and the mask must be right, if the camera matrix has two different focal
+//! lengths, a negative focal length or skew, or is the identity.
 TEST(Usac_AbsolutePose, any_camera_matrix)
 {
     PoseScene scene = makePoseScene();

@@ -99,7 +99,7 @@ TEST(Usac_Degensac, generalScenesAreNotWorse)
     }
 }
 
-//! recover() alone may replace a model only by a better one.
+//! recover() may replace a model only by a model with a lower cost.
 TEST(Usac_Degensac, neverRaisesTheCost)
 {
     int replaced = 0, detected = 0, tried = 0;

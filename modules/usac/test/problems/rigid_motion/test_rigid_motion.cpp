@@ -314,7 +314,7 @@ TEST_P(Usac_RigidMotion, impossible_points)
             scene.points2 = *seconds[i];
             const Estimate found = estimate(problem(), scene, preset.params);
             if (random && preset.params.quality == QUALITY_LMEDS)
-                continue;  // it may choose a large threshold
+                continue;  // LMedS may choose a large threshold
             EXPECT_TRUE(found.model.empty());
             EXPECT_EQ(0, countNonZero(found.mask));
             EXPECT_EQ(100, found.mask.rows);
