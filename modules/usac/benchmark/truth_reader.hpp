@@ -29,8 +29,8 @@ struct NumberRow
 };
 
 /** Calls `take` for each nonempty line of a text file in order. `take` must raise an error if the
-count is wrong. After this call, numbers that are not finite raise std::runtime_error with file and
-line.
+count is wrong. After each call of `take`, std::runtime_error with file and line is raised if a
+number of the line is not finite.
 @param most largest count of numbers on a line, up to 6 */
 void readRows(const std::string& file, int most, const std::function<void(const NumberRow&)>& take);
 

@@ -20,7 +20,7 @@ struct ViewOptions
     {}
 
     int inliers, outliers;
-    int duplicates;     //!< number of right matches that are copies of others
+    int duplicates;     //!< number of right matches that are copies of other right matches
     double noise;       //!< standard deviation of each image coordinate, pixels
     bool onPlane;       //!< true: object points on a plane, tilted by at most 50 degrees from the
                         //!< image plane; false: depths from 4 to 9

@@ -5,7 +5,8 @@
 // Variables that the parts of programs in the documents assume, with a known true model. Two images
 // show points of space. A third of the points lies in a plane parallel to both images, so that its
 // map is a homography, an affine map and a similarity. A fifth of the matches is wrong. Each part
-// becomes a program: `before` of the table, the part, and `after` of the table, which uses REQUIRE.
+// becomes a program, which consists of the code `before` of its rule in table.py, the part itself,
+// and the code `after` of this rule, which uses REQUIRE.
 
 #include <atomic>
 #include <cmath>
@@ -53,7 +54,9 @@ struct Maker
             const bool right = i % 5 != 0;
             const double z = i % 3 == 0 ? truth::depth : rng.uniform(4., 8.);
             const cv::Vec3d X(rng.uniform(-0.4, 0.4) * z, rng.uniform(-0.3, 0.3) * z, z);
-            const cv::Vec3d Y = right ? truth::R * X + truth::t : X + cv::Vec3d(rng.uniform(-2., 2.), rng.uniform(-2., 2.), 1);
+            const cv::Vec3d Y = right
+                                    ? truth::R * X + truth::t
+                                    : X + cv::Vec3d(rng.uniform(-2., 2.), rng.uniform(-2., 2.), 1);
             objectPoints.push_back(cv::Point3f((float)X[0], (float)X[1], (float)X[2]));
             space2.push_back(cv::Point3f((float)Y[0], (float)Y[1], (float)Y[2]));
             points1.push_back(project(X));
