@@ -29,8 +29,8 @@ public:
     //! Mean ratio of estimated to true noise over the scenes where the noise was estimated.
     double sigma() const { return sigmas / estimated; }
     //! Geometric mean of the ratio of the error to that of weighted least squares over the right
-    //! matches. Only if SceneCell::spread is not 1. It is over the scenes for which the estimator
-    //! finds a model also without Params::sigmas.
+    //! matches. It is defined only if SceneCell::spread is not 1. The mean is over the scenes for
+    //! which the estimator finds a model also without Params::sigmas.
     double relativeError() const { return std::exp(logs[0] / compared); }
     //! The same ratio for the estimator without Params::sigmas.
     double relativeErrorWithoutSigmas() const { return std::exp(logs[1] / compared); }

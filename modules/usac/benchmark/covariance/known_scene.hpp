@@ -58,7 +58,7 @@ private:
     double error(const cv::Mat& found) const;
 
     const SceneCell cell;
-    cv::Mat points1, points2;    //!< N x 2 or 3
+    cv::Mat points1, points2;    //!< matrices of N rows with 2 or 3 coordinates
     cv::Mat clean1, clean2;      //!< the true matches, without noise
     std::vector<uchar> inliers;  //!< 1 where a match is right
     std::vector<float> sigmas;   //!< empty if all are equal

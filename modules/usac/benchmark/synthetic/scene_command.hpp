@@ -17,13 +17,12 @@ namespace benchmark {
 struct SceneCommand
 {
     std::string folder, name;
-    std::string letters;  //!< letters of the problems that the scenes can be used for
-    ProblemType problem;  //!< for makeScene(); unused for views and motions of space
-    int pairs;            //!< number of scenes
-    opencv_test::SceneOptions
-        images;          //!< options of the first scene; each further scene has a seed larger by 1
-    ViewOptions view;    //!< as `images`, for views
-    SpaceOptions space;  //!< as `images`, for motions of space
+    std::string letters;               //!< letters of the problems that the scenes can be used for
+    ProblemType problem;               //!< for makeScene(); unused for views and motions of space
+    int pairs;                         //!< number of scenes
+    opencv_test::SceneOptions images;  //!< options of the first scene; seeds increase by 1
+    ViewOptions view;                  //!< as `images`, for views
+    SpaceOptions space;                //!< as `images`, for motions of space
 
     //! isView: the scenes are views of object points; isSpace: motions of space; neither: image
     //! pairs

@@ -26,7 +26,7 @@ struct ViewOptions
                         //!< image plane; false: depths from 4 to 9
     double thickness;   //!< if on a plane: standard deviation of the distances from the plane, as a
                         //!< fraction of its distance from the camera
-    double distortion;  //!< first radial coefficient
+    double distortion;  //!< first radial coefficient of the lens distortion
     /** OUTLIERS_UNIFORM: an object point with a random point of the image. OUTLIERS_CLUSTERED:
     object points that are visible in a square of 80 pixels, with points of another such square.
     OUTLIERS_SECOND_MODEL: matches of another pose in a square of 160 pixels, at most half as many

@@ -373,7 +373,8 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
         for (int i = 0; i < 8; ++i)
         {
             points1.push_back(integerPoint(rng, -2, 3));
-            // in every third sample without any parallax
+            // in every third sample, the points of both images are equal, so that there is no
+            // parallax
             points2.push_back(repeat % 3 ? integerPoint(rng, -2, 3) : points1.back());
         }
         const OwnPoints points(problem, points1, points2);

@@ -90,7 +90,7 @@ TEST(Usac_Agreeing, matches_do_not_look_like_noise)
                 << (int)problem << ": " << agreement.name;
 }
 
-//! Samples of the points that the best model does not explain must count like all others, so that
+//! Samples of outliers of the best model must count like all other samples, so that
 //! Params::maxIterations holds.
 TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
 {

@@ -170,7 +170,8 @@ TEST(Usac_Confidence, standard)
             const double k = closedForm(exact ? subsets(I, n, 4) * subsets(I, n, d)
                                               : std::pow(I / (double)n, 4));
             EXPECT_GE(runs.iterations[i], k) << kind;
-            asComputed += runs.iterations[i] == k;  // otherwise the model was found later
+            // if not equal, the model was found after more than k samples
+            asComputed += runs.iterations[i] == k;
         }
         EXPECT_GT(asComputed, SEEDS * 0.85) << kind;
         const int decoys = count(rivals.inliers(false, params.threshold));

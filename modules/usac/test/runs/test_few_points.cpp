@@ -55,8 +55,8 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
         const double radius = 100 * std::sqrt(rng.uniform(0., 1.)), at = rng.uniform(0., 2 * CV_PI);
         const Point2d p(radius * std::cos(at), radius * std::sin(at));
         const Vec3d q = H * Vec3d(p.x, p.y, 1);
-        if (std::abs(q[2]) <
-            5)  // too close to the horizon: the denominator is below 1/20 of that at the center
+        // too close to the horizon: the denominator is below 1/20 of that at the center
+        if (std::abs(q[2]) < 5)
             continue;
         points1.push_back(p);
         points2.push_back(Point2d(q[0] / q[2], q[1] / q[2]) + gaussianPoint(rng, noise));
@@ -66,8 +66,8 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
     return points;
 }
 
-//! Points for F, E or a pose with focal length 1. The epipole is between the points, which may be
-//! near the camera.
+//! Points for F, E or a pose with focal length 1. The epipole is among the points, and some points
+//! may be near the camera.
 FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
 {
     Matx33d R;

@@ -98,9 +98,9 @@ TEST(Usac_InitialModel, of_another_motion_does_not_hide_the_right_one)
             samples[with] += report.iterations;
         }
     }
-    EXPECT_LE(missed[1],
-              missed[0] + 2);  // 11 of 40 runs would fail if only a model with a lower cost than
-                               // the initial model were optimized
+    // 11 of 40 runs would fail if only a model with a lower cost than the initial model were
+    // optimized
+    EXPECT_LE(missed[1], missed[0] + 2);
     EXPECT_LE(samples[1], 1.5 * samples[0]);
 }
 

@@ -82,7 +82,7 @@ struct Matches
         return error(Mat(best));
     }
 
-    //! Estimates a map and checks that the result keeps all promises.
+    //! Estimates a map and checks the documented properties of the result.
     Mat estimate(ProblemType problem, Params params) const
     {
         params.threshold *= unit;
@@ -111,9 +111,8 @@ TEST_P(Usac_Maps, kinds)
             Params params;
             params.threshold = 2;
             const Mat model = matches.estimate(problem(), params);
-            if (problem() == SIMILARITY &&
-                !KINDS[k]
-                     .similar)  // no similarity fits, so that only the checks of estimate() apply
+            // no similarity fits, so that only the checks of estimate() apply
+            if (problem() == SIMILARITY && !KINDS[k].similar)
                 continue;
             ours += matches.error(model);
             best += matches.errorOfLeastSquares(problem());
@@ -206,7 +205,7 @@ TEST_P(Usac_Maps, pointsOfALine)
     }
 }
 
-//! Half of the rows are copies of a true match or (`wrong`) of an outlier, All these copies must
+//! Half of the rows are copies of a true match or (`wrong`) of an outlier. All these copies must
 //! count as one match.
 TEST_P(Usac_Maps, repeatedMatches)
 {

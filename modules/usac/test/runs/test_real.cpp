@@ -55,9 +55,9 @@ TEST_P(UsacReal, truth_fits_the_check_points)
 TEST_P(UsacReal, every_flag)
 {
     Mat mask;
-    const bool graf = real.name ==
-                      std::string("graf");  // with 7 of 200 seeds (MAGSAC: 12), the search ends in
-                                            // another optimum with an error of 1.7 pixels
+    // with 7 of 200 seeds (MAGSAC: 12), the search ends in another optimum with an error of 1.7
+    // pixels
+    const bool graf = real.name == std::string("graf");
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
     verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);

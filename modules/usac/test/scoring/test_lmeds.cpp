@@ -188,10 +188,8 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }
     EXPECT_EQ(5, right);
-    EXPECT_LE(withoutMedian,
-              sampleSizeOf(problem) == 1
-                  ? 1
-                  : 0);  // one point may be a sample that leads to the model by chance
+    // one point may be a sample that leads to the model by chance
+    EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);
 }
 
 //! The estimated threshold must follow the noise.

@@ -19,7 +19,8 @@ struct Case
 {
     ProblemType problem;
     Mat points1, points2, camera, truth;
-    double noise;  //!< standard deviation of a component of the error
+    double noise;  //!< standard deviation of a component of the error, in the unit of image 2 or
+                   //!< space 2
     double threshold;
 
     Mat run(const Params& options, Report* report, Mat* mask = 0) const

@@ -48,8 +48,8 @@ std::vector<NamedPreset> allPresets();
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Runs every preset on the points, by the estimate function and by Usac::create, and every flag by
-the find functions. Expects no exception, the same bits from each of these ways, and a result that
-keeps all promises (checkResult). @return the models of the presets */
+the find functions. Expects no exception, the same bits from each of these ways, and a result with
+all documented properties (checkResult). @return the models of the presets */
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
                                const std::vector<Point2d>& points2, double pixels = 1.5,
                                int maxIterations = 200, const Matx33d& K = sceneCamera());

@@ -44,7 +44,8 @@ public:
     {
         error = NAN;
         Vec3d Y;
-        double size = 0;  // sum of the absolute values of the terms of Y
+        double size = 0;  // upper bound of the sum of the absolute values of the terms of each
+                          // entry of Y
         for (int row = 0; row < 3; ++row)
         {
             const long double terms[] = {(long double)pose(row, 0) * X.x,

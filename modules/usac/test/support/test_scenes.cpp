@@ -142,7 +142,8 @@ TEST(Usac_Scenes, scoresAreAsInformativeAsAskedFor)
     {
         options.scoreInformation = information;
         const Scene scene = makeScene(HOMOGRAPHY, options);
-        EXPECT_NEAR(information, rankedRight(scene), 0.04);  // four standard deviations at 0.5
+        // four standard deviations for an information of 0.5
+        EXPECT_NEAR(information, rankedRight(scene), 0.04);
         EXPECT_GE(*std::min_element(scene.scores.begin(), scene.scores.end()), 0.f);
         EXPECT_LE(*std::max_element(scene.scores.begin(), scene.scores.end()), 1.f);
         EXPECT_TRUE(samePoints(plain, scene)) << "the points depend on the scores";

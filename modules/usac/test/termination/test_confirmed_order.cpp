@@ -41,9 +41,8 @@ TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
     }
     EXPECT_NEAR(0, sum / RUNS, 0.04);
     EXPECT_NEAR(1, squares / RUNS, 0.05);
-    EXPECT_LE(
-        beyond,
-        40);  // 20 are expected (1 in 1000), or fewer because the first seven inliers do not count
+    // 20 are expected (1 in 1000), or fewer because the first seven inliers do not count
+    EXPECT_LE(beyond, 40);
 }
 
 //! Compared with the definition: the number of pairs of an inlier and an outlier in which the
@@ -89,8 +88,9 @@ TEST(Usac_ConfirmedOrder, goodOrderIsEvidence)
     EXPECT_EQ(0, evidence(std::vector<uchar>(100, 0), 7));
 }
 
-//! Pairs of matches in common cells, among the true matches of a scene (`right`) or among the
-//! others.
+//! Counts the pairs of matches that share cells of both images, among the true matches of a scene
+//! (`right`) or among the wrong matches. Blocks of `merged` x `merged` cells are merged into one
+//! cell.
 CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
 {
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -121,7 +121,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
             both += rest.both;
             expected += rest.expected;
             EXPECT_GT(own.both, 2 * own.expected) << seed;
-            seen += otherMotionWouldShow(own, rest, 150, 350);  // there is no other motion
+            // how often the test recognizes that there is no other motion
+            seen += otherMotionWouldShow(own, rest, 150, 350);
             // another motion has as many matches as the first one, and is as coherent
             options.outliers = 200;
             options.second = 150;

@@ -228,8 +228,8 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         1, problemObject(HOMOGRAPHY).randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
 }
 
-//! Parameters with scores that sort the points: the best ones are mostly true matches, the more so
-//! with a larger `separation`.
+//! Parameters with scores that sort the points: the best points are mostly true matches; the larger
+//! `separation` is, the more of them are true.
 Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
 {
     RNG rng(scene.size());

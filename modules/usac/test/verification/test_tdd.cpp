@@ -175,7 +175,7 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                         better = 1;
                         for (int i = 0; i < m; ++i)
                             better *= (more - i) / (50 - i);
-                        // 0 if there are fewer inliers than test points
+                        // the probability is 0 if there are fewer inliers than test points
                         for (int i = 0; i < d; ++i)
                             better *= std::max((more - i) / (50 - i), 0.);
                     }

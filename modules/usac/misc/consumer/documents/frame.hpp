@@ -54,9 +54,7 @@ struct Maker
             const bool right = i % 5 != 0;
             const double z = i % 3 == 0 ? truth::depth : rng.uniform(4., 8.);
             const cv::Vec3d X(rng.uniform(-0.4, 0.4) * z, rng.uniform(-0.3, 0.3) * z, z);
-            const cv::Vec3d Y = right
-                                    ? truth::R * X + truth::t
-                                    : X + cv::Vec3d(rng.uniform(-2., 2.), rng.uniform(-2., 2.), 1);
+            const cv::Vec3d Y = right ? truth::R * X + truth::t : X + cv::Vec3d(rng.uniform(-2., 2.), rng.uniform(-2., 2.), 1);
             objectPoints.push_back(cv::Point3f((float)X[0], (float)X[1], (float)X[2]));
             space2.push_back(cv::Point3f((float)Y[0], (float)Y[1], (float)Y[2]));
             points1.push_back(project(X));

@@ -27,7 +27,8 @@ enum PoseShape {
 //! What the wrong matches are like.
 enum PoseOutliers {
     POSE_OUTLIERS_UNIFORM,      //!< object points like the true ones, image points anywhere
-    POSE_OUTLIERS_CLUSTERED,    //!< from one ball of radius 0.5 to one square of side 80 pixels
+    POSE_OUTLIERS_CLUSTERED,    //!< object points in one ball of radius 0.5, image points in one
+                                //!< square of side 80 pixels
     POSE_OUTLIERS_SECOND_POSE,  //!< true matches of another pose of the same object, with the same
                                 //!< noise
     POSE_OUTLIERS_PLACE  //!< `structured` of them lead to a few image points, with Gaussian noise
@@ -77,7 +78,7 @@ struct PoseScene
     std::vector<float> scores;
     std::vector<uchar> truth;  //!< 1: a true match
     cv::Matx33d K;
-    std::vector<double> distortion;  //!< in OpenCV's order
+    std::vector<double> distortion;  //!< coefficients in OpenCV's order
     cv::Matx34d pose;                //!< [R t]: camera point = R * object point + t
     cv::Matx34d secondPose;          //!< pose of the wrong matches of POSE_OUTLIERS_SECOND_POSE
     double depth;  //!< depth of the middle of the object, in the unit of the object points

@@ -185,7 +185,8 @@ TEST(Usac_P3P, dangerCylinder)
     }
 }
 
-//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere.
+//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere, may
+//! have double solutions. The true pose must be found nevertheless.
 TEST(Usac_P3P, symmetric)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -207,7 +208,7 @@ TEST(Usac_P3P, symmetric)
     tally.expectSound("symmetric");
 }
 
-//! The camera center is in the plane of the triangle.
+//! The camera center is in the plane of the triangle. The true pose must be found nevertheless.
 TEST(Usac_P3P, coplanarWithTheCenter)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -377,6 +378,7 @@ TEST(Usac_P3P, wrongMatches)
 }
 
 //! Small integer coordinates make right angles, equal sides, equal points and other special cases.
+//! All returned poses must be valid and different.
 TEST(Usac_P3P, smallIntegers)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();

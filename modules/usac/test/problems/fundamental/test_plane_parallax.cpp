@@ -238,7 +238,7 @@ TEST(Usac_PlaneParallax, repeatedPoints)
         found += quality.cost <= p.context.rate(p.truth).cost + 8;
     }
     EXPECT_GE(found, SCENES - 2);
-    // one match fifty times has no second line and thus no epipole
+    // one match that occurs fifty times gives a single line and thus no epipole
     const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)),
         same2(50, cv::Point2d(-0.5, 0.25));
     const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);

@@ -181,7 +181,7 @@ private:
     const Matx33d axes;         //!< axes of the plane or the line
     Matx34d near, other;        //!< motions before scaling and translation
     Vec3d ball1, ball2;         //!< centers of the balls of RIGID_OUTLIERS_CLUSTERED
-    std::vector<Vec3d> places;  //!< points of RIGID_OUTLIERS_PLACE
+    std::vector<Vec3d> places;  //!< points of space 2 for RIGID_OUTLIERS_PLACE
 };
 
 }  // namespace

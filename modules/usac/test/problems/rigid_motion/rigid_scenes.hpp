@@ -23,9 +23,9 @@ enum RigidShape {
 
 //! What the wrong matches are like.
 enum RigidOutliers {
-    RIGID_OUTLIERS_UNIFORM,    //!< in space 1 like the true ones, in space 2 anywhere in a cube of
-                               //!< side 4 around them
-    RIGID_OUTLIERS_CLUSTERED,  //!< from one ball of radius 0.3 to another
+    RIGID_OUTLIERS_UNIFORM,  //!< in space 1 like the true matches; in space 2 anywhere in a cube of
+                             //!< side 4, whose center is the moved origin of space 1
+    RIGID_OUTLIERS_CLUSTERED,      //!< from one ball of radius 0.3 in space 1 to one in space 2
     RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
     RIGID_OUTLIERS_PLACE  //!< `structured` of them lead to a few points of space 2, with Gaussian
                           //!< noise of a quarter of the threshold; the others are uniform

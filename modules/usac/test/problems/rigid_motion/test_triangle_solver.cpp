@@ -304,8 +304,8 @@ TEST(Usac_TriangleSolver, smallIntegers)
                 const Point2d p = integerPoint(rng, -1, 2);
                 t[side][k] = Vec3d(p.x, p.y, z);
             }
-            expected = expected && thicknessOf(t[side]) >
-                                       0;  // the thickness is exact here, and NaN for equal points
+            // the thickness is exact here, and NaN for equal points
+            expected = expected && thicknessOf(t[side]) > 0;
         }
         Matx34d motion;
         const bool solved = solve(i % 2 != 0, t[0], t[1], motion);

@@ -88,7 +88,8 @@ TEST(Usac_Translation, minimalSolver)
     }
 }
 
-//! A fit must be the weighted mean of the displacements to the last digits, also if they are large.
+//! A fit must be the weighted mean of the displacements up to rounding, even if the displacements
+//! are large.
 TEST(Usac_Translation, leastSquares)
 {
     const Parts parts;

@@ -49,18 +49,16 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
 }
 
 //! Matches share a point if they are close together in one image and far apart in the other. x1 and
-//! x2 are the distances of two matches in image 1 and in image 2.
+//! x2 are the distances of two matches in image 1 and in image 2. With the threshold 1, matches
+//! share a point if they are closer than 2 in one image and farther apart than 20 in the other.
 TEST(Usac_SharedPoints_Samples, shareATarget)
 {
     const struct
     {
         double x1, x2;
         bool same;
-    } pairs[] = {{100, 1, true},    {1, 100, true},  {100, 2.1, false},
-                 {19, 1.9, false},  {30, 1.9, true}, {1, 1, false},
-                 {100, 100, false}, {9, 1, false}};  // with a threshold of 1, matches share a point
-                                                     // if they are closer than 2 in one image and
-                                                     // farther apart than 20 in the other
+    } pairs[] = {{100, 1, true},  {1, 100, true}, {100, 2.1, false}, {19, 1.9, false},
+                 {30, 1.9, true}, {1, 1, false},  {100, 100, false}, {9, 1, false}};
     for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); ++i)
     {
         std::vector<Point2d> a(1, Point2d(5, 5)), b(1, Point2d(7, 7));
