@@ -52,7 +52,8 @@ typedef testing::TestWithParam<int> UsacAutomaticThreshold;
 INSTANTIATE_TEST_CASE_P(/**/, UsacAutomaticThreshold, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! The standard deviation of the noise must be found within 10 % in the median and within 35 % in
-//! each scene. What is promised about a given threshold must hold for the estimated one.
+//! each scene. The properties documented for a given threshold must also hold for the estimated
+//! threshold.
 TEST_P(UsacAutomaticThreshold, noiseOfScenes)
 {
     for (double noise : NOISES)

@@ -104,7 +104,8 @@ struct Runs
         }
     }
 
-    //! There must be no more failures than promised, and about as many as expected in this scene.
+    //! There must be no more failures than the confidence allows, and about as many as expected in
+    //! this scene.
     void check(double expected, int reason) const
     {
         const double deviation = std::sqrt(0.1 * 0.9 * SEEDS);
@@ -189,7 +190,8 @@ double significant(double inliers, double relaxation)
     return 4 + beside * (1 + relaxation * beside / (beside + 30));
 }
 
-//! P-NAPSAC's criterion: a significantly better model must not be missed more often than promised.
+//! P-NAPSAC's criterion: a significantly better model must not be missed more often than the
+//! confidence allows.
 TEST(Usac_Confidence, pNapsac)
 {
     const Rivals rivals(110, 99, 91);
@@ -232,9 +234,9 @@ TEST(Usac_Confidence, sprt)
     runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys, n, 4))), STOP_SPRT);
 }
 
-//! PROSAC's criterion chooses a number n* of best points. Among them it must not miss the true
-//! model more often than promised, and it must end the search after the number of samples that it
-//! computes.
+//! PROSAC's criterion chooses a number n* of best points. Among these points it must not miss the
+//! true model more often than the confidence allows, and it must end the search after the number of
+//! samples that it computes.
 TEST(Usac_Confidence, prosac)
 {
     const Rivals rivals(102, 100, 98);

@@ -126,7 +126,7 @@ private:
     const bool known;
 };
 
-//! Records the samples and whether they count.
+//! Records the samples, and whether they count for the termination criteria.
 class Recorder : public Sampler
 {
 public:

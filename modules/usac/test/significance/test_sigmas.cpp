@@ -4,7 +4,7 @@
 
 #include "significance/model_cases.hpp"
 
-// Tests of Params::sigmas, the noise of each match.
+// Tests of Params::sigmas, the relative noise of each match.
 
 namespace opencv_test {
 namespace {

@@ -27,8 +27,8 @@ Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
 //! The scene and the parameters as a call that the oracle brokenResult takes.
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
-//! Checks what is promised of every result with the standard residual and a threshold in pixels.
-//! The second form is for points and a camera matrix that are not those of a Scene.
+//! Checks the documented properties of a result, with the standard residual and a threshold in
+//! pixels. The second form is for points and a camera matrix that are not those of a Scene.
 void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask,
                  const Report& report, double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1,

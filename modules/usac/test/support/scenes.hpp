@@ -49,10 +49,10 @@ enum OutlierModel {
 //! What the scores of a scene depend on; lower is better.
 enum ScoreModel {
     SCORES_OF_TRUTH,   //!< truth of the match, see scoreInformation
-    SCORES_OF_SECOND,  //!< matches of the second motion have the best scores, all others worse
-                       //!< random scores
+    SCORES_OF_SECOND,  //!< matches of the second motion have the best scores; all other matches
+                       //!< have worse, random scores
     SCORES_OF_PLACE,   //!< true matches in one square of side 160 pixels of image 1 have the best
-                       //!< scores, all others worse random scores
+                       //!< scores; all other matches have worse, random scores
     SCORES_NEAR        //!< the distance from one point of image 1, for true and wrong matches
 };
 

@@ -51,7 +51,7 @@ double binomial(int n, int m)
 typedef testing::TestWithParam<int> Usac_Magsac_Termination;
 
 //! The number of samples must be the mean of log(1 - confidence) / log(1 - p) over five scales of
-//! the noise.
+//! the noise, where p is the probability of an all-inlier sample at this scale.
 TEST_P(Usac_Magsac_Termination, againstItsFormula)
 {
     const ProblemType problem = (ProblemType)GetParam();

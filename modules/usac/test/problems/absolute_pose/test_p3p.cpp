@@ -332,7 +332,7 @@ TEST(Usac_P3P, nearlyFlat)
     tally.expectSound("nearly flat");
 }
 
-//! Input that is not finite, or whose squares are not, must give no model.
+//! Input that is not finite, or whose squares are not finite, must give no model.
 TEST(Usac_P3P, notFinite)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();

@@ -317,7 +317,7 @@ TEST(Usac_TriangleSolver, smallIntegers)
     EXPECT_GT(none, 3000);
 }
 
-//! Input that is not finite, or whose squares are not, must give no model.
+//! Input that is not finite, or whose squares are not finite, must give no model.
 TEST(Usac_TriangleSolver, notFinite)
 {
     const double wrong[] = {NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, 1e160};
