@@ -23,7 +23,7 @@ int readNumbers(const std::string& line, double* values, int count);
 //! One row of numbers in a text file.
 struct NumberRow
 {
-    int count;  //!< count of numbers; -1: the line has something else
+    int count;  //!< count of numbers; -1: the line contains something else, or too many numbers
     double values[6];
     int line;
 };

@@ -79,8 +79,8 @@ TEST_P(UsacAutomaticThreshold, noiseOfScenes)
         }
 }
 
-//! With a bound of three and ten times the right threshold, errors must be at most 1.1 times those
-//! with the right threshold.
+//! The threshold is estimated with an upper bound of three and of ten times the right threshold.
+//! The mean error of the models must be at most 1.1 times that with the right threshold.
 TEST_P(UsacAutomaticThreshold, asAccurateAsTheRightThreshold)
 {
     double right = 0, estimated = 0;

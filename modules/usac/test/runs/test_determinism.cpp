@@ -24,7 +24,7 @@ protected:
         return makeScene(problem(), options);
     }
 
-    //! All presets with at most 400 samples.
+    //! All presets, each with a limit of 400 samples.
     std::vector<NamedPreset> presets() const
     {
         std::vector<NamedPreset> all = allPresets(problem());

@@ -115,7 +115,8 @@ TEST(Usac_WidestReach_Mask, mayBeEmpty)
 }
 
 //! A check that becomes active when the internal threshold has become larger (`wider`) or smaller.
-//! It then rejects models with most inliers in the first group of points (`wider`), or all models.
+//! It then rejects models that have most of their inliers in the first group of points (`wider`),
+//! or all models.
 class RefusesGroup : public Degeneracy
 {
 public:

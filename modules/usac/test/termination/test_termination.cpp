@@ -175,7 +175,7 @@ TEST(Usac_Termination, sprtWithOneTest)
 }
 
 //! The solution h of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 -
-//! epsilon_l))^h = 1, by a fine scan.
+//! epsilon_l))^h = 1, by a fine scan. `test` has been designed for epsilon_l and delta_l.
 double exponentByScan(const SequentialTest& test, double epsilon)
 {
     const double a = test.delta / test.epsilon, b = (1 - test.delta) / (1 - test.epsilon);

@@ -19,7 +19,8 @@ namespace {
 const double WIDTH = POSE_WIDTH, HEIGHT = POSE_HEIGHT, FOCAL = 600, MARGIN = 5;
 //! Range of the depths of visible points, and depth of the middle of the object.
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6;
-//! Standard deviation of the noise of POSE_NEAR_PLANE and POSE_NEAR_LINE, in the unit of depth.
+//! Standard deviation of the noise of POSE_NEAR_PLANE and POSE_NEAR_LINE, in the unit of the
+//! depths.
 const double ROUGHNESS = 0.02;
 const double CLUSTER_RADIUS = 0.1, OUTLIER_RADIUS = 0.5, OUTLIER_SQUARE = 80, SHORTEST_LINE = 200;
 //! Standard deviation of the noise of POSE_OUTLIERS_PLACE in pixels.
