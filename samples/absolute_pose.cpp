@@ -4,9 +4,9 @@
 
 // Finds the pose of a camera from images of a flat object. Points of the object's own image are
 // points of space (Z = 0), and their matches in the scene are the image points. cv::solvePnPRansac
-// finds the pose, and its axes are drawn into the scene. The pose of the first scene is the initial
-// model of the second. Without images, a synthetic board and its photographs are made, and the true
-// poses are known.
+// finds the pose, and the axes of the object are drawn into the scene. The pose of the first scene
+// is the initial model of the second. Without images, a synthetic board and its photographs are
+// made, and the true poses are known.
 
 #include <opencv2/usac/geometry.hpp>
 #include "tools.hpp"

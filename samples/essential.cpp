@@ -8,7 +8,7 @@
 
 #include "opencv2/core/version.hpp"
 #include "tools.hpp"
-#if CV_VERSION_MAJOR >= 5  // separate modules in OpenCV 5
+#if CV_VERSION_MAJOR >= 5  // in OpenCV 5, calib3d is divided into these modules
 #include "opencv2/calib.hpp"
 #include "opencv2/objdetect.hpp"
 #endif

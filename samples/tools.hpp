@@ -62,7 +62,7 @@ struct Settings
     int maxIterations, runs;
 };
 
-//! Returns the path of a file, which is a path itself or a name in OpenCV's sample data.
+//! Returns the path of a file. `name` is a path or the name of a file of OpenCV's sample data.
 inline std::string findFile(const std::string& name)
 {
     cv::samples::addSamplesDataSearchPath(
@@ -160,7 +160,7 @@ inline void printTable(const Matches& matches, const std::vector<Result>& result
     std::cout << std::endl;
 }
 
-//! Exit code of a sample: 0 if there is a model and its error, if known, is below the limit.
+//! Exit code of a sample: 0 if there is a model and its error, if known, is at most the limit.
 inline int exitCode(const Result& result, double limit)
 {
     if (!result.model.empty() && result.error <= limit)
@@ -296,7 +296,8 @@ inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& pic
     std::cout << "picture: " << file << std::endl;
 }
 
-//! Command line options (cv::CommandLineParser) that all samples have.
+//! Command line options (cv::CommandLineParser) that the samples for homographies, fundamental and
+//! essential matrices share.
 inline std::string keys(const char* image1, const char* image2, const char* output)
 {
     return cv::format(

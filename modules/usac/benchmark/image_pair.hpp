@@ -43,7 +43,7 @@ struct ImagePair
     of the right points of space 2 from their mean. */
     double depth;
     std::vector<cv::Point2d> truth1, truth2;  //!< correspondences that are known to be right
-    bool truthIsHomography;                   //!< true: errors are relative to H, not truth2
+    bool truthIsHomography;                   //!< true: errors are measured with H, not with truth2
 
     ImagePair()
         : hasHomography(false), hasCamera1(false), hasCamera2(false), hasPose(false), scale(1),

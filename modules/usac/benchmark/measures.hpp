@@ -31,8 +31,9 @@ estimate has a higher cost than a good one, a longer search can improve it.
 double modelCost(const ImagePair& pair, ProblemType problem, const cv::Mat& model,
                  double threshold);
 
-/** The larger of two angles in degrees: between the estimated and the true rotation, and between
-the estimated and the true direction of the translation; 180 without a model.
+/** F and E: the larger of two angles in degrees, between the estimated and the true rotation, and
+between the estimated and the true direction of the translation. P, R and M: only the angle between
+the rotations. 180 without a model.
 
 Of the four poses of E (F: of K2^T F K1) it takes the one with most inliers in front of both
 cameras, or most correspondences if the estimate has no inliers. Opposite translations differ by 180

@@ -29,8 +29,8 @@ struct Options
     bool parse(int argc, char** argv);
 
 private:
-    double threshold, confidence;  // 0: default
-    int maxIterations;             // 0: default
+    double threshold, confidence;  // threshold 0: the default of the problem
+    int maxIterations;             // 0: the default of the problem
 };
 
 }  // namespace benchmark

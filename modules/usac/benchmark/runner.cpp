@@ -31,7 +31,8 @@ ListResult Runner::run(const PairList& list)
         const bool first = result.pairs.empty();
         const ListResult::PairInfo info = {pair.name, pair.size()};
         result.pairs.push_back(info);
-        for (int repeat = first ? -1 : 0; repeat < options.repeats; ++repeat)  // -1: warm-up
+        // repeat -1 is a warm-up
+        for (int repeat = first ? -1 : 0; repeat < options.repeats; ++repeat)
             for (size_t m : shuffledOrder())
             {
                 if (!methods[m]->solves(list.problem))

@@ -21,8 +21,8 @@ struct Summary
     int lists;            //!< number of lists; 0: the method does not solve the problem, or no pair
                           //!< could be read
     int errorLists;       //!< number of lists that `medianError` averages
-    double medianError;   //!< pixels; P, R and M: degrees; infinite for failures
-    double medianCenter;  //!< of ProblemKind::centerError; infinite for failures
+    double medianError;   //!< pixels; P, R and M: degrees; a failure counts as infinite
+    double medianCenter;  //!< median of ProblemKind::centerError; a failure counts as infinite
     double failures;      //!< percent
     double medianCpu, meanCpu, medianWall, meanWall;  //!< milliseconds
     /** Mean of max(0, 1 - pose error / threshold) in percent: the area under the cumulative

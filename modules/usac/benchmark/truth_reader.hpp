@@ -23,14 +23,14 @@ int readNumbers(const std::string& line, double* values, int count);
 //! One row of numbers in a text file.
 struct NumberRow
 {
-    int count;  //!< count of numbers; -1: the line has something else
+    int count;  //!< count of numbers; -1: the line contains something else, or too many numbers
     double values[6];
     int line;
 };
 
 /** Calls `take` for each nonempty line of a text file in order. `take` must raise an error if the
-count is wrong. After this call, numbers that are not finite raise std::runtime_error with file and
-line.
+count is wrong. After each call of `take`, std::runtime_error with file and line is raised if a
+number of the line is not finite.
 @param most largest count of numbers on a line, up to 6 */
 void readRows(const std::string& file, int most, const std::function<void(const NumberRow&)>& take);
 

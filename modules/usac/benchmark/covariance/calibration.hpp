@@ -28,10 +28,11 @@ public:
     double inside() const { return (double)within / determined; }
     //! Mean ratio of estimated to true noise over the scenes where the noise was estimated.
     double sigma() const { return sigmas / estimated; }
-    //! Geometric mean of the error over that of weighted least squares over the right matches; only
-    //! if SceneCell::spread is not 1, of the scenes with a model also without sigmas.
+    //! Geometric mean of the ratio of the error to that of weighted least squares over the right
+    //! matches. It is defined only if SceneCell::spread is not 1. The mean is over the scenes for
+    //! which the estimator finds a model also without Params::sigmas.
     double relativeError() const { return std::exp(logs[0] / compared); }
-    //! The same without Params::sigmas.
+    //! The same ratio for the estimator without Params::sigmas.
     double relativeErrorWithoutSigmas() const { return std::exp(logs[1] / compared); }
 
     static std::string header(
@@ -46,7 +47,7 @@ private:
     int determined, within, estimated;
     double sum, sigmas;
     int compared;
-    double logs[2];  //!< sums of logarithms
+    double logs[2];  //!< sums of the logarithms of the two ratios
 };
 
 }  // namespace benchmark

@@ -15,14 +15,14 @@ namespace benchmark {
 struct SceneCell
 {
     cv::usacv20::ProblemType problem;
-    std::string shape;  //!< H, A, S: plane; F, E: general, forward, plane50, plane95; P: cloud,
-                        //!< plane; R, M: cloud, plane
+    std::string shape;  //!< H, A, S: plane; F, E: general, forward, plane50; E also plane95; P, R,
+                        //!< M: cloud, plane (letters: see problemLetters())
     int size;           //!< number of matches
     double ratio;       //!< inlier ratio
-    double noise;       //!< standard deviation of each component of the error, in thresholds
-    double threshold;   //!< pixels; R, M: fraction of the object's size
-    double spread;      //!< noise of every second match, in units of that of the others; if it is
-                        //!< not 1, the estimator gets them as Params::sigmas
+    double noise;  //!< standard deviation of each component of the error, divided by the threshold
+    double threshold;  //!< pixels; R, M: in the unit in which the cloud is a cube of side 2
+    double spread;  //!< noise of every second match, in units of that of the others; if it is not
+                    //!< 1, the estimator gets these ratios as Params::sigmas
 };
 
 /** A synthetic scene with its true model, and an estimate that is compared with the true model. */
@@ -58,7 +58,7 @@ private:
     double error(const cv::Mat& found) const;
 
     const SceneCell cell;
-    cv::Mat points1, points2;    //!< N x 2 or 3
+    cv::Mat points1, points2;    //!< matrices of N rows with 2 or 3 coordinates
     cv::Mat clean1, clean2;      //!< the true matches, without noise
     std::vector<uchar> inliers;  //!< 1 where a match is right
     std::vector<float> sigmas;   //!< empty if all are equal

@@ -13,8 +13,8 @@ namespace benchmark {
 
 namespace {
 
-//! The threshold of cv::estimateAffine3D, and the number of iterations needed for an inlier ratio
-//! of 10 %.
+//! The default threshold of cv::estimateAffine3D, and a number of iterations that suffices for an
+//! inlier ratio of 10 %.
 const double THRESHOLD = 3;
 const int MAX_ITERATIONS = 10000;
 

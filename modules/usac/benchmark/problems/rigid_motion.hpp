@@ -13,9 +13,9 @@ namespace benchmark {
 scale, [s R t].
 
 The rotation of an affine map is taken as the closest rotation. centerError() is the root mean
-square distance between the true points moved by the estimated and by the true motion, in percent of
-the size of the scene. calib3d has no function for this problem; the functions of Rival are the most
-similar ones. */
+square distance between the right points of space 1 moved by the estimated and by the true motion,
+in percent of the size of the scene. calib3d has no function for this problem; the functions of
+Rival are the most similar ones. */
 class RigidMotion : public MotionKind
 {
 public:

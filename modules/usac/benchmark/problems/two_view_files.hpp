@@ -10,7 +10,8 @@
 
 namespace benchmark {
 
-//! Reads lines `x1 y1 x2 y2 score`. Raises std::runtime_error with file and line.
+//! Reads lines `x1 y1 x2 y2 score`; a missing score is 1. Raises std::runtime_error with file and
+//! line.
 void readCorrespondences(const std::string& file, ImagePair& pair);
 
 //! Reads the ground truth of two images.

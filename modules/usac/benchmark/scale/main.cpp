@@ -52,7 +52,8 @@ void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& 
     }
 }
 
-//! Only for methods of this module, since OpenCV's do not report the numbers of samples and models.
+//! Measures the lower bounds. It leaves out OpenCV's methods, because they do not report the
+//! numbers of samples and models.
 void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods)
 {
     std::ofstream csv;

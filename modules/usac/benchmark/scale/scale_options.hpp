@@ -42,7 +42,7 @@ private:
     void parseKinds(const cv::CommandLineParser& parser, const Arguments& arguments);
     void parseScenes(const cv::CommandLineParser& parser, const Arguments& arguments);
 
-    int maxIterations;  // 0: default
+    int maxIterations;  // 0: the default of the problem
 };
 
 }  // namespace benchmark

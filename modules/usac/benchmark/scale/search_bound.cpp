@@ -115,7 +115,8 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
         kernel = std::min(kernel, kernelMsOf(context, solver->models()));
     }
     samples += expected.iterations;
-    solved += expected.iterations - expected.rejectedSamples;  // excludes samples of the polishing
+    // leaves out the samples that polishing solves
+    solved += expected.iterations - expected.rejectedSamples;
     models += expected.models;
     points += verifier->tested();
     searchMs += search;

@@ -14,10 +14,11 @@ namespace benchmark {
 
 namespace {
 
-//! Noise in thresholds. With less noise, ratios of errors mainly reflect rounding, so the table
-//! shows the errors themselves.
+//! A ratio of noise to threshold. With less noise, ratios of errors mainly reflect rounding, so the
+//! table shows the errors themselves.
 const double LITTLE_NOISE = 0.05;
-//! Inlier ratio for a plane with relief seen from a drone.
+//! Inlier ratio for the motion "aerial", a plane with relief seen from a drone, unless the user
+//! sets ratios.
 const double AERIAL_RATIO = 0.9;
 
 double medianOf(std::vector<double> values)
@@ -132,7 +133,7 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
     cell.options(0, sceneOptions);
     sceneOptions.noise = noise * options.threshold;
     Settings settings = options.settings(cell);
-    std::vector<Errors> all(methods.size() + 1);  // the last one: least squares
+    std::vector<Errors> all(methods.size() + 1);  // the last element is for least squares
     for (int run = 0; run < options.runs; ++run)
     {
         sceneOptions.seed = settings.seed = options.seed + run;

@@ -13,8 +13,8 @@ namespace benchmark {
 
 namespace {
 
-//! A model is worse than another one if its cost is higher by at least this much, in matches.
-//! Polishing may change the cost by less than half a match.
+//! A model is worse than another one if its cost is higher by more than this multiple of an
+//! outlier's cost. Differences in the polishing change the cost by less.
 const double MARGIN = 0.5;
 //! An inlier of the true model counts as lost if its distance from another model exceeds this many
 //! thresholds.

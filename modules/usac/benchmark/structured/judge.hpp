@@ -14,7 +14,7 @@ namespace benchmark {
 //! The judgment on one model.
 struct Verdict
 {
-    bool worse;   //!< has a higher cost than the true model
+    bool worse;  //!< has a cost higher than the true model by more than half the cost of an outlier
     bool failed;  //!< a search failure: worse, and not close to the true model
     bool far;  //!< RMS distance of the noise-free right matches is above three thresholds and three
                //!< times the noise

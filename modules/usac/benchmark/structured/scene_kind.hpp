@@ -26,7 +26,7 @@ struct Cell
     std::string order;   //!< `none`: no scores; otherwise see setOrder
 
     //! Sets the options of the scenes, except noise and seed. @return false if there is no such
-    //! scene, or if it has less right matches than a minimal sample plus `spare`.
+    //! scene, or if it has fewer right matches than a minimal sample plus `spare`.
     bool options(int spare, opencv_test::SceneOptions& result) const;
     bool scored() const { return order != "none"; }
     //! True for the kind `second`, where `size` and SECOND determine the inlier ratio and `ratio`
@@ -64,7 +64,7 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
     local       displaced from the true position by 5 to 50 pixels
     manyToOne   about ten with the same point of image 2
     targets     to two points of image 2
-    line        every second one on a line of image 2
+    line        every second wrong match leads to a point of one line of image 2
     planeN      generic, and N percent of the right matches on a plane (F, E)
     duplicates  generic, and half of the right matches repeat others
     copies      every match is there five times
@@ -73,7 +73,7 @@ bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
     partSecond  like second, but 70 % as many; the other wrong matches are generic
     shiftN      N percent of all matches shifted by the same 30 to 100 pixels, the others generic
     movingN     N percent of all matches on a plane with another motion, the others generic
-    placeN      N percent of all matches at one place of image 2, within 0.4 pixels
+    placeN      N percent of all matches at one point of image 2, with Gaussian noise of 0.4 pixels
     clusters    each point in one of five squares of 20 pixels of its image
     center      both points near the middle of their image
     window      in image 2 up to 60 pixels from the position in image 1

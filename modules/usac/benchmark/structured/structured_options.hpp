@@ -22,7 +22,7 @@ struct StructuredOptions
     std::vector<std::string> motions, kinds, orders, by;
     std::vector<int> sizes;
     std::vector<double> ratios;
-    std::vector<double> noises;  //!< noise levels for mode=accuracy, in thresholds
+    std::vector<double> noises;  //!< ratios of noise to threshold for mode=accuracy
     bool ratiosGiven, brief;
     bool startsTrue;  //!< count a search failure only if the search that starts from the true model
                       //!< keeps it

@@ -38,7 +38,7 @@ private:
     //! changes the scale only.
     TrueModel moved(const cv::Vec<double, MAX_DIRECTIONS>& step) const;
     cv::Vec<double, MAX_DIRECTIONS> radial() const;
-    //! Signed distances in pixels; two for each row for H, otherwise one.
+    //! Signed distances in the normalized image plane; two for each row for H, otherwise one.
     void residuals(const std::vector<int>& rows, std::vector<double>& values) const;
     //! J^T J plus a term that fixes the radial direction, and -J^T r.
     void normalEquations(const std::vector<int>& rows, cv::Mat& A, cv::Mat& b) const;

@@ -20,7 +20,7 @@ struct SceneCommand
     std::string letters;               //!< letters of the problems that the scenes can be used for
     ProblemType problem;               //!< for makeScene(); unused for views and motions of space
     int pairs;                         //!< number of scenes
-    opencv_test::SceneOptions images;  //!< of the first scene; each next seed is larger by 1
+    opencv_test::SceneOptions images;  //!< options of the first scene; seeds increase by 1
     ViewOptions view;                  //!< as `images`, for views
     SpaceOptions space;                //!< as `images`, for motions of space
 

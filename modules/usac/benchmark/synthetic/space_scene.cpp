@@ -19,7 +19,8 @@ namespace {
 //! space.
 const double WIDTH = 200, DISTANCE = 300;
 const double CLUSTER = WIDTH / 8, PATCH = WIDTH / 4;
-const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;  //!< second motion, in degrees
+//! second motion: limits of its rotation in degrees, and length of its shift
+const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;
 const double LARGEST_SCALE = 2;
 
 //! A cube within the cloud, in the axes of the cloud and relative to its middle.

@@ -20,7 +20,7 @@ struct SpaceOptions
     {}
 
     int inliers, outliers;
-    int duplicates;  //!< number of right matches that are copies of others
+    int duplicates;  //!< number of right matches that are copies of other right matches
     double noise;    //!< standard deviation of each coordinate in space 2, where the cloud is 200 *
                      //!< scale wide
     bool scaled;     //!< true: the scale is between 1/2 and 2; false: 1

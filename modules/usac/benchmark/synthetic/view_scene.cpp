@@ -21,7 +21,8 @@ const double WIDTH = opencv_test::SCENE_WIDTH, HEIGHT = opencv_test::SCENE_HEIGH
              MARGIN = 5;
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6.5, LEAST_DEPTH = 1, MOST_DEPTH = 20;
 const double MAX_TILT = 50, MIN_TURN = 15,
-             MAX_TURN = 40;  //!< degrees: of the plane; rotation of the second pose
+             MAX_TURN = 40;  //!< degrees: largest tilt of the plane; limits of the rotation of the
+                             //!< second pose
 //! Sides of the squares in pixels: for clustered matches, and for matches of a second pose.
 const double CLUSTER = 80, PATCH = 160;
 

@@ -20,13 +20,13 @@ struct ViewOptions
     {}
 
     int inliers, outliers;
-    int duplicates;     //!< number of right matches that are copies of others
+    int duplicates;     //!< number of right matches that are copies of other right matches
     double noise;       //!< standard deviation of each image coordinate, pixels
     bool onPlane;       //!< true: object points on a plane, tilted by at most 50 degrees from the
                         //!< image plane; false: depths from 4 to 9
     double thickness;   //!< if on a plane: standard deviation of the distances from the plane, as a
                         //!< fraction of its distance from the camera
-    double distortion;  //!< first radial coefficient
+    double distortion;  //!< first radial coefficient of the lens distortion
     /** OUTLIERS_UNIFORM: an object point with a random point of the image. OUTLIERS_CLUSTERED:
     object points that are visible in a square of 80 pixels, with points of another such square.
     OUTLIERS_SECOND_MODEL: matches of another pose in a square of 160 pixels, at most half as many

@@ -21,9 +21,9 @@ struct SequenceOptions
     int seed;
 };
 
-/** A sequence of frames of 640 x 480 pixels. A camera moves smoothly around a box of object points
-(P) or a picture on a plane (H), and jumps once. Each frame has new matches; wrong ones are uniform
-in the image. */
+/** A sequence of frames of 640 x 480 pixels. A camera moves smoothly in front of a box of object
+points (P) or a picture on a plane (H), and jumps once. Each frame has new matches; wrong ones are
+uniform in the image. */
 class Sequence
 {
 public:

@@ -17,8 +17,8 @@ enum Beginning {
     BEGIN_ANEW,       //!< not at all
     BEGIN_WITH_LAST,  //!< as the initial model of each frame
     /** As BEGIN_WITH_LAST. If there is no model, or if it has less than half as many inliers as the
-    last one, the frame is estimated again without an initial model and with the problem's default
-    limit of iterations. */
+    model of the previous frame, the frame is estimated again without an initial model and with the
+    problem's default limit of iterations. */
     BEGIN_WITH_LAST_OR_AGAIN
 };
 

@@ -36,8 +36,8 @@ static usacv20::Params exchange(const UsacParams& params)
     return exchange(params.threshold, params.confidence, params.maxIterations);
 }
 
-// Six of the documented differences from OpenCV are undone here, so that the tests show only
-// others.
+// Six of the documented differences from OpenCV are undone here, so that the tests show only other
+// differences.
 
 static bool isUsac(int method) { return method >= USAC_DEFAULT && method <= USAC_MAGSAC; }
 

@@ -9,7 +9,7 @@ int main(int argc, char** argv)
     cvtest::TS::ptr()->init("");
     testing::InitGoogleTest(&argc, argv);
     Outcomes* const outcomes = new Outcomes(USAC_DIFFERENCES);
-    testing::UnitTest::GetInstance()->listeners().Append(outcomes);  // it deletes them at the end
+    testing::UnitTest::GetInstance()->listeners().Append(outcomes);  // GoogleTest deletes outcomes
     const std::string missing = outcomes->withoutData();
     std::string& filter = testing::GTEST_FLAG(filter);
     if (!missing.empty())

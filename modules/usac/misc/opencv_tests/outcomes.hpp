@@ -44,9 +44,9 @@ public:
     virtual void OnTestProgramEnd(const testing::UnitTest&) CV_OVERRIDE;
 
 private:
-    typedef std::pair<std::string, std::string> Pair;  // flag or file, test
+    typedef std::pair<std::string, std::string> Pair;  // (flag or data file, test)
 
-    std::map<Pair, std::string> fails, data;  // the reasons
+    std::map<Pair, std::string> fails, data;  // reason of each pair
     std::set<std::string> notOurs;            // tests that call none of the redirected functions
     std::string flag, expected, unexpected;   // the last two: texts printed at the end
     int passed, failed;

@@ -29,7 +29,7 @@ Scene sceneOf(ProblemType problem, Motion motion, double noise, double baseline 
     return makeScene(problem, options);
 }
 
-/** Least and largest singular value of the derivatives of plus() at the parameters 0, by
+/** Least and largest singular value of the derivatives of plus() at the parameters 0, from finite
 differences. The derivatives of tangent() must be the same. */
 Vec2d conditionOf(const Parameterization& here)
 {
@@ -47,7 +47,7 @@ Vec2d conditionOf(const Parameterization& here)
     return Vec2d(values[here.dimension() - 1], values[0]);
 }
 
-//! Parameters are a problem and a motion.
+//! The parameters of these tests are a problem and a camera motion.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_Parameterization;
 
 TEST_P(Usac_Parameterization, isRegularAtSpecialMotions)
@@ -95,7 +95,8 @@ INSTANTIATE_TEST_CASE_P(All, Usac_Parameterization,
                         testing::Combine(testing::Range(0, 3),
                                          testing::Range((int)MOTION_GENERAL, (int)MOTION_CAR + 1)));
 
-//! The ratio of the two singular values is between 1 and a thousandth.
+//! The ratio of the two singular values of F is between 1 and a thousandth. For each ratio, the
+//! tangents must be orthonormal.
 TEST(Usac_Parameterization_Fundamental, isRegularForAllSingularValues)
 {
     RNG rng(1);

@@ -153,7 +153,7 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
 }
 
 //! Number of real F with det F = 0 in the null space of the constraints, by SVD and the
-//! discriminant of the cubic. -1 if rounding could decide.
+//! discriminant of the cubic. Returns -1 if rounding could change the number.
 int countFundamental(const Correspondences& p)
 {
     Matx<double, 7, 9> A;
@@ -373,7 +373,8 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
         for (int i = 0; i < 8; ++i)
         {
             points1.push_back(integerPoint(rng, -2, 3));
-            // in every third sample without any parallax
+            // in every third sample, the points of both images are equal, so that there is no
+            // parallax
             points2.push_back(repeat % 3 ? integerPoint(rng, -2, 3) : points1.back());
         }
         const OwnPoints points(problem, points1, points2);

@@ -52,7 +52,8 @@ typedef testing::TestWithParam<int> UsacAutomaticThreshold;
 INSTANTIATE_TEST_CASE_P(/**/, UsacAutomaticThreshold, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 //! The standard deviation of the noise must be found within 10 % in the median and within 35 % in
-//! each scene. What is promised about a given threshold must hold for the estimated one.
+//! each scene. The properties documented for a given threshold must also hold for the estimated
+//! threshold.
 TEST_P(UsacAutomaticThreshold, noiseOfScenes)
 {
     for (double noise : NOISES)
@@ -78,8 +79,8 @@ TEST_P(UsacAutomaticThreshold, noiseOfScenes)
         }
 }
 
-//! With a bound of three and ten times the right threshold, errors must be at most 1.1 times those
-//! with the right threshold.
+//! The threshold is estimated with an upper bound of three and of ten times the right threshold.
+//! The mean error of the models must be at most 1.1 times that with the right threshold.
 TEST_P(UsacAutomaticThreshold, asAccurateAsTheRightThreshold)
 {
     double right = 0, estimated = 0;
@@ -280,8 +281,8 @@ TEST_P(UsacAutomaticThreshold, initialModel)
     EXPECT_LE(modelError(scene, model), 1.5 * modelError(scene, first));
 }
 
-//! The noise must also be found with scores that estimate a threshold, and with scores that are
-//! marginalized over the noise.
+//! The noise must also be found with quality functions that estimate a threshold (LMedS), and with
+//! those that are marginalized over the noise (MAGSAC).
 TEST_P(UsacAutomaticThreshold, otherScores)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.7);

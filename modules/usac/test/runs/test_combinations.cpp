@@ -81,8 +81,8 @@ std::string describe(const Choice& choice)
 }
 
 //! Factor on the error limits of arenaOf() for choices without polishing. Of 1500 random choices,
-//! only two without polishing and local optimization exceeded these limits (3.1 pixels for H and
-//! 1.4 for E), and with these criteria one with sigma-consensus (3.07 for H).
+//! three without polishing exceeded these limits: two without local optimization (3.1 pixels for H,
+//! 1.4 pixels for E) and one with sigma-consensus (3.07 pixels for H).
 const double UNPOLISHED = 1.5;
 
 //! A real scene, its threshold, and the largest error of a correct model (both in pixels).
@@ -103,7 +103,7 @@ struct TestArena
         params.confidence = 0.9999;
         for (int i = 0; i < OPTION_COUNT; ++i)
             params.*OPTIONS[i].field = valueOf(i, choice[i]);
-        // this criterion is for use together with another one
+        // TERMINATION_ORDER is for use together with another criterion
         if (params.termination == TERMINATION_ORDER)
             params.termination |= TERMINATION_STANDARD;
         params.scores = params.scoreOrder == SCORES_HIGHER_IS_BETTER ? probabilities : set.scores;

@@ -104,7 +104,8 @@ struct Runs
         }
     }
 
-    //! There must be no more failures than promised, and about as many as expected in this scene.
+    //! There must be no more failures than the confidence allows, and about as many as expected in
+    //! this scene.
     void check(double expected, int reason) const
     {
         const double deviation = std::sqrt(0.1 * 0.9 * SEEDS);
@@ -170,7 +171,8 @@ TEST(Usac_Confidence, standard)
             const double k = closedForm(exact ? subsets(I, n, 4) * subsets(I, n, d)
                                               : std::pow(I / (double)n, 4));
             EXPECT_GE(runs.iterations[i], k) << kind;
-            asComputed += runs.iterations[i] == k;  // otherwise the model was found later
+            // if not equal, the model was found after more than k samples
+            asComputed += runs.iterations[i] == k;
         }
         EXPECT_GT(asComputed, SEEDS * 0.85) << kind;
         const int decoys = count(rivals.inliers(false, params.threshold));
@@ -188,7 +190,8 @@ double significant(double inliers, double relaxation)
     return 4 + beside * (1 + relaxation * beside / (beside + 30));
 }
 
-//! P-NAPSAC's criterion: a significantly better model must not be missed more often than promised.
+//! P-NAPSAC's criterion: a significantly better model must not be missed more often than the
+//! confidence allows.
 TEST(Usac_Confidence, pNapsac)
 {
     const Rivals rivals(110, 99, 91);
@@ -210,8 +213,9 @@ TEST(Usac_Confidence, pNapsac)
                STOP_P_NAPSAC);
 }
 
-//! SPRT rejects some good models, so that its criterion asks for more samples. These are few,
-//! because SPRT rejects rarely if the solver is as expensive as here.
+//! SPRT rejects some good models, so that its criterion asks for more samples than the standard
+//! criterion. The difference is small, because SPRT rarely rejects a good model if the solver is as
+//! expensive as here.
 TEST(Usac_Confidence, sprt)
 {
     const Rivals rivals(202, 200, 198);
@@ -230,7 +234,8 @@ TEST(Usac_Confidence, sprt)
     runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys, n, 4))), STOP_SPRT);
 }
 
-//! PROSAC's criterion must keep its promise for the n* best points and end after the number of
+//! PROSAC's criterion chooses a number n* of best points. Among these points it must not miss the
+//! true model more often than the confidence allows, and it must end the search after the number of
 //! samples that it computes.
 TEST(Usac_Confidence, prosac)
 {

@@ -15,7 +15,7 @@ namespace {
 class UsacDeterminism : public UsacProblem
 {
 protected:
-    //! A scene so hard that batches are worth several threads.
+    //! A scene that needs so many samples that several threads share the batches of samples.
     Scene hardScene(uint64 seed = 1) const
     {
         SceneOptions options;
@@ -24,7 +24,7 @@ protected:
         return makeScene(problem(), options);
     }
 
-    //! All presets with at most 400 samples.
+    //! All presets, each with a limit of 400 samples.
     std::vector<NamedPreset> presets() const
     {
         std::vector<NamedPreset> all = allPresets(problem());

@@ -39,8 +39,8 @@ Vec3d direction(RNG& rng)
     return v * (1 / cv::norm(v));
 }
 
-//! Points for H in a circle of radius 100. The horizon is at the distance `horizon` from the
-//! center.
+//! Points for H in a circle of radius 100. The horizon, the line that H maps to infinity, is at the
+//! distance `horizon` from the center.
 FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
 {
     const double towards = rng.uniform(0., 2 * CV_PI), angle = rng.uniform(0., 2 * CV_PI);
@@ -55,7 +55,8 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
         const double radius = 100 * std::sqrt(rng.uniform(0., 1.)), at = rng.uniform(0., 2 * CV_PI);
         const Point2d p(radius * std::cos(at), radius * std::sin(at));
         const Vec3d q = H * Vec3d(p.x, p.y, 1);
-        if (std::abs(q[2]) < 5)  // too close to the horizon: 1/20 of the center's denominator
+        // too close to the horizon: the denominator is below 1/20 of that at the center
+        if (std::abs(q[2]) < 5)
             continue;
         points1.push_back(p);
         points2.push_back(Point2d(q[0] / q[2], q[1] / q[2]) + gaussianPoint(rng, noise));
@@ -65,8 +66,8 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
     return points;
 }
 
-//! Points for F, E or a pose with focal length 1. The epipole is between the points, which may be
-//! near the camera.
+//! Points for F, E or a pose with focal length 1. The epipole is among the points, and some points
+//! may be near the camera.
 FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
 {
     Matx33d R;
@@ -146,9 +147,9 @@ void expectLeastSquares(const FewPoints& points, const String& name)
     }
 }
 
-/** The horizon is near or between the points; a homography allows the latter although no camera
-sees it. Most samples then have points on both sides, so that the orientation check rejects them.
-With six points, three on each side, it rejects all samples. */
+/** The horizon is near or between the points. A homography allows points on both sides of the
+horizon, although no camera sees both. Most samples then have points on both sides, so that the
+orientation check rejects them. With six points, three on each side, it rejects all samples. */
 TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
 {
     const int counts[] = {6, 8, 10, 14, 20};
@@ -177,7 +178,8 @@ TEST(Usac_FewPoints, epipoleBetweenThePoints)
             }
 }
 
-//! No fit that starts at any sample of the ten points may be better than the returned model.
+//! No fit that starts at the model of four of the ten points may have a clearly lower error (by a
+//! factor of 1.1) than the returned model.
 TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
 {
     int better = 0, equal = 0;
@@ -209,8 +211,8 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
     EXPECT_GT(equal, 20 * 100) << "of 20 times 210: most samples lead there";
 }
 
-//! Exact points in front of and behind the second camera, for which the orientation checks are
-//! wrong.
+//! Exact points in front of and behind the second camera, so that the orientation checks reject the
+//! true model. All points must nevertheless be inliers.
 void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1,
                std::vector<Point2d>& points2)
 {

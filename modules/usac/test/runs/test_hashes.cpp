@@ -187,7 +187,8 @@ void addRows(ProblemType problem, std::vector<Row>& rows)
     addRows(nameOf(problem), hashedParams(problem, scene.scores), 2, estimate, rows);
 }
 
-//! Adds the rows of a synthetic scene of absolute pose. With 0 coefficients there is no lens.
+//! Adds the rows of a synthetic scene of absolute pose. With 0 coefficients there is no lens
+//! distortion.
 void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& rows)
 {
     PoseSceneOptions options;
@@ -353,8 +354,8 @@ Table tableWithout(const std::string& features)
     return table;
 }
 
-//! OPENCV_CPU_DISABLE is read at the start of a process. It also selects the code of OpenCV
-//! functions that are called.
+//! OPENCV_CPU_DISABLE is read at the start of a process. It also changes which code OpenCV's own
+//! functions run. All results must be equal bit by bit.
 TEST(Usac_Hashes, every_instruction_set)
 {
     const Table& table = ownTable();
@@ -373,7 +374,8 @@ TEST(Usac_Hashes, every_instruction_set)
     }
 }
 
-//! The variable may contain the name of the group, or of a single member.
+//! OPENCV_CPU_DISABLE may contain the name of the group AVX512-SKX or of one of its members. The
+//! kernels for AVX-512 must not be used in either case.
 TEST(Usac_Hashes, every_part_of_avx512)
 {
     const std::string features[] = {"AVX512-SKX", "AVX512F", "AVX512BW", "AVX512DQ", "AVX512VL"};

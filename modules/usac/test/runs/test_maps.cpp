@@ -40,8 +40,8 @@ Point2d mapped(const Matx23d& map, const Point2d& p)
     return Point2d(q[0], q[1]);
 }
 
-//! Matches of a map with noise in image 2, followed by random ones in the image of the box by the
-//! map.
+//! Matches of a map with noise in image 2, followed by random wrong matches. All points of image 1
+//! are in a box of 640 x 480; the map takes this box to the area of the points of image 2.
 struct Matches
 {
     Matches(const Matx23d& map_, int right_, int wrong, double noise_, uint64 seed)
@@ -82,7 +82,7 @@ struct Matches
         return error(Mat(best));
     }
 
-    //! Estimates a map and checks that the result keeps all promises.
+    //! Estimates a map and checks the documented properties of the result.
     Mat estimate(ProblemType problem, Params params) const
     {
         params.threshold *= unit;
@@ -111,7 +111,8 @@ TEST_P(Usac_Maps, kinds)
             Params params;
             params.threshold = 2;
             const Mat model = matches.estimate(problem(), params);
-            if (problem() == SIMILARITY && !KINDS[k].similar)  // only the promises are checked
+            // no similarity fits, so that only the checks of estimate() apply
+            if (problem() == SIMILARITY && !KINDS[k].similar)
                 continue;
             ours += matches.error(model);
             best += matches.errorOfLeastSquares(problem());
@@ -204,7 +205,8 @@ TEST_P(Usac_Maps, pointsOfALine)
     }
 }
 
-//! Half of the rows are copies of a true match or (`wrong`) of an outlier, which must count as one.
+//! Half of the rows are copies of a true match or (`wrong`) of an outlier. All these copies must
+//! count as one match.
 TEST_P(Usac_Maps, repeatedMatches)
 {
     for (int wrong = 0; wrong < 2; ++wrong)
@@ -221,7 +223,8 @@ TEST_P(Usac_Maps, repeatedMatches)
         }
 }
 
-//! With two motions, the result must be the motion of more matches and not one between the two.
+//! With two motions, the result must be the motion with more matches and not a motion between the
+//! two.
 TEST_P(Usac_Maps, twoMotions)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)

@@ -6,8 +6,9 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// Many of the second points are at one point, as with a watermark or a dead pixel. A model that
-// maps everything to this point has many inliers but must not be returned.
+// Many matches lead to the same one or two points of image 2 (or space 2), as with a watermark or a
+// dead pixel. A model that maps everything to such a point has many inliers but must not be
+// returned.
 
 namespace opencv_test {
 namespace {
@@ -134,7 +135,7 @@ TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
     EXPECT_GT(collapsed, 0);
 }
 
-//! An object that is 16 pixels large in image 2 must be found, however large it is in image 1. Such
+//! An object that is 16 pixels wide in image 2 must be found, however large it is in image 1. Such
 //! a map must not be mistaken for one that maps everything to a point.
 TEST(Usac_Places_Objects, small_ones_are_found)
 {

@@ -55,12 +55,13 @@ TEST_P(UsacReal, truth_fits_the_check_points)
 TEST_P(UsacReal, every_flag)
 {
     Mat mask;
-    const bool graf = real.name == std::string("graf");  // of 200 seeds, 7 (MAGSAC: 12) end in
-                                                         // another optimum, 1.7 pixels off
+    // with 7 of 200 seeds (MAGSAC: 12), the search ends in another optimum with an error of 1.7
+    // pixels
+    const bool graf = real.name == std::string("graf");
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
     verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);
-    // MAGSAC++ has a reach of 2.4 thresholds, and the wall is not quite a plane
+    // MAGSAC++ has a reach of 2.4 thresholds, and the wall in graf is not quite a plane
     verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, real.threshold / 2, mask), mask,
            graf ? 4 : 2);
     verify("USACV20_PROSAC", set.sorted().find(USACV20_PROSAC, real.threshold, mask), mask);
@@ -80,8 +81,8 @@ TEST_P(UsacReal, scores)
     verify("1 - scores", set.estimateWith(params, mask, report), mask);
 }
 
-//! A few percent of the seeds end in another local optimum of graf, because its wall is not quite a
-//! plane.
+//! With a few percent of the seeds, the search ends in another local optimum of graf, because its
+//! wall is not quite a plane.
 TEST_P(UsacReal, every_seed)
 {
     int elsewhere = 0;

@@ -21,7 +21,7 @@ Scene largeScene(ProblemType problem, int size)
 struct Cost
 {
     Report report;
-    double bytes, milliseconds;  //!< memory beyond that of the input
+    double bytes, milliseconds;  //!< bytes: peak of the memory beyond that of the input
 };
 
 Cost costOf(const Scene& scene, const Params& params)
@@ -119,7 +119,8 @@ private:
     const Ptr<NonMinimalSolver> solver;
 };
 
-//! How many times each point is rated and used in fits. It varies with the seed.
+//! How many times each point is rated and used in fits, on average. The number varies with the
+//! seed.
 double workPerPoint(ProblemType problem, const NamedPreset& preset, int size, uint64 seed)
 {
     Params params = preset.params;
@@ -144,8 +145,8 @@ TEST_P(UsacScale, work_is_linear)
     for (size_t p = 0; p < presets.size(); ++p)
     {
         if (presets[p].params.termination & TERMINATION_PROSAC)
-            continue;  // it waits until its subset has grown, so that the number of samples depends
-                       // on N
+            continue;  // PROSAC's criterion waits until its subset has grown, so that the number of
+                       // samples depends on N
         double few = 0, many = 0;
         for (uint64 seed = 0; seed < 5; ++seed)
         {

@@ -115,7 +115,8 @@ TEST(Usac_WidestReach_Mask, mayBeEmpty)
 }
 
 //! A check that becomes active when the internal threshold has become larger (`wider`) or smaller.
-//! It then rejects models with most inliers in the first group of points (`wider`), or all models.
+//! It then rejects models that have most of their inliers in the first group of points (`wider`),
+//! or all models.
 class RefusesGroup : public Degeneracy
 {
 public:
@@ -152,7 +153,7 @@ public:
     int refused;
 };
 
-//! Two groups of points, each with a homography of its own, and such a check.
+//! Two groups of points, each with a homography of its own, and a RefusesGroup check.
 struct TwoGroups
 {
     TwoGroups(int seed, double noise, int others, int outliers, bool wider)

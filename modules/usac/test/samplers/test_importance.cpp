@@ -201,7 +201,7 @@ TEST(Usac_Importance, findsTheModelSooner)
             }
         }
         EXPECT_EQ(6, found[1]) << "problem " << problem;
-        if (sampleSizeOf(problem) >= 4)  // 60 uniform samples suffice for smaller ones
+        if (sampleSizeOf(problem) >= 4)  // 60 uniform samples suffice if the samples are smaller
         {
             EXPECT_LE(found[0], 3) << "problem " << problem;
         }

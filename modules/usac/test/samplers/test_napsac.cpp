@@ -62,8 +62,8 @@ TEST(Usac_Napsac, uniformAmongNeighbors)
     }
 }
 
-//! Points with too few neighbors must not be the first point of a sample; all others must be so
-//! equally often.
+//! Points with too few neighbors must not be the first point of a sample; all other points must be
+//! the first point equally often.
 TEST(Usac_Napsac, lonelyPointsAreNoCenters)
 {
     const int N = 300, SAMPLES = 60000;

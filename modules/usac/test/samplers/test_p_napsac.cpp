@@ -57,9 +57,10 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     }
 }
 
-//! The first point of P-NAPSAC's samples must be drawn like PROSAC's: from the growing set, and the
-//! newest point as long as it is new. This holds for one sample in Params::orderedEvery after the
-//! first eight samples. The other samples must be uniform and count for the termination criteria.
+//! The first point of P-NAPSAC's samples must be drawn like PROSAC's: from the growing set, and
+//! always the newest point of the set until the set contains all points. This holds for one sample
+//! in Params::orderedEvery after the first eight samples. The other samples must be uniform and
+//! count for the termination criteria.
 void expectGrowth(int ordering, int period)
 {
     const int N = 300, first = period > 1 ? 8 : 0;
@@ -125,7 +126,7 @@ private:
     const bool known;
 };
 
-//! Records the samples and whether they count.
+//! Records the samples, and whether they count for the termination criteria.
 class Recorder : public Sampler
 {
 public:
@@ -160,8 +161,8 @@ std::vector<int> samplesBy(int ordering, const Ptr<Ordering>& own = Ptr<Ordering
 }
 
 //! Whether an order is informative must depend on the Ordering and not on Params::ordering. With an
-//! informative ordering by the rows, the samples must be those of ORDERING_INPUT_ORDER, with one
-//! that is a guess they must differ.
+//! informative ordering by the rows, the samples must be those of ORDERING_INPUT_ORDER; with an
+//! ordering that is a guess they must differ.
 TEST(Usac_Samplers, pNapsacAsksTheOrdering)
 {
     const std::vector<int> rows = samplesBy(ORDERING_INPUT_ORDER);

@@ -13,7 +13,8 @@
 #include "problems/kernels.hpp"
 #include "scoring/scores.hpp"
 
-// Points, models and direct formulas for the tests of the kernels; one test file includes this.
+// Points, models and direct formulas for the tests of the kernels; a single test file includes this
+// header.
 
 namespace opencv_test {
 namespace {

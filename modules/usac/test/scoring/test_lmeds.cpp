@@ -33,8 +33,9 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const int m = sampleSizeOf(problem);
-    // F, E: 2.5 sigma, with sigma as 1.4826 medians. Maps: the same from the quantile sqrt(-2 log(1
-    // - p)) of the length of a Gaussian vector in the plane
+    // The threshold is 2.5 sigma for F and E, where sigma is 1.4826 times the median error. For
+    // maps it includes the same fraction of inliers, by the quantiles sqrt(-2 log(1 - p)) of the
+    // length of a Gaussian vector in the plane
     const double outside = std::erfc(2.5 / std::sqrt(2.));
     const double constant = mapsPoints(problem) ? std::sqrt(std::log(outside) / std::log(0.5))
                                                 : 2.5 * 1.482602;
@@ -164,8 +165,8 @@ TEST_P(Usac_Lmeds_Problem, someUndefinedErrors)
     }
 }
 
-//! With any threshold and 49 % outliers, the correct model must be found. MSAC does not find it
-//! with such a threshold.
+//! With a threshold that is far too large and 49 % outliers, LMedS must find the correct model.
+//! MSAC does not find it with this threshold.
 TEST_P(Usac_Lmeds_Problem, breakdown)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -182,12 +183,13 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
         params.polishing = POLISHING_REWEIGHTED;  // uses the estimated threshold
         params.seed = trial;
         right += modelError(scene, estimate(scene, params)) <
-                 (problem == SIMILARITY ? 1 : 0.5);  // two-point samples
+                 (problem == SIMILARITY ? 1 : 0.5);  // models of two points are less accurate
         params.quality = QUALITY_MSAC;
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }
     EXPECT_EQ(5, right);
-    EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);  // or by chance
+    // one point may be a sample that leads to the model by chance
+    EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);
 }
 
 //! The estimated threshold must follow the noise.
@@ -208,7 +210,8 @@ TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
         const double found = usac->components().score->threshold(
             context, toInternal(usac->points(), scene.model));
         const double inPixels = found / usac->points().threshold * params.threshold;
-        // maps: noise of both images; outliers increase the median a little
+        // the errors of maps contain the noise of both images; outliers increase the median a
+        // little
         const double sigma = mapsPoints(problem) ? noise * std::sqrt(2.) : noise;
         const double inliers = mapsPoints(problem) ? 2.963 : 2.5;
         EXPECT_GT(inPixels, 1.0 * inliers * sigma);

@@ -16,8 +16,9 @@ Quality scoreOf(std::vector<float> squaredErrors, float squaredThreshold)
     return sum;
 }
 
-//! The cost of a point is log(1 + e^2 / s^2) / log(1 + t^2 / s^2) with s = t / 256. The logarithm
-//! to base 2 is interpolated between powers of two, with an error of at most 0.0861.
+//! The cost of a point with error e is log(1 + e^2 / s^2) / log(1 + t^2 / s^2), where t is the
+//! threshold and s = t / 256. The logarithm to base 2 is interpolated between powers of two, with
+//! an error of at most 0.0861.
 TEST(Usac_LogarithmicScore, formula)
 {
     const double LINEAR = 0.0861 / 16;
@@ -53,8 +54,8 @@ TEST(Usac_LogarithmicScore, outliers)
     EXPECT_NEAR(2, both.cost, 1e-6);
 }
 
-//! Unlike MSAC with this threshold, the score must prefer the model with fewer but much smaller
-//! errors.
+//! Unlike MSAC with this threshold, the score must prefer the model with fewer inliers but much
+//! smaller errors.
 TEST(Usac_LogarithmicScore, prefersNoScaleOfTheNoise)
 {
     std::vector<float> precise(100, 0.0004f), rough(100, 0.09f);

@@ -86,12 +86,13 @@ TEST_P(Usac_Magsac_Problem, magsacPlusPlusAgainstItsFormula)
         EXPECT_NEAR(weights.loss(u * u), costOf(*score, 7 * u, 7), 1e-3) << u;
 }
 
-//! The cost must be 0 for an error of 0, 1 from the threshold on, and must not decrease between
-//! them.
+//! The cost must be 0 for an error of 0, 1 for an error of the threshold or more, and must not
+//! decrease between these errors.
 TEST_P(Usac_Magsac_Problem, bounds)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    const double thresholds[] = {1, 1000};  // the second is larger than the area of the points
+    // the second threshold is larger than the extent of the points
+    const double thresholds[] = {1, 1000};
     for (int t = 0; t < 2; ++t)
     {
         const Ptr<OwnPoints> points(spanning(problem, thresholds[t]));

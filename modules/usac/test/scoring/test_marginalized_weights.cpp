@@ -84,7 +84,7 @@ TEST(Usac_Statistics, marginalizedWeightsTables)
             lastWeight = weight;
         }
     }
-    // the shared tables are those of the degrees
+    // the shared tables must equal new tables for the same number of degrees of freedom
     for (int degrees = 1; degrees <= 3; ++degrees)
         EXPECT_EQ(MarginalizedWeights(degrees).tabulatedLoss(0.3f),
                   MarginalizedWeights::of(degrees).tabulatedLoss(0.3f));

@@ -26,7 +26,8 @@ TEST(Usac_Statistics, outlierExtent)
     const OwnPoints line(HOMOGRAPHY, points1, std::vector<Point2d>(2));
     EXPECT_EQ(0, line.view().problem->outlierExtent(line.view()));
     EXPECT_NEAR(std::log(200 / (std::sqrt(2 * CV_PI) * 0.5)), logDensityRatio(200, 0.5, 2), 1e-12);
-    for (int degrees = 1; degrees <= 2; ++degrees)  // at extent 0 equally likely at the threshold
+    // if the extent is 0, an error at the threshold is equally likely for inliers and outliers
+    for (int degrees = 1; degrees <= 2; ++degrees)
     {
         const double k = thresholdInSigmas(degrees);
         EXPECT_NEAR(1, std::exp(degrees * logDensityRatio(0, 0.5, degrees) - k * k / 2), 1e-12);

@@ -19,7 +19,8 @@ struct Case
 {
     ProblemType problem;
     Mat points1, points2, camera, truth;
-    double noise;  //!< standard deviation of a component of the error
+    double noise;  //!< standard deviation of a component of the error, in the unit of image 2 or
+                   //!< space 2
     double threshold;
 
     Mat run(const Params& options, Report* report, Mat* mask = 0) const
@@ -93,8 +94,8 @@ Case makeCase(ProblemType problem, int seed, int size = 100, double noise = 1)
     return result;
 }
 
-//! The squared Mahalanobis distance of the true model from `model`. The covariance is that of
-//! another model, if one is given.
+//! The squared Mahalanobis distance of the true model from `model`. `covariance` is that of `other`
+//! if it is given, otherwise that of `model`.
 double squaredDistance(const Case& scene, const Mat& model, const Mat& covariance,
                        const Mat& other = Mat())
 {

@@ -128,7 +128,7 @@ TEST_P(Usac_ModelCovariance, only_if_asked_for)
 }
 
 //! With F of a plane and E without a translation, the points do not determine all parameters,
-//! although noise seems to. There must rarely be a covariance.
+//! although with noise they seem to. There must rarely be a covariance.
 TEST(Usac_ModelCovariance_, free_parameters)
 {
     int determined = 0, models = 0;
@@ -183,9 +183,10 @@ Case halfOf(const Case& scene, int first)
     return half;
 }
 
-/** The model of one half of the matches is a prior for the other half. Distances from the
-truth must have the covariance of the result, and be about half of the squared distances
-without the prior, which are all measured by the covariance of the run without it. */
+/** The model of one half of the matches is a prior for the other half. The errors of the result
+must agree with its covariance. Its squared distance from the truth must be about half of that
+without the prior; for this comparison, both are measured with the covariance of the run without the
+prior. */
 TEST_P(Usac_ModelCovariance, prior)
 {
     const struct
@@ -231,7 +232,7 @@ TEST_P(Usac_ModelCovariance, prior)
     }
 }
 
-//! A prior that contradicts the points must not change the result, whatever it claims.
+//! A prior that contradicts the points must not change the result, however small its covariance is.
 TEST_P(Usac_ModelCovariance, contradictingPrior)
 {
     const Case scene = makeCase(GetParam(), 1);
@@ -244,13 +245,14 @@ TEST_P(Usac_ModelCovariance, contradictingPrior)
     EXPECT_EQ(0, cv::norm(expected, scene.run(params, &report)));
     EXPECT_LT(report.priorChance, 0.001);
     EXPECT_EQ(0, cv::norm(started.covariance, report.covariance));
-    // a prior of no weight, beside the same initial model without a covariance
+    // a prior with a huge covariance must give the result of the same initial model without
+    // covariance
     params.setInitialModel(expected);
     const Mat again = scene.run(params, &started);
     params.setInitialModel(expected, 1e12 * other.covariance);
     EXPECT_LE(cv::norm(again, scene.run(params, &report)), 1e-6 * cv::norm(again));
     EXPECT_GT(report.priorChance, 0.999);
-    // a certain prior
+    // a prior with a tiny covariance must be the result
     params.setInitialModel(expected, 1e-12 * started.covariance);
     EXPECT_LE(cv::norm(expected, scene.run(params, &report)), 1e-6 * cv::norm(expected));
     EXPECT_LE(cv::norm(report.covariance), 1e-6 * cv::norm(started.covariance));

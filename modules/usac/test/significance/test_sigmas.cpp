@@ -4,7 +4,7 @@
 
 #include "significance/model_cases.hpp"
 
-// Tests of Params::sigmas, the noise of each match.
+// Tests of Params::sigmas, the relative noise of each match.
 
 namespace opencv_test {
 namespace {
@@ -113,7 +113,8 @@ TEST_P(Usac_Sigmas, errorsAndMask)
     EXPECT_EQ(inliers, report.inliers);
 }
 
-//! Fits without a search weight the matches, too; weights and sigmas multiply.
+//! Fits without a search must use the sigmas, too: the weight of a match is its given weight
+//! divided by the square of its sigma.
 TEST_P(Usac_Sigmas, fits)
 {
     const MixedNoise mixed(GetParam(), 3);
@@ -158,7 +159,7 @@ TEST_P(Usac_Sigmas, equalSigmas)
     EXPECT_LE(cv::norm(report.covariance, equal.covariance), 0.02 * cv::norm(report.covariance));
 }
 
-//! The estimated threshold is a multiple of the sigmas, too.
+//! If the threshold is estimated, the noise must be found as a multiple of the sigmas, too.
 TEST_P(Usac_Sigmas, estimatedThreshold)
 {
     double sum = 0;
@@ -230,7 +231,8 @@ TEST(Usac_Sigmas_, setPoints)
         Exception);
 }
 
-//! The points that components see have the factors; those without finite coordinates have none.
+//! The points that components see must have a factor each, the mean sigma divided by the sigma of
+//! the match. A match without finite coordinates must be left out.
 TEST(Usac_Sigmas_, correspondences)
 {
     MixedNoise mixed(HOMOGRAPHY, 1);
@@ -240,7 +242,7 @@ TEST(Usac_Sigmas_, correspondences)
     ASSERT_TRUE(points.weighted);
     EXPECT_EQ(5, points.numbers());
     EXPECT_EQ(99, points.size);
-    EXPECT_NEAR(std::sqrt(13.), points.meanSigma, 1e-6);  // of squares of 1 and 5
+    EXPECT_NEAR(std::sqrt(13.), points.meanSigma, 1e-6);  // root mean square of 1 and 5
     for (int i = 0; i < points.size; ++i)
     {
         const double factor = points.meanSigma / mixed.sigmas[points.inputIndex[i]];
@@ -249,7 +251,7 @@ TEST(Usac_Sigmas_, correspondences)
     }
 }
 
-//! Extreme ratios of sigmas must not lead to NaN, and matches that count most must decide.
+//! Extreme ratios of sigmas must not lead to NaN or infinite values.
 TEST_P(Usac_Sigmas, extremeRatios)
 {
     const Case scene = makeCase(GetParam(), 1);

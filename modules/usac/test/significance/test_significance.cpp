@@ -33,8 +33,8 @@ Report significantReport(const Scene& scene, Params params)
     return reportOf(scene, params);
 }
 
-//! The chance of random matches must be at most a with a probability of at most a. With F and E it
-//! must not always be near 1.
+//! For random matches and each level a, Report::chance must be at most a with a probability of at
+//! most a. With F and E it must not always be near 1.
 TEST(Usac_Significance, calibratedOnRandomMatches)
 {
     const int sizes[] = {15, 60, 300}, iterations[] = {100, 500}, RUNS = 40;
@@ -82,7 +82,8 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
     {
         int calls = 0, below[3] = {0}, half = 0;
         const double levels[] = {0.1, 0.01, 0.001};
-        for (double threshold : {0.05, 0.3})  // in a cube of side 2: 7e-5 and 1.4 % of its volume
+        for (double threshold : {0.05, 0.3})  // radius of a ball with a fraction of 7e-5 or 1.4 %
+                                              // of the volume of the cube of side 2
             for (int size : sizes)
                 for (int p = 0; p < 3; ++p)
                     for (int run = 0; run < 40; ++run, ++calls)
@@ -149,7 +150,8 @@ TEST(Usac_Significance, randomAndRightPairsInSpace)
     }
 }
 
-//! Correct models of few points must be distinguished from random ones.
+//! Correct models of few points, or with a low inlier ratio, must be distinguished from random
+//! models.
 TEST(Usac_Significance, rightModelsOfFewPoints)
 {
     const struct
@@ -264,8 +266,8 @@ TEST(Usac_Significance, repeatedMatches)
 }
 
 //! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks the map takes
-//! everything to this point. Its independent inliers are no better than chance, which enough other
-//! points show, so that no model may be returned.
+//! everything to this point. It has no more independent inliers than expected by chance, and there
+//! are enough other points to decide this, so that no model may be returned.
 TEST(Usac_Significance, mapsToOnePlace)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})

@@ -11,10 +11,9 @@
 
 namespace opencv_test {
 
-/** A number with a bound of the error that rounding to double may have caused in it. The bound is
-several times the error of the operations done here, so that it holds for sums and products in any
-order, and tests need no tolerance. It is infinite where an intermediate result leaves the range of
-double. */
+/** A number with a bound of its error due to rounding to double. The bound is several times the
+error of the operations below, so that it holds for sums and products in any order, and tests need
+no tolerance. It is infinite where an intermediate result leaves the range of double. */
 struct Bounded
 {
     Bounded(long double v = 0, long double e = 0) : value(v), error(e)

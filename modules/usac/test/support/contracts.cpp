@@ -131,7 +131,7 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
 
 namespace {
 
-//! Calls the find functions with a flag, in all their forms. Their answer must equal that of the
+//! Calls the find functions with a flag, in all their forms. Their results must equal those of the
 //! estimate function. Problems without flags are skipped.
 void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, InputArray points2,
                const Params& params, const Matx33d& K, const Mat& model, const Mat& mask)

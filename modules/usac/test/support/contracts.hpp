@@ -27,8 +27,8 @@ Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
 //! The scene and the parameters as a call that the oracle brokenResult takes.
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
-//! Checks what is promised of every result with the standard residual and a threshold in pixels.
-//! The second form is for points that are not of type double, with their camera matrix.
+//! Checks the documented properties of a result, with the standard residual and a threshold in
+//! pixels. The second form is for points and a camera matrix that are not those of a Scene.
 void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask,
                  const Report& report, double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1,
@@ -43,13 +43,13 @@ struct NamedPreset
 };
 
 std::vector<NamedPreset> allPresets();
-//! As allPresets(); for problems other than H, F and E, usac2013() is without DEGENSAC, which they
-//! refuse.
+//! As allPresets(); for problems other than H, F and E, usac2013() is without DEGENSAC, for which
+//! they raise an exception.
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Runs every preset on the points, by the estimate function and by Usac::create, and every flag by
-the find functions. Expects no exception, the same bits from each of these ways, and a result that
-keeps all promises (checkResult). @return the models of the presets */
+the find functions. Expects no exception, the same bits from each of these ways, and a result with
+all documented properties (checkResult). @return the models of the presets */
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
                                const std::vector<Point2d>& points2, double pixels = 1.5,
                                int maxIterations = 200, const Matx33d& K = sceneCamera());

@@ -76,7 +76,8 @@ LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
 Vec2d LensOracle::distort(const Vec2d& point, Matx22d& J, double& rounding) const
 {
     std::vector<Point2d> image;
-    Mat derivative;  // of the image by rvec, tvec, focal lengths, center and the coefficients
+    Mat derivative;  // derivatives of the image point by rvec, tvec, focal lengths, center and the
+                     // coefficients
     cv::projectPoints(std::vector<Point3d>(1, Point3d(point[0], point[1], 1)), Vec3d(), Vec3d(),
                       Matx33d::eye(), Mat(1, 14, CV_64F, const_cast<double*>(d)), image,
                       derivative);

@@ -15,12 +15,14 @@ namespace opencv_test {
 //! Bound of the relative rounding error of sums and products of some dozens of numbers in any
 //! order, and of a pose whose rotation is made orthogonal once more.
 const double ROUNDING = 300 * DBL_EPSILON;
-//! Relative distance in radius that a point must have from a fold of the lens for a decision.
+//! If the radius of a point differs relatively by less than this from that of a fold of the lens,
+//! where the distorted radius has a maximum, the oracle does not decide.
 const double OFF_FOLD = 1e-3;
 
 /** Inverts the lens distortion by cv::projectPoints alone. The undistorted point is found by
 Newton's method with the derivatives of that function; the remaining residual bounds its error.
-Points are not seen beyond the smallest radius from which on the radial terms decrease. */
+Points are not seen beyond the smallest radius at which the distorted radius, by the radial terms,
+begins to decrease. */
 class LensOracle
 {
 public:

@@ -44,7 +44,8 @@ public:
     {
         error = NAN;
         Vec3d Y;
-        double size = 0;  // sum of the absolute values of the terms of Y
+        double size = 0;  // upper bound of the sum of the absolute values of the terms of each
+                          // entry of Y
         for (int row = 0; row < 3; ++row)
         {
             const long double terms[] = {(long double)pose(row, 0) * X.x,
@@ -101,7 +102,8 @@ private:
             return grows(close) ? UNDECIDED : NO;
         if (d[12] == 0 && d[13] == 0)
             return YES;
-        // For a tilted sensor: depth, after the tilt, of the point that the other terms give.
+        // For a tilted sensor: depth, after the tilt, of the point to which the other terms move
+        // (x, y).
         const std::vector<Point3d> point(1, Point3d(x, y, 1));
         std::vector<Point2d> flat;
         cv::projectPoints(point, Vec3d(), Vec3d(), Matx33d::eye(),
@@ -121,7 +123,8 @@ private:
     {
         const std::vector<Point3d> points(1, point);
         std::vector<Point2d> image;
-        Mat J;  // of the image by rvec, tvec, focal lengths, center and the coefficients
+        Mat J;  // derivatives of the image point by rvec, tvec, focal lengths, center and the
+                // coefficients
         cv::projectPoints(points, Vec3d(), Vec3d(), Matx33d::eye(),
                           Mat(1, 14, CV_64F, const_cast<double*>(d)), image, J);
         // cv::projectPoints ignores the skew, so K is applied here

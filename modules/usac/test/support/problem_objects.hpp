@@ -32,7 +32,7 @@ struct Formula
     };
 };
 
-//! The built-in residual of a formula, one of the first four.
+//! The built-in residual of a formula, which must be one of the first four.
 cv::Ptr<cv::usacv20::Residual> residualOf(Formula::Kind kind);
 
 //! The least-squares solver of the problem for the residual of a formula.

@@ -16,7 +16,8 @@ bool memoryIsMeasurable();
 //! Resident memory in bytes, after free memory has been returned to the system.
 double residentBytes();
 
-/** @brief The peak of resident memory in bytes since the object was made, minus the value then.
+/** @brief The peak of resident memory in bytes since the object was made, minus the value at that
+time.
 
 Where the system cannot reset the peak, only memory above the previous peak of the process is
 counted, so that the result may be too small but never too large. */

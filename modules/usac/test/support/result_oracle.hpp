@@ -29,11 +29,11 @@ struct EstimatorCall
     cv::Mat K1, K2, d1, d2;  //!< for E; absolute pose uses K1 and d1. All but K1 may be empty
 };
 
-/** Says in words which promise about the result of a call is broken, "" if none is. The report must
-agree with the mask. There must be either no model, a zero mask and a reason, or a finite model of
-the promised norm and rank with mask == (error <= threshold). The errors are computed with other
-formulas than the module's, in `long double` (where it is longer than `double`), with a bound of the
-effect of rounding to `double`. */
+/** Says in words which documented property the result of a call lacks; returns "" if it has all of
+them. The report must agree with the mask. There must be either no model, a zero mask and a reason,
+or a finite model of the documented norm and rank with mask == (error <= threshold). The errors are
+computed with other formulas than the module's, in `long double` (where it is longer than `double`),
+with a bound of the effect of rounding to `double`. */
 std::string brokenResult(const EstimatorCall& call, const cv::Mat& model, const cv::Mat& mask,
                          const cv::usacv20::Report& report);
 

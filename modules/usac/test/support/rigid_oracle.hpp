@@ -9,11 +9,10 @@
 
 namespace opencv_test {
 
-/** Checks a 3-D motion that is not empty, and its mask. @return what is wrong in words, "" if
-nothing is
-The motion must be a rotation within 1e-9, for SIMILARITY_3D times a positive scale, and a
-translation. The mask must be 1 exactly where the distance in space 2 is at most `threshold`. Rows
-for which rounding to double may change this are not checked. */
+/** Checks a 3-D motion that is not empty, and its mask. @return a description of the mistake, or an
+empty string if there is none. The motion must be a rotation within 1e-9, for SIMILARITY_3D times a
+positive scale, and a translation. The mask must be 1 exactly where the distance in space 2 is at
+most `threshold`. Rows for which rounding to double may change this are not checked. */
 std::string brokenMotion(const EstimatorCall& call, double threshold, const cv::Mat& model,
                          const cv::Mat& mask);
 

@@ -16,8 +16,8 @@ namespace {
 const double SCORED_PATCH = 160;
 
 //! Scores that do not depend only on whether a match is true, see ScoreModel. Except with
-//! SCORES_NEAR, preferred matches have scores between 0 and 1, the others between 1 and 2; lower is
-//! better.
+//! SCORES_NEAR, preferred matches have scores between 0 and 1, and all other matches between 1 and
+//! 2; lower is better.
 std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& options)
 {
     RNG rng(0x3c6ef372 + 7919 * options.seed);

@@ -23,12 +23,12 @@ const int MATCHES_OF_ONE_POINT = 10;
 //! Sides in pixels of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL.
 const double CLUSTER = 80, PATCH = 160;
 //! All in pixels: lengths of OUTLIERS_SHIFT, standard deviation of OUTLIERS_PLACE, side of the
-//! squares of OUTLIERS_CLUSTERS, half of OUTLIERS_CENTER per coordinate, largest offset of
-//! OUTLIERS_WINDOW.
+//! squares of OUTLIERS_CLUSTERS, distance from the center within which half of the coordinates of
+//! OUTLIERS_CENTER are, largest offset of OUTLIERS_WINDOW per coordinate.
 const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20,
              HALF_WITHIN = 20, WINDOW = 60;
 
-//! A match as from nearby repeated texture: a true one displaced in image 2.
+//! A wrong match as from nearby repeated texture: a true match with a displacement in image 2.
 void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
 {
     do

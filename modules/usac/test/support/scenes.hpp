@@ -26,16 +26,18 @@ enum OutlierModel {
     OUTLIERS_MANY_TO_ONE,  //!< anywhere in image 1; in image 2 the point of a true match, each
                            //!< shared by about ten wrong matches
     OUTLIERS_TARGETS,      //!< anywhere in image 1; in image 2 at one of two points, up to noise
-    OUTLIERS_LINE,  //!< in image 2 every second one on one line, up to noise; the others anywhere
+    OUTLIERS_LINE,  //!< anywhere in image 1; in image 2, every second match is on one line, up to
+                    //!< noise, the others are anywhere
     OUTLIERS_CLUSTERED,     //!< from one square of side 80 pixels in image 1 to one in image 2
     OUTLIERS_SECOND_MODEL,  //!< true matches of another camera motion (H, affine maps: of another
                             //!< plane), in image 1 within a square of side 160 pixels
-    // With these models, SceneOptions::structured wrong matches are so; the others are uniform.
-    OUTLIERS_SHIFT,     //!< shifted in image 2 by one common vector of 30 to 100 pixels, as for
-                        //!< repeated windows
-    OUTLIERS_PLANE,     //!< on a plane seen with another camera motion, from all of image 1
-    OUTLIERS_PLACE,     //!< at one point of image 2 up to 0.4 pixels, as from a watermark or a dead
-                        //!< pixel
+    // With the following models, SceneOptions::structured of the wrong matches follow the model;
+    // the others are uniform.
+    OUTLIERS_SHIFT,  //!< shifted in image 2 by one common vector of 30 to 100 pixels, as for
+                     //!< repeated windows
+    OUTLIERS_PLANE,  //!< on a plane seen with another camera motion, from all of image 1
+    OUTLIERS_PLACE,  //!< in image 2 at one of `places` points, with Gaussian noise of 0.4 pixels,
+                     //!< as from a watermark or a dead pixel
     OUTLIERS_CLUSTERS,  //!< each point in one of five squares of side 20 pixels of its image
     OUTLIERS_CENTER,    //!< both points about the center of their image by a Cauchy distribution,
                         //!< each coordinate with probability 1/2 within 20 pixels
@@ -47,22 +49,22 @@ enum OutlierModel {
 //! What the scores of a scene depend on; lower is better.
 enum ScoreModel {
     SCORES_OF_TRUTH,   //!< truth of the match, see scoreInformation
-    SCORES_OF_SECOND,  //!< matches of the second motion have the best scores, all others worse
-                       //!< random scores
+    SCORES_OF_SECOND,  //!< matches of the second motion have the best scores; all other matches
+                       //!< have worse, random scores
     SCORES_OF_PLACE,   //!< true matches in one square of side 160 pixels of image 1 have the best
-                       //!< scores, all others worse random scores
+                       //!< scores; all other matches have worse, random scores
     SCORES_NEAR        //!< the distance from one point of image 1, for true and wrong matches
 };
 
 //! How the camera moves from image 1 to image 2.
 enum Motion {
     MOTION_GENERAL,    //!< mostly sideways with a rotation; camera 2 is turned towards the scene
-    MOTION_FORWARD,    //!< along the optical axis, with a rotation about any axis
-    MOTION_SIDEWAYS,   //!< parallel to the image plane, with a rotation about any axis
+    MOTION_FORWARD,    //!< along the optical axis, with a rotation about a random axis
+    MOTION_SIDEWAYS,   //!< parallel to the image plane, with a rotation about a random axis
     MOTION_RECTIFIED,  //!< along the image rows, without rotation
-    MOTION_PLANAR,     //!< in any horizontal direction, with a rotation about the vertical axis
-    MOTION_CAR  //!< on a horizontal circle: the direction of motion is at half the angle of the
-                //!< rotation about the vertical axis
+    MOTION_PLANAR,  //!< in a random horizontal direction, with a rotation about the vertical axis
+    MOTION_CAR      //!< on a horizontal circle: the direction of motion is at half the angle of the
+                    //!< rotation about the vertical axis
 };
 
 //! What a synthetic scene looks like.
@@ -86,9 +88,10 @@ struct SceneOptions
     double noise;    //!< standard deviation of each of the four coordinates in pixels
     uint64 seed;
     double planeFraction;  //!< F, E: fraction of the true matches on one plane; other problems: all
+                           //!< are on it
     bool frontalPlane;     //!< the plane is parallel to image 1; otherwise it is tilted
-    double nearest, farthest;  //!< depths of points off the plane, whose depth is about 6
-    int duplicates;            //!< number of true matches that are copies of others
+    double nearest, farthest;  //!< depths of points off the plane; the plane has a depth of about 6
+    int duplicates;            //!< number of true matches that are copies of other true matches
     int copies;  //!< number of times that each match occurs; `inliers` and `outliers` count
                  //!< different matches
     Motion motion;
@@ -120,9 +123,9 @@ struct Scene
     std::vector<uchar> onPlane;   //!< 1: a true match on the plane
     std::vector<uchar> onSecond;  //!< 1: a wrong match that is consistent with the second motion
     cv::Matx33d model;            //!< H, affine maps: last entry 1; F, E: unit Frobenius norm
-    cv::Matx33d F;                //!< of unit Frobenius norm, for all problems
-    cv::Matx33d K, R;             //!< both cameras have the same K; X2 = R X1 + t
-    cv::Vec3d t;                  //!< of unit length
+    cv::Matx33d F;                //!< fundamental matrix of unit Frobenius norm, for all problems
+    cv::Matx33d K, R;             //!< both cameras have the same K; X2 = R X1 + baseline * t
+    cv::Vec3d t;                  //!< direction of the translation, of unit length
 
     int size() const { return (int)points1.size(); }
 };
@@ -165,7 +168,7 @@ cv::Ptr<cv::usacv20::Usac> createUsac(const Scene& scene, const cv::usacv20::Par
 //! Runs an estimator for the scene once and returns its model.
 cv::Mat estimate(const Scene& scene, const cv::usacv20::Params& params,
                  cv::OutputArray mask = cv::noArray(), cv::usacv20::Report* report = 0);
-//! The same; returns the report.
+//! Runs an estimator like estimate(), but returns the report.
 cv::usacv20::Report reportOf(const Scene& scene, const cv::usacv20::Params& params,
                              cv::OutputArray mask = cv::noArray());
 

@@ -10,7 +10,8 @@
 
 namespace opencv_test {
 
-//! Points around 0 with duplicates; one in 50 may be up to 30 units away instead of 1.
+//! Points around 0 with duplicates. One point in 50 has coordinates of up to 30, the others of up
+//! to 1.
 inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1,
                          std::vector<Point2d>& points2)
 {
@@ -43,7 +44,8 @@ struct Surroundings
     Context context;
 };
 
-//! The points that a layer of the neighborhood has around a point; fails if one is repeated.
+//! The points that a layer of the neighborhood has around a point; the test fails if a point is
+//! repeated.
 inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& context, int layer,
                                int point)
 {

@@ -40,7 +40,7 @@ double rankedRight(const Scene& scene)
     return right / pairs;
 }
 
-//! For each point of image 2 with wrong matches, their number.
+//! For each point of image 2 to which wrong matches lead, the number of these matches.
 std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
 {
     std::map<std::pair<double, double>, int> result;
@@ -142,7 +142,8 @@ TEST(Usac_Scenes, scoresAreAsInformativeAsAskedFor)
     {
         options.scoreInformation = information;
         const Scene scene = makeScene(HOMOGRAPHY, options);
-        EXPECT_NEAR(information, rankedRight(scene), 0.04);  // four standard deviations at 0.5
+        // four standard deviations for an information of 0.5
+        EXPECT_NEAR(information, rankedRight(scene), 0.04);
         EXPECT_GE(*std::min_element(scene.scores.begin(), scene.scores.end()), 0.f);
         EXPECT_LE(*std::max_element(scene.scores.begin(), scene.scores.end()), 1.f);
         EXPECT_TRUE(samePoints(plain, scene)) << "the points depend on the scores";

@@ -24,8 +24,8 @@ double evidence(const std::vector<uchar>& inliers, int m)
     return orderEvidence(inliers.data(), none.data(), (int)inliers.size(), m);
 }
 
-//! For random orders the normalized rank sum must have mean 0 and standard deviation 1. It may be
-//! smaller if the first inliers do not count.
+//! For random orders the normalized rank sum must have mean 0 and standard deviation 1. The rank
+//! sum may be smaller if the first inliers do not count.
 TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
 {
     RNG rng(1);
@@ -41,7 +41,8 @@ TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
     }
     EXPECT_NEAR(0, sum / RUNS, 0.04);
     EXPECT_NEAR(1, squares / RUNS, 0.05);
-    EXPECT_LE(beyond, 40);  // 1 in 1000; fewer because the first seven inliers do not count
+    // 20 are expected (1 in 1000), or fewer because the first seven inliers do not count
+    EXPECT_LE(beyond, 40);
 }
 
 //! Compared with the definition: the number of pairs of an inlier and an outlier in which the
@@ -87,8 +88,9 @@ TEST(Usac_ConfirmedOrder, goodOrderIsEvidence)
     EXPECT_EQ(0, evidence(std::vector<uchar>(100, 0), 7));
 }
 
-//! Pairs of matches in common cells, among the true matches of a scene (`right`) or among the
-//! others.
+//! Counts the pairs of matches that share cells of both images, among the true matches of a scene
+//! (`right`) or among the wrong matches. Blocks of `merged` x `merged` cells are merged into one
+//! cell.
 CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
 {
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -119,7 +121,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
             both += rest.both;
             expected += rest.expected;
             EXPECT_GT(own.both, 2 * own.expected) << seed;
-            seen += otherMotionWouldShow(own, rest, 150, 350);  // there is no other motion
+            // how often the test recognizes that there is no other motion
+            seen += otherMotionWouldShow(own, rest, 150, 350);
             // another motion has as many matches as the first one, and is as coherent
             options.outliers = 200;
             options.second = 150;
@@ -133,7 +136,7 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
 }
 
 //! Few matches are seldom in a common small cell. Larger cells must show more often that there is
-//! no other motion, and must miss none.
+//! no other motion, and must miss hardly any other motion that exists.
 TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -222,8 +225,9 @@ TEST(Usac_ConfirmedOrder, goodScoresPayWhereFewAreRight)
     EXPECT_LE(found.iterations, 2000);  // 14 000 without scores
 }
 
-//! Scores must not mislead the search: best ones for a smaller other motion, for a square or near a
-//! point of image 1, random ones and reversed ones.
+//! Scores must not mislead the search: neither if the best scores are those of a smaller second
+//! motion, of the true matches in a square of image 1, or of the matches near a point of image 1,
+//! nor if the scores are random or reversed.
 TEST(Usac_ConfirmedOrder, badScoresAreSeen)
 {
     const ProblemType problems[] = {HOMOGRAPHY, ESSENTIAL};
@@ -236,7 +240,7 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
             options.scoreModel = kind < 3 ? (ScoreModel)(SCORES_OF_SECOND + kind) : SCORES_OF_TRUTH;
             options.scoreInformation = kind == 4 ? 0.05 : 0.5;
             EXPECT_LE(run(problems[k], options, true).failed, 1) << (int)problems[k] << " " << kind;
-            if (kind == 0)  // trustedScores() is misled by these
+            if (kind == 0)  // scores of the second motion mislead trustedScores()
             {
                 EXPECT_GE(run(problems[k], options, true, 40, Params::trustedScores()).failed, 10)
                     << (int)problems[k];

@@ -51,7 +51,7 @@ double binomial(int n, int m)
 typedef testing::TestWithParam<int> Usac_Magsac_Termination;
 
 //! The number of samples must be the mean of log(1 - confidence) / log(1 - p) over five scales of
-//! the noise.
+//! the noise, where p is the probability of an all-inlier sample at this scale.
 TEST_P(Usac_Magsac_Termination, againstItsFormula)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -78,7 +78,7 @@ TEST_P(Usac_Magsac_Termination, againstItsFormula)
             EXPECT_NEAR(sum, termination->iterations(found.context, found.state),
                         1.001 + 1e-9 * sum)
                 << inlierThreshold;
-            // must not end before the standard criterion
+            // the criterion must not end the search before the standard criterion does
             EXPECT_GE(termination->iterations(found.context, found.state),
                       createStandardTermination()->iterations(found.context, found.state));
         }

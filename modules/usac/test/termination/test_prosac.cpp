@@ -60,7 +60,7 @@ struct Case
             double p = kept;
             for (int i = 0; i < m; ++i)
                 p *= exact ? (double)(I - i) / (n - i) : (double)I / n;
-            double k = 1;  // by counting if this does not take long
+            double k = 1;  // number of samples; counted without logarithms if it is not too large
             if (p < 1 && std::log(1 - confidence) / std::log(1 - p) > 3000)
                 k = std::ceil(std::log(1 - confidence) / std::log(1 - p));
             else
@@ -186,7 +186,9 @@ TEST(Usac_TerminationProsac, allInliers)
     EXPECT_EQ(0, length);
 }
 
-//! The probability that a random match agrees with a wrong model must be that found by counting.
+//! randomInlierRatio() is an estimate of the probability that a random match agrees with a wrong
+//! model. The fraction found by counting must be at most 1.1 times the estimate and at least a
+//! quarter of it.
 TEST(Usac_TerminationProsac, randomInlierRatio)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -226,8 +228,8 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         1, problemObject(HOMOGRAPHY).randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
 }
 
-//! Parameters with scores that sort the points: the best ones are mostly true matches, the more so
-//! with a larger `separation`.
+//! Parameters with scores that sort the points: the best points are mostly true matches; the larger
+//! `separation` is, the more of them are true.
 Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
 {
     RNG rng(scene.size());
@@ -307,8 +309,8 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     return iterations;
 }
 
-//! Sampling without repetition, T(d,d) and the local samples of P-NAPSAC must all increase the
-//! number of samples.
+//! Sampling without repetition, T(d,d) and the local samples of P-NAPSAC must each increase the
+//! number of samples that the criterion asks for.
 TEST(Usac_TerminationProsac, heedsTheOptions)
 {
     SceneOptions options;

@@ -127,8 +127,9 @@ TEST(Usac_Termination, pNapsac)
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
 }
 
-//! The number of samples must not be reduced if the best model may be one of a plane
-//! (`successProbability` below 1), and less reduced if the inliers are few, repeated matches.
+//! The relaxation must not reduce the number of samples if the best model may be that of a plane
+//! (`successProbability` below 1). It must reduce the number less if many samples contain the same
+//! match twice.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
 {
     Params params;
@@ -174,7 +175,7 @@ TEST(Usac_Termination, sprtWithOneTest)
 }
 
 //! The solution h of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 -
-//! epsilon_l))^h = 1, by a fine scan.
+//! epsilon_l))^h = 1, by a fine scan. `test` has been designed for epsilon_l and delta_l.
 double exponentByScan(const SequentialTest& test, double epsilon)
 {
     const double a = test.delta / test.epsilon, b = (1 - test.delta) / (1 - test.epsilon);
@@ -208,8 +209,8 @@ TEST(Usac_Termination, sprtWithEarlierTests)
         }
 }
 
-//! If epsilon is the designed value, h is 1, so that an earlier test must count like the current
-//! one.
+//! If the inlier ratio epsilon is that for which the test was designed, h is 1, so that an earlier
+//! test must count like the current test.
 TEST(Usac_Termination, sprtWithEqualTests)
 {
     Counts one(HOMOGRAPHY, 60), two(HOMOGRAPHY, 60);

@@ -77,8 +77,8 @@ TEST(Usac_TwoViewBatch, a_mistake_is_that_of_its_pair)
     EXPECT_EQ("", found[3].error);
 }
 
-//! Whenever a pair is canceled, the result must say so. A function that never returns false must
-//! change no bit.
+//! Whenever a pair is canceled, the result must say so. A progress function that never returns
+//! false must change no bit.
 TEST(Usac_TwoViewBatch, cancelled_at_any_time)
 {
     SceneOptions options;
@@ -94,8 +94,8 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
     for (int last = 1; last < 40; ++last)
     {
         int asked = 0;
-        const ProgressScope scope(
-            [&asked, last](const Report&) { return ++asked != last; });  // false once
+        // the progress function returns false only in call number `last`
+        const ProgressScope scope([&asked, last](const Report&) { return ++asked != last; });
         const TwoViewGeometry found = estimateTwoViewGeometry(pair);
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
@@ -108,7 +108,8 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
         EXPECT_TRUE(sameBits(whole.mask, found.mask) && sameBits(whole.H, found.H));
         break;
     }
-    EXPECT_GT(cancelled, 0);  // each period of the progress can cancel the run
+    // the run must be canceled if the first call of the progress function returns false
+    EXPECT_GT(cancelled, 0);
 }
 
 TEST(Usac_TwoViewBatch, cancelled)
@@ -238,7 +239,8 @@ TEST(Usac_TwoViewRules, samples_of_a_collection)
     for (double samples : {known, known - 1})
     {
         double lost = 0;
-        for (int k = -1; k < 8; ++k)  // -1: the known pairs; else a ratio between 0.25 and theirs
+        for (int k = -1; k < 8; ++k)  // -1: the pairs with known ratios; otherwise a pair with a
+                                      // ratio between 0.25 and the known one
         {
             const double ratio = k < 0 ? 0.45 : 0.25 + 0.2 * (k + 0.5) / 8;
             const double part = rightSamples(5, 80, std::max((int)std::ceil(ratio * 80), 15));

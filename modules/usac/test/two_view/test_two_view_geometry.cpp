@@ -42,7 +42,7 @@ TwoViewPair pairOf(const Scene& scene, bool known = true)
                        K.clone());
 }
 
-//! Checks what is promised of every result with inliers.
+//! Checks the documented properties of a result with inliers.
 void checkFields(const TwoViewGeometry& found, const TwoViewPair& pair)
 {
     EXPECT_EQ(pair.points1.rows, found.mask.rows);
@@ -124,7 +124,7 @@ TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
 TEST(Usac_TwoViewGeometry, estimated_threshold)
 {
     for (uint64 seed = 1; seed <= 8; ++seed)
-        for (int kind = 0; kind < 3; ++kind)  // with cameras; without; a plane
+        for (int kind = 0; kind < 3; ++kind)  // 0: with cameras; 1: without cameras; 2: a plane
         {
             const Scene scene = sceneOf(seed, kind == 2 ? 1 : 0);
             const TwoViewPair pair = pairOf(scene, kind != 1);
@@ -238,11 +238,11 @@ TEST(Usac_TwoViewGeometry, watermark)
         second(i) = first(i) + Point2d(3, 0) + gaussianPoint(rng, 0.3);
     }
     TwoViewPair pair(first, second);
-    EXPECT_NE((int)TWO_VIEW_WATERMARK,
-              estimateTwoViewGeometry(pair, twoPixels()).configuration);  // sizes unknown
+    // the image sizes are unknown
+    EXPECT_NE((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
     pair.imageSize1 = pair.imageSize2 = Size(SCENE_WIDTH, SCENE_HEIGHT);
     EXPECT_EQ((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
-    pair.taken2 = second + Scalar(0, -200);  // original positions of the points
+    pair.taken2 = second + Scalar(0, -200);  // original positions of the points, not in the corner
     EXPECT_NE((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
 }
 

@@ -156,7 +156,8 @@ TEST_P(Usac_Sprt, badModelsAreDropped)
 //! larger one tests too many points.
 TEST_P(Usac_Sprt, thresholdSolvesWaldsEquation)
 {
-    // A - log A - 1 = C t_M / m_S, in which t_M / m_S is the same for all ratios
+    // A - log A - 1 = C t_M / m_S. The cost t_M of the models of a sample, in tests of a point, and
+    // the mean number m_S of these models do not depend on the ratios
     double constant = 0;
     for (size_t k = 0; k < sizeof(RATIOS) / sizeof(RATIOS[0]); ++k)
     {

@@ -145,8 +145,9 @@ TEST(Usac_Tdd, asksAllPoints)
     EXPECT_NEAR(1, measure(pure, *createTddVerifier(100), pure.truth, 100, 1).passed, 1e-9);
 }
 
-//! The termination criteria must take the rejected good models into account: a good sample has
-//! probability epsilon^m epsilon^d instead of epsilon^m.
+//! The termination criteria must take the rejected good models into account: with an inlier ratio
+//! epsilon and samples of m points, a good sample whose model passes the test has probability
+//! epsilon^m epsilon^d instead of epsilon^m.
 TEST(Usac_Tdd, terminationAllowsForIt)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -175,7 +176,7 @@ TEST(Usac_Tdd, terminationAllowsForIt)
                         better = 1;
                         for (int i = 0; i < m; ++i)
                             better *= (more - i) / (50 - i);
-                        // 0 if there are fewer inliers than test points
+                        // the probability is 0 if there are fewer inliers than test points
                         for (int i = 0; i < d; ++i)
                             better *= std::max((more - i) / (50 - i), 0.);
                     }

@@ -5,7 +5,8 @@
 // Variables that the parts of programs in the documents assume, with a known true model. Two images
 // show points of space. A third of the points lies in a plane parallel to both images, so that its
 // map is a homography, an affine map and a similarity. A fifth of the matches is wrong. Each part
-// becomes a program: `before` of the table, the part, and `after` of the table, which uses REQUIRE.
+// becomes a program, which consists of the code `before` of its rule in table.py, the part itself,
+// and the code `after` of this rule, which uses REQUIRE.
 
 #include <atomic>
 #include <cmath>

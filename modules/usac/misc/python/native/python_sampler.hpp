@@ -24,7 +24,8 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE;
 
 private:
-    py::object sampler, rng;  //!< Python object that passes the generator of the current iteration
+    //! `rng` is a Python object that passes the generator of the current iteration.
+    py::object sampler, rng;
     int sampleSize;
 };
 

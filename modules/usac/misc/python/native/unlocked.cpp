@@ -21,7 +21,7 @@ bool isMainThread()
     return threading.attr("main_thread")().is(threading.attr("current_thread")());
 }
 
-//! Asks Python now and then whether a signal has arrived.
+//! Asks Python, at intervals of at least PERIOD, whether a signal has arrived.
 class Signals
 {
 public:

@@ -85,7 +85,8 @@ PoseSample randomPoseSample(PoseSampleKind kind, RNG& rng)
     {
         for (int i = 0; i < 3; ++i)
             Y[i] = randomPoint(kind, rng);
-        if (kind == FLAT_TRIANGLE)  // the third point nearly between the others
+        // the third point is nearly on the line segment between the other two
+        if (kind == FLAT_TRIANGLE)
         {
             const Vec3d side = Y[1] - Y[0];
             Vec3d up = side.cross(Y[2] - Y[0]);

@@ -15,7 +15,7 @@ struct PoseSample
     cv::Vec3d X[3];
     cv::Point2d image[3];
     cv::Matx34d pose;
-    double size;  //!< distance of the farthest point from their mean
+    double size;  //!< largest distance of a point from the mean of the three points
 };
 
 //! How the points are placed. No angle of the triangle is within one degree of 0 or 180 degrees.
@@ -41,8 +41,8 @@ The image points are projected from the rounded object coordinates in long doubl
 error is their own rounding to double. */
 PoseSample poseSampleOf(const cv::Vec3d (&Y)[3], cv::RNG& rng);
 
-//! A triangle on the circle of radius 1 around the z axis, with corners at these angles (radians),
-//! seen from `center`.
+//! A triangle seen from `center`. Its corners are at these angles (radians) on the circle of radius
+//! 1 around the origin in the plane z = 0.
 PoseSample triangleSeenFrom(const cv::Vec3d& center, const double (&angles)[3], cv::RNG& rng);
 
 //! Smallest difference in degrees between an angle of the triangle and 0 or 180 degrees.
@@ -53,7 +53,7 @@ double flatness(const cv::Vec3d (&Y)[3]);
 double reprojectionError(const PoseSample& sample, const cv::Matx34d& pose);
 
 //! Maximum of the difference of the rotations (Frobenius norm) and the difference of the
-//! translations divided by the size.
+//! translations divided by PoseSample::size.
 double poseDistance(const PoseSample& sample, const cv::Matx34d& a, const cv::Matx34d& b);
 
 }  // namespace opencv_test

@@ -17,9 +17,10 @@ using namespace cv;
 namespace {
 
 const double WIDTH = POSE_WIDTH, HEIGHT = POSE_HEIGHT, FOCAL = 600, MARGIN = 5;
-//! Range of the depths of visible points, and depth of the middle.
+//! Range of the depths of visible points, and depth of the middle of the object.
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6;
-//! Standard deviation of the noise of POSE_NEAR_PLANE and POSE_NEAR_LINE.
+//! Standard deviation of the noise of POSE_NEAR_PLANE and POSE_NEAR_LINE, in the unit of the
+//! depths.
 const double ROUGHNESS = 0.02;
 const double CLUSTER_RADIUS = 0.1, OUTLIER_RADIUS = 0.5, OUTLIER_SQUARE = 80, SHORTEST_LINE = 200;
 //! Standard deviation of the noise of POSE_OUTLIERS_PLACE in pixels.
@@ -128,7 +129,7 @@ private:
     Vec3d onLine(RNG& rng) const { return line[0] + (line[1] - line[0]) * rng.uniform(0., 1.); }
 
     PoseShape kind;
-    Vec3d normal[2];  //!< of the planes normal * X = 1
+    Vec3d normal[2];  //!< normals n of the planes n * X = 1
     Vec3d line[2];    //!< end points of the line
     Vec3d center;     //!< center of the cluster
 };
@@ -270,7 +271,7 @@ private:
     PoseScene& scene;
     RNG rng;
     Shape shape;
-    Point2d corner;               //!< of the square of POSE_OUTLIERS_CLUSTERED
+    Point2d corner;               //!< corner of the square of POSE_OUTLIERS_CLUSTERED in the image
     Vec3d ball;                   //!< center of the ball of POSE_OUTLIERS_CLUSTERED
     std::vector<Point2d> places;  //!< image points of POSE_OUTLIERS_PLACE
 };

@@ -27,11 +27,12 @@ enum PoseShape {
 //! What the wrong matches are like.
 enum PoseOutliers {
     POSE_OUTLIERS_UNIFORM,      //!< object points like the true ones, image points anywhere
-    POSE_OUTLIERS_CLUSTERED,    //!< from one ball of radius 0.5 to one square of side 80 pixels
+    POSE_OUTLIERS_CLUSTERED,    //!< object points in one ball of radius 0.5, image points in one
+                                //!< square of side 80 pixels
     POSE_OUTLIERS_SECOND_POSE,  //!< true matches of another pose of the same object, with the same
                                 //!< noise
-    POSE_OUTLIERS_PLACE  //!< `structured` of them at a few image points up to 0.4 pixels; the
-                         //!< others uniform
+    POSE_OUTLIERS_PLACE  //!< `structured` of them lead to a few image points, with Gaussian noise
+                         //!< of 0.4 pixels; the others are uniform
 };
 
 //! What a synthetic scene of absolute pose looks like.
@@ -44,7 +45,7 @@ struct PoseSceneOptions
     {}
 
     int size;            //!< number of different matches, at least 4
-    double inlierRatio;  //!< fraction of them that is true; at least 3 are
+    double inlierRatio;  //!< fraction of the matches that is true; at least 3 matches are true
     double noise;        //!< standard deviation of both image coordinates in pixels
     uint64 seed;
     PoseShape shape;
@@ -61,7 +62,8 @@ struct PoseSceneOptions
     double scale;      //!< factor on all lengths of the object
     cv::Vec3d offset;  //!< translation of the object points after scaling
     int structured,
-        places;  //!< POSE_OUTLIERS_PLACE: number of such matches and of their image points
+        places;  //!< POSE_OUTLIERS_PLACE: number of wrong matches that lead to a few image points,
+                 //!< and number of these image points
 };
 
 /** @brief Object points and their images, with the exact pose.
@@ -76,10 +78,10 @@ struct PoseScene
     std::vector<float> scores;
     std::vector<uchar> truth;  //!< 1: a true match
     cv::Matx33d K;
-    std::vector<double> distortion;  //!< in OpenCV's order
+    std::vector<double> distortion;  //!< coefficients in OpenCV's order
     cv::Matx34d pose;                //!< [R t]: camera point = R * object point + t
-    cv::Matx34d secondPose;          //!< of POSE_OUTLIERS_SECOND_POSE
-    double depth;                    //!< of the middle of the object, in its units
+    cv::Matx34d secondPose;          //!< pose of the wrong matches of POSE_OUTLIERS_SECOND_POSE
+    double depth;  //!< depth of the middle of the object, in the unit of the object points
 
     int size() const { return (int)object.size(); }
 };

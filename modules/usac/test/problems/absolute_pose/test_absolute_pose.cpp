@@ -30,8 +30,8 @@ Estimate estimate(const PoseScene& scene, const Params& params = Params())
     return result;
 }
 
-//! Checks the promises about the result, and that the pose is correct within `degrees` of rotation
-//! and within `part` of the depth in position.
+//! Checks the documented properties of the result, and that the pose is correct within `degrees` of
+//! rotation and within `part` of the depth in position.
 void expectRight(const PoseScene& scene, const Estimate& found, const Params& params,
                  double degrees, double part)
 {
@@ -174,8 +174,8 @@ TEST(Usac_AbsolutePose, points_behind_the_camera_are_no_inliers)
     expectRight(scene, found, Params(), 0.5, 0.02);
 }
 
-//! Object points on a line, all equal or NaN, or image points all equal. No preset may raise an
-//! exception or return a pose; for the line a finite pose is allowed.
+//! The object points are on a line, all equal or all NaN, or the image points are all equal. No
+//! preset may raise an exception or return a pose; for the line a finite pose is allowed.
 TEST(Usac_AbsolutePose, degenerate_points)
 {
     PoseSceneOptions options;
@@ -233,8 +233,8 @@ TEST(Usac_AbsolutePose, near_lines_clusters_and_copies)
         }
 }
 
-//! Camera matrices with different focal lengths, a negative one or skew, and points undistorted to
-//! K = I.
+//! The pose must be found, and the mask must be right, if the camera matrix has two different focal
+//! lengths, a negative focal length or skew, or is the identity.
 TEST(Usac_AbsolutePose, any_camera_matrix)
 {
     PoseScene scene = makePoseScene();
@@ -328,7 +328,8 @@ TEST(Usac_AbsolutePose, wrong_arguments_are_named)
                     "degeneracy");
 }
 
-//! A residual of the caller: the errors of the search, which do not include the lens.
+//! A residual as a caller may write it. It has the errors that the search uses, which do not
+//! include the lens distortion.
 class PlainResidual : public Residual
 {
 public:
@@ -346,8 +347,8 @@ public:
     Ptr<Residual> builtIn;
 };
 
-//! The mask must use the residual in use, here one without the lens, and the lens again when the
-//! built-in residual is restored.
+//! If the residual is replaced by one that ignores the lens distortion, the mask must do so, too.
+//! When the built-in residual is restored, the mask must include the distortion again.
 TEST(Usac_AbsolutePose, replaced_residual_makes_the_mask)
 {
     PoseSceneOptions options;

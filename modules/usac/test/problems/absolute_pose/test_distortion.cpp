@@ -9,7 +9,8 @@
 #include "problems/absolute_pose/pose_parameterization.hpp"
 #include "problems/kernels.hpp"
 
-// The lens is compared with cv::projectPoints, the derivatives of errors with finite differences.
+// The lens model is compared with cv::projectPoints, the derivatives of errors with finite
+// differences.
 
 namespace opencv_test {
 namespace {
@@ -70,8 +71,9 @@ TEST(Usac_Distortion, is_that_of_projectPoints_and_inverted)
     }
 }
 
-//! r (1 - q / 4) with q = r^2 decreases beyond q = 4 / 3. Points further out are not visible;
-//! otherwise they would be projected onto other points and could be inliers.
+//! With this lens, the distance of an image point from the center is r (1 - r^2 / 4), which
+//! decreases beyond r^2 = 4 / 3. Points with a larger r must not be visible; otherwise they would
+//! have the same image as points with a smaller r and could be inliers.
 TEST(Usac_Distortion, ends_where_the_lens_folds)
 {
     const Distortion distortion(Mat(Matx14d(-0.25, 0, 0, 0)));
@@ -108,8 +110,8 @@ TEST(Usac_Distortion, of_any_depth_and_shape)
     EXPECT_LE(cv::norm(a - c), 1e-7);
 }
 
-//! Checks a residual with a lens: its derivatives, its form for columns, and that points behind the
-//! camera have infinite errors.
+//! Checks a residual with a lens: its derivatives, its form for columns of points, and that points
+//! behind the camera have infinite errors.
 void checkResidual(const Residual& residual, const Matx33d& camera)
 {
     RNG rng(7);

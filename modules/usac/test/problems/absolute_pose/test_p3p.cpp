@@ -129,9 +129,9 @@ int countLacking(const PoseSample& s, const std::vector<Matx34d>& some,
     return result;
 }
 
-/** All poses that OpenCV's solvers find must be found. They in turn miss a few, or find them with
-errors so large that they cannot be distinguished from wrong poses: 4 of 3100 where a point is close
-to the camera center. */
+/** The solver must find all poses that OpenCV's solvers find. OpenCV's solvers miss 4 of 3100
+poses, where a point is close to the camera center, or find them with errors so large that they
+cannot be distinguished from wrong poses. */
 TEST(Usac_P3P, sameAsOpenCV)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -157,7 +157,7 @@ TEST(Usac_P3P, sameAsOpenCV)
     }
 }
 
-//! Tolerance for nearly double solutions, which rounding may move so far.
+//! Tolerance of poseDistance() for nearly double solutions, which rounding may move by so much.
 const double DOUBLE_SOLUTION = 1e-5;
 
 //! The equations are singular if the camera center is on the cylinder through the circumscribed
@@ -185,7 +185,8 @@ TEST(Usac_P3P, dangerCylinder)
     }
 }
 
-//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere.
+//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere, may
+//! have double solutions. The true pose must be found nevertheless.
 TEST(Usac_P3P, symmetric)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -207,7 +208,7 @@ TEST(Usac_P3P, symmetric)
     tally.expectSound("symmetric");
 }
 
-//! The camera center is in the plane of the triangle.
+//! The camera center is in the plane of the triangle. The true pose must be found nevertheless.
 TEST(Usac_P3P, coplanarWithTheCenter)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -256,8 +257,8 @@ TEST(Usac_P3P, anyOrder)
     }
 }
 
-//! A sample whose third point is at the distance `height` from the line of the others, as a
-//! multiple of the distance between these.
+//! A sample whose third point is off the line through the first two points. `height` is its
+//! distance from this line, divided by the distance between the first two points.
 PoseSample flatSample(double height, RNG& rng)
 {
     PoseSample s = randomPoseSample(CUBE, rng);
@@ -315,8 +316,8 @@ TEST(Usac_P3P, smallAndFlat)
     }
 }
 
-//! For triangles that are nearly lines, every returned pose must be a rotation and reproject the
-//! points.
+//! For triangles that are nearly lines, every returned pose must consist of a rotation and a
+//! translation and must reproject the points.
 TEST(Usac_P3P, nearlyFlat)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -331,7 +332,7 @@ TEST(Usac_P3P, nearlyFlat)
     tally.expectSound("nearly flat");
 }
 
-//! Input that is not finite, or whose squares are not, must give no model.
+//! Input that is not finite, or whose squares are not finite, must give no model.
 TEST(Usac_P3P, notFinite)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -352,8 +353,8 @@ TEST(Usac_P3P, notFinite)
     }
 }
 
-//! For images and points that do not belong together there is often no pose, but every returned
-//! pose must reproject the points.
+//! The image points come from other object points, so that there is often no pose. Every returned
+//! pose must nevertheless reproject the object points onto the image points.
 TEST(Usac_P3P, wrongMatches)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -377,6 +378,7 @@ TEST(Usac_P3P, wrongMatches)
 }
 
 //! Small integer coordinates make right angles, equal sides, equal points and other special cases.
+//! All returned poses must be valid and different.
 TEST(Usac_P3P, smallIntegers)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();

@@ -206,8 +206,9 @@ TEST(Usac_PoseScenes, clusteredOutliers)
     EXPECT_LE(extents(object)[0], 0.5);
 }
 
-//! Object points behind the camera must be on the line of the ray of their image; other points must
-//! be at the camera center. All of them must be wrong matches.
+//! The option `behind` must make object points behind the camera, on the line through the camera
+//! center and their image point. The option `atCenter` must make object points at the camera
+//! center. All of them must be wrong matches.
 TEST(Usac_PoseScenes, pointsThatNoCameraSees)
 {
     PoseSceneOptions options;
@@ -293,7 +294,8 @@ TEST(Usac_PoseScenes, scoresAreAsInformativeAsAskedFor)
         for (int i = 0; i < scene.size(); ++i)
             for (int j = 0; j < scene.size(); ++j)
                 right += scene.truth[i] && !scene.truth[j] && scene.scores[i] < scene.scores[j];
-        EXPECT_NEAR(information, right / (800. * 1200.), 0.05);  // four standard deviations at 0.5
+        // four standard deviations for an information of 0.5
+        EXPECT_NEAR(information, right / (800. * 1200.), 0.05);
     }
 }
 

@@ -16,8 +16,8 @@ Triangle isosceles(double side, double ray, double base, double sigma)
     return T;
 }
 
-//! Determinant of the conic a23 Q12 - a12 Q23 in p, q, w, where a_ij = Q_ij are the equations of
-//! TriangleDepths.
+//! Determinant of the conic a23 Q12 - a12 Q23 in p, q, w, where a_ij = Q_ij are the three equations
+//! in violation(), with a23 = 1.
 double determinantOf(const Triangle& T)
 {
     const double s = T.sigma, pq = T.a12 * (1 - s * s * T.s23 / 2),

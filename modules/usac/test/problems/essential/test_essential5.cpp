@@ -176,8 +176,8 @@ MatrixXl constraintsOn(const MatrixXl& N)
 }
 
 /** All essential matrices of five points from the eigenvectors of the action matrix @cite
-stewenius2006recent, in long double. The solver uses another method, so that their errors are
-independent. */
+stewenius2006recent, in long double. The tested solver uses another method, so that the errors of
+the two are independent. */
 std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
 {
     MatrixXl A(5, 9), G(4, 4);

@@ -99,7 +99,7 @@ TEST(Usac_Degensac, generalScenesAreNotWorse)
     }
 }
 
-//! recover() alone may replace a model only by a better one.
+//! recover() may replace a model only by a model with a lower cost.
 TEST(Usac_Degensac, neverRaisesTheCost)
 {
     int replaced = 0, detected = 0, tried = 0;
@@ -221,7 +221,7 @@ TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
         Arena arena;
         const Context context(usac->points(), usac->components(), params, arena);
         usac->components().start(context);
-        // F = [e]x H of the plane with an epipole that is not the scene's
+        // F = [e]x H with the homography H of the plane and a wrong epipole e
         std::vector<cv::Point2d> plane1, plane2;
         for (int k = 0; k < scene.size(); ++k)
             if (scene.onPlane[k])

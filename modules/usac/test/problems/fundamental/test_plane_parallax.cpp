@@ -19,7 +19,7 @@ Params paramsOf(const Params& preset)
     return params;
 }
 
-//! Sum over all matches of the squared error in thresholds, truncated at 1.
+//! Sum over all matches of the squared ratio of the error to the threshold, truncated at 1.
 double costOf(const Scene& scene, const cv::Matx33d& F)
 {
     double cost = 0;
@@ -74,7 +74,8 @@ struct Parallax
             ->fit(p, right.data(), (int)right.size(), 0, truth, 20);
     }
 
-    //! The model with which a search begins: the plane with an epipole that is not the scene's.
+    //! The model with which a search begins: [e]x H with the homography H of the plane and a wrong
+    //! epipole e.
     Model wrong() const { return crossMatrix(cv::Vec3d(0.3, -0.2, 1)) * H; }
     //! Prepares a search that begins with wrong().
     void begin(PlaneParallax& parallax, Model& model, Quality& quality) const
@@ -95,8 +96,8 @@ struct Parallax
     Model truth;
 };
 
-//! Number of runs whose model has a cost higher than the refined true model by more than one
-//! outlier.
+//! Number of runs that fail: the cost of the model exceeds that of the refined true model by more
+//! than 1, the cost of one outlier.
 int searchFailures(const Params& preset, int size, double plane, double inliers, int scenes)
 {
     int failures = 0;
@@ -112,8 +113,9 @@ int searchFailures(const Params& preset, int size, double plane, double inliers,
     return failures;
 }
 
-//! For comparison, with 300 random pairs of 208 points off the plane, 0, 2, 2, 7, 15, 28 and 8 % of
-//! the runs fail.
+//! A plane dominates the scenes. `cells` contains the fraction of true matches on the plane and the
+//! inlier ratio. For comparison: if the epipole came from 300 random pairs among 208 points off the
+//! plane, 0, 2, 2, 7, 15, 28 and 8 % of the runs would fail.
 TEST(Usac_PlaneParallax, fewSearchFailures)
 {
     const double cells[][2] = {{0.6, 0.5},  {0.8, 0.5},  {0.9, 0.7}, {0.95, 0.9},
@@ -153,7 +155,9 @@ TEST(Usac_PlaneParallax, allMotions)
     }
 }
 
-//! Only outliers are off the plane. The search must be bounded: it tries each line at most once.
+//! Only outliers are off the plane. A match off the plane and the homography of the plane give two
+//! points of an image; the epipole is on the line through them. The search must be bounded: it
+//! tries each of these lines at most once.
 TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
 {
     const int sizes[] = {20, 200, 1000, 6000};
@@ -234,7 +238,7 @@ TEST(Usac_PlaneParallax, repeatedPoints)
         found += quality.cost <= p.context.rate(p.truth).cost + 8;
     }
     EXPECT_GE(found, SCENES - 2);
-    // one match fifty times has no second line and thus no epipole
+    // one match that occurs fifty times gives a single line and thus no epipole
     const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)),
         same2(50, cv::Point2d(-0.5, 0.25));
     const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);

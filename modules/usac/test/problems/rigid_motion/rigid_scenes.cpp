@@ -14,10 +14,10 @@ using namespace cv;
 
 namespace {
 
-//! Standard deviation of the noise of RIGID_NEAR_PLANE and RIGID_NEAR_LINE.
+//! Standard deviation of the noise of RIGID_NEAR_PLANE and RIGID_NEAR_LINE before scaling.
 const double ROUGHNESS = 0.02;
 const double CLUSTER_RADIUS = 0.1, OUTLIER_RADIUS = 0.3, OUTLIER_SIDE = 4, FARTHEST_MOVED = 3;
-//! Standard deviation of the noise of RIGID_OUTLIERS_PLACE in thresholds.
+//! Standard deviation of the noise of RIGID_OUTLIERS_PLACE, divided by the threshold.
 const double JITTER = 0.25;
 
 Vec3d randomInCube(RNG& rng, double half)
@@ -98,7 +98,8 @@ private:
         return Matx33d::eye() * c + cross * s + (a * a.t()) * (1 - c);
     }
 
-    //! The motion between coordinates after scaling and translation, from the motion before.
+    //! Converts a motion between the original coordinates to the motion between the scaled and
+    //! translated ones.
     Matx34d placed(const Matx34d& motion) const
     {
         const Matx33d A = linearPart(motion);
@@ -180,7 +181,7 @@ private:
     const Matx33d axes;         //!< axes of the plane or the line
     Matx34d near, other;        //!< motions before scaling and translation
     Vec3d ball1, ball2;         //!< centers of the balls of RIGID_OUTLIERS_CLUSTERED
-    std::vector<Vec3d> places;  //!< points of RIGID_OUTLIERS_PLACE
+    std::vector<Vec3d> places;  //!< points of space 2 for RIGID_OUTLIERS_PLACE
 };
 
 }  // namespace

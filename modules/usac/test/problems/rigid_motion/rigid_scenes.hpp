@@ -23,12 +23,12 @@ enum RigidShape {
 
 //! What the wrong matches are like.
 enum RigidOutliers {
-    RIGID_OUTLIERS_UNIFORM,    //!< in space 1 like the true ones, in space 2 anywhere in a cube of
-                               //!< side 4 around them
-    RIGID_OUTLIERS_CLUSTERED,  //!< from one ball of radius 0.3 to another
+    RIGID_OUTLIERS_UNIFORM,  //!< in space 1 like the true matches; in space 2 anywhere in a cube of
+                             //!< side 4, whose center is the moved origin of space 1
+    RIGID_OUTLIERS_CLUSTERED,      //!< from one ball of radius 0.3 in space 1 to one in space 2
     RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
-    RIGID_OUTLIERS_PLACE  //!< `structured` of them at a few points of space 2 up to a quarter of
-                          //!< the threshold; the others uniform
+    RIGID_OUTLIERS_PLACE  //!< `structured` of them lead to a few points of space 2, with Gaussian
+                          //!< noise of a quarter of the threshold; the others are uniform
 };
 
 //! What a synthetic scene of two spaces looks like. Lengths are multiples of `unit`.
@@ -41,7 +41,7 @@ struct RigidSceneOptions
     {}
 
     int size;            //!< number of different matches, at least 4
-    double inlierRatio;  //!< fraction of them that is true; at least 3 are
+    double inlierRatio;  //!< fraction of the matches that is true; at least 3 matches are true
     double noise;  //!< standard deviation of each coordinate of space 2, divided by `modelScale`
     uint64 seed;
     RigidShape shape;
@@ -54,7 +54,8 @@ struct RigidSceneOptions
     double unit;                 //!< factor on all coordinates
     cv::Vec3d offset1, offset2;  //!< translations of both spaces after scaling
     int structured,
-        places;  //!< RIGID_OUTLIERS_PLACE: number of such matches and of their points in space 2
+        places;  //!< RIGID_OUTLIERS_PLACE: number of wrong matches that lead to a few points of
+                 //!< space 2, and number of these points
 };
 
 /** @brief Points of two spaces, with the exact motion between them.
@@ -69,8 +70,8 @@ struct RigidScene
     std::vector<float> scores;
     std::vector<uchar> truth;  //!< 1: a true match
     cv::Matx34d motion;        //!< [s R t]: point of space 2 = s R point of space 1 + t
-    cv::Matx34d secondMotion;  //!< of RIGID_OUTLIERS_SECOND_MOTION
-    double unit;               //!< of space 2: the product of the options `unit` and `modelScale`
+    cv::Matx34d secondMotion;  //!< motion of the wrong matches of RIGID_OUTLIERS_SECOND_MOTION
+    double unit;       //!< unit of space 2: the product of the options `unit` and `modelScale`
     double threshold;  //!< 3.5 standard deviations of the noise, or 0.035 units without noise
 
     int size() const { return (int)points1.size(); }

@@ -329,7 +329,7 @@ void checkParameters()
     EXPECT_LE((A - basis.transpose() * sums.JtJ * basis).norm(), 1e-12 * A.norm());
     EXPECT_LE((b - basis.transpose() * sums.Jtr).norm(), 1e-12 * b.norm());
     EXPECT_TRUE(here.hasFullRank());
-    // for a matrix that is no rotation, the closest motion
+    // for a matrix that is not a motion, the parameters must be those of the closest motion
     Matx34d rough = Matx34d(model);
     for (int k = 0; k < 12; ++k)
         rough.val[k] += rng.gaussian(0.05);

@@ -16,7 +16,7 @@ Estimate estimate(ProblemType type, const RigidScene& scene)
     return estimate(type, scene, params);
 }
 
-//! Options with a scale if the problem has one.
+//! Options of a scene whose motion has a scale if the problem allows it.
 RigidSceneOptions optionsOf(ProblemType type)
 {
     RigidSceneOptions options;
@@ -24,8 +24,8 @@ RigidSceneOptions optionsOf(ProblemType type)
     return options;
 }
 
-//! Checks the promises about the result, and that the motion is correct within `degrees` of
-//! rotation and `error` units of the scene.
+//! Checks the documented properties of the result, and that the motion is correct within `degrees`
+//! of rotation and `error` units of the scene.
 void expectRight(ProblemType type, const RigidScene& scene, const Estimate& found, double threshold,
                  double degrees, double error)
 {
@@ -73,9 +73,8 @@ TEST_P(Usac_RigidMotion, every_shape_and_kind_of_outliers)
                 options.copies = copies;
                 options.seed = 10 + shape;
                 const RigidScene scene = makeRigidScene(options);
-                const double degrees = shape == RIGID_NEAR_LINE
-                                           ? 10
-                                           : 0.4;  // a line hardly determines a rotation
+                // points near a line hardly determine the rotation about it
+                const double degrees = shape == RIGID_NEAR_LINE ? 10 : 0.4;
                 expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, degrees,
                             0.005);
             }
@@ -267,7 +266,8 @@ TEST_P(Usac_RigidMotion, threads_give_the_same_bits)
     }
 }
 
-//! Some rows are not finite, as where a depth camera measures no depth. They must not be inliers.
+//! Some rows are not finite, as happens where a depth camera measures no depth. They must not be
+//! inliers.
 TEST_P(Usac_RigidMotion, rows_of_no_numbers)
 {
     RigidScene scene = makeRigidScene(optionsOf(problem()));
@@ -314,7 +314,7 @@ TEST_P(Usac_RigidMotion, impossible_points)
             scene.points2 = *seconds[i];
             const Estimate found = estimate(problem(), scene, preset.params);
             if (random && preset.params.quality == QUALITY_LMEDS)
-                continue;  // it may choose a large threshold
+                continue;  // LMedS may choose a large threshold
             EXPECT_TRUE(found.model.empty());
             EXPECT_EQ(0, countNonZero(found.mask));
             EXPECT_EQ(100, found.mask.rows);

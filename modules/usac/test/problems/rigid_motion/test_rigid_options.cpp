@@ -95,7 +95,8 @@ TEST_P(Usac_RigidOptions, every_termination)
         if (flags[k] == TERMINATION_MAGSAC)
         {
             params.quality = QUALITY_MAGSAC;
-            params.threshold = 3 * scene.threshold;  // a bound of the noise
+            params.threshold = 3 * scene.threshold;  // MAGSAC takes the threshold as an upper bound
+                                                     // of the noise
         }
         const Estimate found = checkedMotion(problem(), scene, params);
         ASSERT_FALSE(found.model.empty());
@@ -131,8 +132,8 @@ TEST_P(Usac_RigidOptions, scores_save_samples)
     EXPECT_LT(with, 0.5 * without);
 }
 
-//! With 90 % outliers, a single sample finds no motion, so that it must come from the initial
-//! model.
+//! With 90 % outliers, a single sample finds no motion, so that the correct motion must come from
+//! the initial model. With many samples, a wrong initial model must do no harm.
 TEST_P(Usac_RigidOptions, initial_model)
 {
     RigidSceneOptions options = optionsOf(problem(), 0.1);
@@ -172,7 +173,8 @@ TEST_P(Usac_RigidOptions, initial_model)
     }
 }
 
-//! If the threshold is too small for the noise, a growing reach must improve the model.
+//! If the threshold is too small for the noise, a reach that grows (Params::widestReach) must
+//! improve the model.
 TEST_P(Usac_RigidOptions, widest_reach)
 {
     double narrow = 0, wide = 0;
@@ -285,7 +287,7 @@ TEST_P(Usac_RigidOptions, run_again)
     {
         RigidSceneOptions options = optionsOf(problem(), 0.5);
         options.size = size;
-        options.unit = 50;  // suits the default threshold
+        options.unit = 50;  // the noise, 0.5, suits the default threshold
         const RigidScene scene = makeRigidScene(options);
         usac->setPoints(scene.points1, scene.points2);
         for (int run = 0; run < 2; ++run)

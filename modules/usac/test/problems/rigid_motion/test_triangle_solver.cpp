@@ -123,9 +123,9 @@ double indeterminacyOf(const Triangle& from, const Triangle& to)
     return result;
 }
 
-/** The true motion must be found within 1e-6, except for triangles so thin that rounding hides it.
-Their smallest height is less than some thirty million roundings of their coordinates, or less than
-about 1.5e-8 of their longest side, where they count as collinear. */
+/** The true motion must be found within 1e-6, except for triangles so thin that rounding hides it:
+their smallest height is less than about 3e7 times the rounding error of their coordinates, or less
+than 2e-8 of their longest side. (The solver takes triangles below about 1.5e-8 as collinear.) */
 void expectTruth(int samples)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -304,7 +304,8 @@ TEST(Usac_TriangleSolver, smallIntegers)
                 const Point2d p = integerPoint(rng, -1, 2);
                 t[side][k] = Vec3d(p.x, p.y, z);
             }
-            expected = expected && thicknessOf(t[side]) > 0;  // exact; NaN for equal points
+            // the thickness is exact here, and NaN for equal points
+            expected = expected && thicknessOf(t[side]) > 0;
         }
         Matx34d motion;
         const bool solved = solve(i % 2 != 0, t[0], t[1], motion);
@@ -316,7 +317,7 @@ TEST(Usac_TriangleSolver, smallIntegers)
     EXPECT_GT(none, 3000);
 }
 
-//! Input that is not finite, or whose squares are not, must give no model.
+//! Input that is not finite, or whose squares are not finite, must give no model.
 TEST(Usac_TriangleSolver, notFinite)
 {
     const double wrong[] = {NAN, INFINITY, -INFINITY, DBL_MAX, -DBL_MAX, 1e160};

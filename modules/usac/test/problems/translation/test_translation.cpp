@@ -13,7 +13,7 @@ namespace {
 
 const Point2d TRUTH(37.25, -12.5);
 
-//! Matches of a translation with noise in image 2, followed by random ones.
+//! Matches of a translation with noise in image 2, followed by random wrong matches.
 struct Matches
 {
     Matches(int right_, int wrong, double noise, uint64 seed, const Point2d& truth_ = TRUTH)
@@ -88,7 +88,8 @@ TEST(Usac_Translation, minimalSolver)
     }
 }
 
-//! A fit must be the weighted mean of the displacements to the last digits, also if they are large.
+//! A fit must be the weighted mean of the displacements up to rounding, even if the displacements
+//! are large.
 TEST(Usac_Translation, leastSquares)
 {
     const Parts parts;
@@ -179,8 +180,8 @@ TEST(Usac_Translation, everyPreset)
             }
 }
 
-//! With two motions, 6 pixels apart, the result must be the motion of more matches and not one
-//! between the two.
+//! With two motions, 6 pixels apart, the result must be the motion with more matches and not a
+//! motion between the two.
 TEST(Usac_Translation, twoMotions)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)

@@ -172,8 +172,7 @@ TEST(Usac_PlaneMaps, parameters)
     checkParameters<SimilarityParameterization>(SIMILARITY);
 }
 
-//! A fit must agree with the solution of the linear equations, which has the same minimum for these
-//! maps.
+//! A fit must agree with linear least squares, which has the same minimum for these maps.
 TEST(Usac_PlaneMaps, leastSquares)
 {
     for (int t = 0; t < 2; ++t)
@@ -219,7 +218,8 @@ TEST(Usac_PlaneMaps, everyPreset)
                 Report report;
                 const Mat map = scene.estimate(params, mask, report);
                 ASSERT_EQ(Size(3, 2), map.size()) << t << " " << presets[k].name;
-                // PROSAC's termination ends the search of unsorted points early
+                // where all samples follow the order of the points (orderedEvery is 1), PROSAC's
+                // criterion may end the search of unsorted points early
                 EXPECT_LE(scene.error(map), params.orderedEvery == 1 ? 0.6 : 0.45)
                     << t << " " << presets[k].name;
                 EXPECT_EQ(report.inliers, countNonZero(mask));

@@ -49,17 +49,16 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
 }
 
 //! Matches share a point if they are close together in one image and far apart in the other. x1 and
-//! x2 are the distances of two matches in image 1 and in image 2.
+//! x2 are the distances of two matches in image 1 and in image 2. With the threshold 1, matches
+//! share a point if they are closer than 2 in one image and farther apart than 20 in the other.
 TEST(Usac_SharedPoints_Samples, shareATarget)
 {
     const struct
     {
         double x1, x2;
         bool same;
-    } pairs[] = {{100, 1, true},    {1, 100, true},  {100, 2.1, false},
-                 {19, 1.9, false},  {30, 1.9, true}, {1, 1, false},
-                 {100, 100, false}, {9, 1, false}};  // threshold 1: closer than 2 in one image,
-                                                     // farther apart than 20 in the other
+    } pairs[] = {{100, 1, true},  {1, 100, true}, {100, 2.1, false}, {19, 1.9, false},
+                 {30, 1.9, true}, {1, 1, false},  {100, 100, false}, {9, 1, false}};
     for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); ++i)
     {
         std::vector<Point2d> a(1, Point2d(5, 5)), b(1, Point2d(7, 7));
@@ -94,7 +93,7 @@ struct Checked
     Quality before, after;
 };
 
-//! Exact points in front of and behind the second camera, some of them near it.
+//! Exact points in front of and behind the second camera, some of them near it. Returns E.
 Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     Matx33d R;
@@ -128,8 +127,8 @@ TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
     }
 }
 
-//! An F whose epipole is the target has all matches with the target as inliers. These must count as
-//! one.
+//! Half of the matches lead to one point of an image, the target. An F whose epipole is the target
+//! has all these matches as inliers. They must count as one inlier.
 TEST(Usac_SharedPoints_Models, targetsCountOnce)
 {
     RNG rng(5);
@@ -179,7 +178,7 @@ TEST_P(Usac_SharedPoints, rightModelsCountInFull)
                     points2[i] *= 4;
                 model = Matx33d(0.25, 0, 0, 0, 0.25, 0, 0, 0, 1) * model;
             }
-            if (kind == 2)  // many points one pixel around each
+            if (kind == 2)  // two more matches near each match, up to one pixel away in x and in y
                 for (int i = scene.size(); i < 3 * scene.size(); ++i)
                 {
                     const Point2d shift(i % 3 - 1, i / 3 % 3 - 1);
@@ -194,8 +193,8 @@ TEST_P(Usac_SharedPoints, rightModelsCountInFull)
         }
 }
 
-//! A check that drops each new best model, or (`kept` 1) makes its cost so high that any other is
-//! better.
+//! A check that drops each new best model, or (`kept` 1) makes its cost so high that every other
+//! model is better. In both cases, the search must go on and pass later models to the check.
 class DropsEach : public Degeneracy
 {
 public:
