@@ -9,7 +9,7 @@
 namespace opencv_test {
 namespace {
 
-enum { RUNS = 20 };
+enum { RUNS = 60 };
 
 //! A scene for F. 104 of the 200 true matches are on a plane. `others` of the wrong matches are
 //! consistent with the homography of the plane and another epipole. A wrong F with this epipole
@@ -65,19 +65,19 @@ int rightOnes(int others, bool scores)
 }
 
 //! The correct F has 96 inliers beside those on the plane. Beside those, the wrong F has 90 inliers
-//! and by chance some of the uniform outliers, so that its cost is slightly lower. Without scores 2
-//! of 20 returned models are correct, and with scores 8. In the other scenes the costs differ by
-//! more, or the correct F was not found.
+//! and by chance some of the uniform outliers, so that its cost is slightly lower. Without scores
+//! 10 of 60 returned models are correct, and with scores 24; where `libm` differs, other ones are.
+//! In the other scenes the costs differ by more, or the correct F was not found.
 TEST(Usac_Alternatives, good_scores_decide_between_models_of_nearly_the_same_cost)
 {
-    EXPECT_GE(rightOnes(90, true), rightOnes(90, false) + 4);
+    EXPECT_GE(rightOnes(90, true), rightOnes(90, false) + 6);
 }
 
 //! With 180 matches of the other epipole, the wrong F has many more inliers than the correct one,
 //! so that scores must not matter.
 TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
 {
-    EXPECT_LE(rightOnes(180, true), 1);
+    EXPECT_LE(rightOnes(180, true), 3);
 }
 
 //! Number of scenes in which the returned model is the correct one. The scenes have 200 true
