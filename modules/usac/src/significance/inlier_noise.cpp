@@ -54,7 +54,7 @@ public:
         float* const memory = scope.take<float>((size_t)WRONG_PARTNERS * size);
         wrong = memory;
         wrongCount = wrongErrors(residual, model, p, size, memory, context.arena);
-        unit = 4 * widest / FINEST;  // SignificantScale begins with a quarter of the unit
+        unit = 4 * widest / FINEST;  // SignificantScale begins with 0.31 of the unit
         Correspondences narrow = p;
         narrow.threshold = unit;
         chance = p.problem->randomInlierRatio(narrow);

@@ -8,13 +8,12 @@
 namespace opencv_test {
 namespace {
 
-//! The numbers of the streams of random numbers from STREAM_ROTATION to STREAM_RESTARTS must differ
-//! from each other and from those of the samples, which are 0 to INT_MAX, for every number of
-//! iterations.
+//! The numbers of the streams of random numbers of all purposes must differ from each other and
+//! from those of the samples, which are 0 to INT_MAX, for every number of iterations.
 TEST(Usac_Streams, doNotMeet)
 {
     uint64 end = INT_MAX;
-    for (int stream = STREAM_ROTATION; stream <= STREAM_RESTARTS; ++stream)
+    for (int stream = STREAM_ROTATION; stream <= STREAM_LEVERAGE; ++stream)
     {
         EXPECT_GT(streamOf((Stream)stream), end) << stream;
         end = streamOf((Stream)stream, (uint64)2 * INT_MAX);

@@ -173,11 +173,12 @@ std::string brokenContract(const FuzzInput& input)
 {
     const std::vector<Point2d> before1 = input.points1, before2 = input.points2;
     const std::vector<Point3d> object = input.object, space2 = input.space2;
-    const Mat K1 = input.K1.clone(), d1 = input.d1.clone(), K2 = input.K2.clone();
+    const Mat K1 = input.K1.clone(), d1 = input.d1.clone(), K2 = input.K2.clone(),
+              d2 = input.d2.clone();
     const Answer first = run(input, 1), second = run(input, input.otherThreads);
     if (!sameBits(before1, input.points1) || !sameBits(before2, input.points2) ||
         !sameBits(K1, input.K1) || !sameBits(K2, input.K2) || !sameBits(object, input.object) ||
-        !sameBits(space2, input.space2) || !sameBits(d1, input.d1))
+        !sameBits(space2, input.space2) || !sameBits(d1, input.d1) || !sameBits(d2, input.d2))
         return "the input has changed";
     const std::string broken = brokenAnswer(input, first);
     return broken.empty() ? brokenRepetition(first, second) : broken;
