@@ -13,9 +13,9 @@ namespace {
 
 // doc/constants.md lists the effects of halving or doubling each constant.
 
-//! SAMPLES: number of samples whose models are compared by their errors. STARTS: number of the best
-//! of these models, from each of which a least-squares fit starts.
-constexpr int SAMPLES = 64, STARTS = 4;
+//! START_SAMPLES: number of samples whose models are compared by their errors. START_MODELS: number
+//! of the best of these models, from each of which a least-squares fit starts.
+constexpr int START_SAMPLES = 64, START_MODELS = 4;
 //! PART: maximum number of points with which initial models are compared and fitted. MOST_STEPS:
 //! maximum number of steps of a fit; fits converge earlier.
 constexpr int PART = 500, MOST_STEPS = 100;
@@ -156,10 +156,10 @@ bool GivenModels::begin(Model& model) const
     PointSubset part(points, size, scope);
     for (int k = 0; k < size; ++k)
         part.add(indices[k]);
-    Model starts[STARTS];
-    double losses[STARTS];
-    std::fill(losses, losses + STARTS, DBL_MAX);
-    for (int i = 0; i < (count > m ? SAMPLES : 1); ++i)
+    Model starts[START_MODELS];
+    double losses[START_MODELS];
+    std::fill(losses, losses + START_MODELS, DBL_MAX);
+    for (int i = 0; i < (count > m ? START_SAMPLES : 1); ++i)
     {
         Rng rng(context.params.seed, streamOf(STREAM_FIT, i));
         int sample[MAX_SAMPLE_SIZE];
@@ -171,14 +171,14 @@ bool GivenModels::begin(Model& model) const
         for (int k = 0; k < found; ++k)
         {
             const double loss = lossOf(part, models[k]);
-            int place = STARTS;
+            int place = START_MODELS;
             for (; place > 0 && loss < losses[place - 1]; --place)
-                if (place < STARTS)
+                if (place < START_MODELS)
                 {
                     losses[place] = losses[place - 1];
                     starts[place] = starts[place - 1];
                 }
-            if (place < STARTS)
+            if (place < START_MODELS)
             {
                 losses[place] = loss;
                 starts[place] = models[k];
@@ -186,7 +186,7 @@ bool GivenModels::begin(Model& model) const
         }
     }
     double least = DBL_MAX;
-    for (int i = 0; i < STARTS && losses[i] < DBL_MAX; ++i)
+    for (int i = 0; i < START_MODELS && losses[i] < DBL_MAX; ++i)
     {
         if (!leastSquares(size, starts[i]))
             continue;

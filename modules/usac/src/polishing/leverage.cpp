@@ -43,7 +43,7 @@ constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! single precision.
 constexpr double LEAST_NOISE = 1e-3;
 //! Steps of a fit. A fit need not converge, because the result is polished.
-constexpr int STEPS = 5;
+constexpr int LEVERAGE_STEPS = 5;
 
 }  // namespace
 
@@ -73,7 +73,8 @@ void Leverage::improve(Model& model, Quality& quality)
     Points near = {scope.take<int>(size), 0}, rest = {scope.take<int>(size), 0};
     if (!agreeing(fitted, bulk, PREDICTED, near) || !fit(near, STARTS, fitted) ||
         !agreeing(fitted, near, DBL_MAX, rest) ||
-        !parts.nonMinimalSolver->fit(context.points, rest.indices, rest.count, 0, fitted, STEPS) ||
+        !parts.nonMinimalSolver->fit(context.points, rest.indices, rest.count, 0, fitted,
+                                     LEVERAGE_STEPS) ||
         !convinces(fitted, model, rest))
         return;
     parts.polisher->polish(context, fitted);
@@ -169,9 +170,10 @@ bool Leverage::fit(const Points& points, int first, Model& model) const
 {
     const NonMinimalSolver& solver = *parts.nonMinimalSolver;
     Model other = model;
-    const bool fits = solver.fit(context.points, points.indices, points.count, 0, model, STEPS);
+    const bool fits = solver.fit(context.points, points.indices, points.count, 0, model,
+                                 LEVERAGE_STEPS);
     if (sampled(points, first, other) &&
-        solver.fit(context.points, points.indices, points.count, 0, other, STEPS) &&
+        solver.fit(context.points, points.indices, points.count, 0, other, LEVERAGE_STEPS) &&
         (!fits || sumOf(points, other) < sumOf(points, model)))
     {
         model = other;

@@ -128,8 +128,8 @@ class _Forest:
 
 
 def _asRotation(values: npt.NDArray[np.float64]) -> _Rotation:
-    w, x, y, z = values.tolist()
-    return float(w), float(x), float(y), float(z)
+    w, x, y, z = map(float, values)
+    return w, x, y, z
 
 
 def _times(a: _Rotation, b: _Rotation) -> _Rotation:
