@@ -14,29 +14,22 @@ namespace {
 class Affinity : public PlaneMap
 {
 public:
-    Affinity();
+    Affinity() : PlaneMap(cv::usacv20::AFFINITY, 'A', cv::Size(3, 2), 3, 2000) {}
 
     void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, params);
+    }
+
     void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, flag,
+                                              settings.threshold, (size_t)settings.maxIterations,
+                                              settings.confidence);
+    }
 };
-
-Affinity::Affinity() : PlaneMap(cv::usacv20::AFFINITY, 'A', cv::Size(3, 2), 3, 2000) {}
-
-void Affinity::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                          Estimate& estimate) const
-{
-    estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, params);
-}
-
-void Affinity::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                          Estimate& estimate) const
-{
-    estimate.model = cv::estimateAffine2D(pair.points1, pair.points2, estimate.mask, flag,
-                                          settings.threshold, (size_t)settings.maxIterations,
-                                          settings.confidence);
-}
 
 }  // namespace
 

@@ -11,27 +11,6 @@ namespace benchmark {
 
 namespace {
 
-//! E, the essential matrix; the pair must have both camera matrices.
-class Essential : public Epipolar
-{
-public:
-    Essential();
-
-    bool hasCamera1() const CV_OVERRIDE { return true; }
-    bool hasCamera2() const CV_OVERRIDE { return true; }
-    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
-                                         const cv::usacv20::Params& params) const CV_OVERRIDE;
-    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                    Estimate& estimate) const CV_OVERRIDE;
-    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                    Estimate& estimate) const CV_OVERRIDE;
-
-protected:
-    void checkTruth(const TruthReader& in, const ImagePair& pair) const CV_OVERRIDE;
-    cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
-    cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
-};
-
 const int ITERATIONS_OF_TWO_CAMERAS = 1000;
 
 //! The parameters that calib3d derives from a USAC flag for E.
@@ -66,56 +45,67 @@ cv::Mat toCamera(const std::vector<cv::Point2f>& points, const cv::Matx33d& K,
     return result;
 }
 
-Essential::Essential() : Epipolar(cv::usacv20::ESSENTIAL, 'E', cv::Size(3, 3), 1, 1000) {}
-
-void Essential::checkTruth(const TruthReader& in, const ImagePair& pair) const
+//! E, the essential matrix; the pair must have both camera matrices.
+class Essential : public Epipolar
 {
-    in.require(pair.hasCamera1, "K1", "needed for E");
-    in.require(pair.hasCamera2, "K2", "needed for E");
-}
+public:
+    Essential() : Epipolar(cv::usacv20::ESSENTIAL, 'E', cv::Size(3, 3), 1, 1000) {}
 
-cv::Ptr<cv::usacv20::Usac> Essential::estimator(const ImagePair& pair,
-                                                const cv::usacv20::Params& params) const
-{
-    return cv::usacv20::Usac::create(type, pair.points1, pair.points2, params, pair.K1, pair.K2);
-}
-
-void Essential::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                           Estimate& estimate) const
-{
-    estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2,
-                                          cv::noArray(), cv::noArray(), estimate.mask, params);
-}
-
-void Essential::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                           Estimate& estimate) const
-{
-    const cv::Mat none;
-    if (settings.maxIterations == ITERATIONS_OF_TWO_CAMERAS)
-        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, none, pair.K2,
-                                              none, flag, settings.confidence, settings.threshold,
-                                              estimate.mask);
-    else if (flag == cv::RANSAC || flag == cv::LMEDS)
+    bool hasCamera1() const CV_OVERRIDE { return true; }
+    bool hasCamera2() const CV_OVERRIDE { return true; }
+    cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
+                                         const cv::usacv20::Params& params) const CV_OVERRIDE
     {
-        const cv::Matx33d mean = (pair.K1 + pair.K2) * 0.5;
-        estimate.model = cv::findEssentialMat(
-            toCamera(pair.points1, pair.K1, mean), toCamera(pair.points2, pair.K2, mean), mean,
-            flag, settings.confidence, settings.threshold, settings.maxIterations, estimate.mask);
+        return cv::usacv20::Usac::create(type, pair.points1, pair.points2, params, pair.K1,
+                                         pair.K2);
     }
-    else
-        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2, none,
-                                              none, estimate.mask, usacParamsOf(flag, settings));
-}
 
-cv::Matx33d Essential::toFundamental(const ImagePair& pair, const cv::Matx33d& model) const
-{
-    return pair.K2.inv().t() * model * pair.K1.inv();
-}
+    void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2,
+                                              cv::noArray(), cv::noArray(), estimate.mask, params);
+    }
 
-cv::Matx33d Essential::toEssential(const ImagePair&, const cv::Matx33d& model) const
-{
-    return model;
-}
+    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        const cv::Mat none;
+        if (settings.maxIterations == ITERATIONS_OF_TWO_CAMERAS)
+            estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, none,
+                                                  pair.K2, none, flag, settings.confidence,
+                                                  settings.threshold, estimate.mask);
+        else if (flag == cv::RANSAC || flag == cv::LMEDS)
+        {
+            const cv::Matx33d mean = (pair.K1 + pair.K2) * 0.5;
+            estimate.model = cv::findEssentialMat(toCamera(pair.points1, pair.K1, mean),
+                                                  toCamera(pair.points2, pair.K2, mean), mean, flag,
+                                                  settings.confidence, settings.threshold,
+                                                  settings.maxIterations, estimate.mask);
+        }
+        else
+            estimate.model = cv::findEssentialMat(pair.points1, pair.points2, pair.K1, pair.K2,
+                                                  none, none, estimate.mask,
+                                                  usacParamsOf(flag, settings));
+    }
+
+protected:
+    void checkTruth(const TruthReader& in, const ImagePair& pair) const CV_OVERRIDE
+    {
+        in.require(pair.hasCamera1, "K1", "needed for E");
+        in.require(pair.hasCamera2, "K2", "needed for E");
+    }
+
+    cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE
+    {
+        return pair.K2.inv().t() * model * pair.K1.inv();
+    }
+
+    cv::Matx33d toEssential(const ImagePair&, const cv::Matx33d& model) const CV_OVERRIDE
+    {
+        return model;
+    }
+};
 
 }  // namespace
 

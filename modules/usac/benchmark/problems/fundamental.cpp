@@ -14,43 +14,33 @@ namespace {
 class Fundamental : public Epipolar
 {
 public:
-    Fundamental();
+    Fundamental() : Epipolar(cv::usacv20::FUNDAMENTAL, 'F', cv::Size(3, 3), 1, 1000) {}
 
     void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, estimate.mask, params);
+    }
+
     void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, flag,
+                                                settings.threshold, settings.confidence,
+                                                settings.maxIterations, estimate.mask);
+    }
 
 protected:
-    cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
-    cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE;
+    cv::Matx33d toFundamental(const ImagePair&, const cv::Matx33d& model) const CV_OVERRIDE
+    {
+        return model;
+    }
+
+    cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const CV_OVERRIDE
+    {
+        return pair.K2.t() * model * pair.K1;
+    }
 };
-
-Fundamental::Fundamental() : Epipolar(cv::usacv20::FUNDAMENTAL, 'F', cv::Size(3, 3), 1, 1000) {}
-
-void Fundamental::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                             Estimate& estimate) const
-{
-    estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, estimate.mask, params);
-}
-
-void Fundamental::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                             Estimate& estimate) const
-{
-    estimate.model = cv::findFundamentalMat(pair.points1, pair.points2, flag, settings.threshold,
-                                            settings.confidence, settings.maxIterations,
-                                            estimate.mask);
-}
-
-cv::Matx33d Fundamental::toFundamental(const ImagePair&, const cv::Matx33d& model) const
-{
-    return model;
-}
-
-cv::Matx33d Fundamental::toEssential(const ImagePair& pair, const cv::Matx33d& model) const
-{
-    return pair.K2.t() * model * pair.K1;
-}
 
 }  // namespace
 

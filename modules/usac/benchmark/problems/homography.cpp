@@ -14,28 +14,22 @@ namespace {
 class Homography : public PlaneMap
 {
 public:
-    Homography();
+    Homography() : PlaneMap(cv::usacv20::HOMOGRAPHY, 'H', cv::Size(3, 3), 2, 10000) {}
 
     void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::findHomography(pair.points1, pair.points2, estimate.mask, params);
+    }
+
     void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::findHomography(pair.points1, pair.points2, flag, settings.threshold,
+                                            estimate.mask, settings.maxIterations,
+                                            settings.confidence);
+    }
 };
-
-Homography::Homography() : PlaneMap(cv::usacv20::HOMOGRAPHY, 'H', cv::Size(3, 3), 2, 10000) {}
-
-void Homography::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                            Estimate& estimate) const
-{
-    estimate.model = cv::findHomography(pair.points1, pair.points2, estimate.mask, params);
-}
-
-void Homography::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                            Estimate& estimate) const
-{
-    estimate.model = cv::findHomography(pair.points1, pair.points2, flag, settings.threshold,
-                                        estimate.mask, settings.maxIterations, settings.confidence);
-}
 
 }  // namespace
 

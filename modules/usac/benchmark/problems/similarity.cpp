@@ -15,29 +15,23 @@ namespace {
 class Similarity : public PlaneMap
 {
 public:
-    Similarity();
+    Similarity() : PlaneMap(cv::usacv20::SIMILARITY, 'S', cv::Size(3, 2), 3, 2000) {}
 
     void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask,
+                                                     params);
+    }
+
     void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::estimateAffinePartial2D(
+            pair.points1, pair.points2, estimate.mask, flag, settings.threshold,
+            (size_t)settings.maxIterations, settings.confidence);
+    }
 };
-
-Similarity::Similarity() : PlaneMap(cv::usacv20::SIMILARITY, 'S', cv::Size(3, 2), 3, 2000) {}
-
-void Similarity::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                            Estimate& estimate) const
-{
-    estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, params);
-}
-
-void Similarity::callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                            Estimate& estimate) const
-{
-    estimate.model = cv::estimateAffinePartial2D(pair.points1, pair.points2, estimate.mask, flag,
-                                                 settings.threshold, (size_t)settings.maxIterations,
-                                                 settings.confidence);
-}
 
 }  // namespace
 

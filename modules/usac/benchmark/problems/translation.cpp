@@ -13,27 +13,20 @@ namespace {
 class Translation : public PlaneMap
 {
 public:
-    Translation();
+    Translation() : PlaneMap(cv::usacv20::TRANSLATION_2D, 'T', cv::Size(3, 2), 3, 2000) {}
 
     void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                    Estimate& estimate) const CV_OVERRIDE;
-    void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
-                    Estimate& estimate) const CV_OVERRIDE;
+                    Estimate& estimate) const CV_OVERRIDE
+    {
+        estimate.model = cv::usacv20::estimateTranslation2D(pair.points1, pair.points2, params,
+                                                            estimate.mask);
+    }
+
+    void callOpenCV(const ImagePair&, int, const Settings&, Estimate&) const CV_OVERRIDE
+    {
+        throw std::runtime_error("T: calib3d estimates no translations");
+    }
 };
-
-Translation::Translation() : PlaneMap(cv::usacv20::TRANSLATION_2D, 'T', cv::Size(3, 2), 3, 2000) {}
-
-void Translation::callModule(const ImagePair& pair, const cv::usacv20::Params& params,
-                             Estimate& estimate) const
-{
-    estimate.model = cv::usacv20::estimateTranslation2D(pair.points1, pair.points2, params,
-                                                        estimate.mask);
-}
-
-void Translation::callOpenCV(const ImagePair&, int, const Settings&, Estimate&) const
-{
-    throw std::runtime_error("T: calib3d estimates no translations");
-}
 
 }  // namespace
 
