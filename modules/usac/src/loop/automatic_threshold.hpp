@@ -26,10 +26,12 @@ The threshold that the caller has given is the widest threshold that is consider
    polishing, samples of the inliers are drawn to find a model of a core: it explains half of the
    inliers within a third of the widest threshold. If there is such a model, and errorsGoOn() finds
    no more errors beyond this threshold, the search begins with this model and threshold.
-3. The search begins with the model and the threshold of steps 1 and 2, and its termination criteria
-   also count the uniform samples of step 1. The threshold of the search is wider than that of the
-   mask by two standard deviations of the estimate, because with few inliers, models that fit some
-   of them by chance would make the threshold too narrow.
+3. The search begins with the model and the threshold of steps 1 and 2. If most points are inliers
+   of the best model, its criteria also count the uniform samples of step 1. Otherwise wrong matches
+   that agree with each other may have more inliers at the wide threshold than the right model, and
+   the samples do not count. The threshold of the search is wider than that of the mask by two
+   standard deviations of the estimate, because with few inliers, models that fit some of them by
+   chance would make the threshold too narrow.
 4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
    model. If the new threshold differs by more than a factor of 1.4, the search continues with it,
    and the samples drawn so far no longer count. The threshold becomes wider only if errorsGoOn()

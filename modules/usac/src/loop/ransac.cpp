@@ -157,7 +157,6 @@ void Ransac::begin(const Model& initial, int drawn)
         optimize(0, model, quality);
     if (quality.betterThan(state.bestQuality))
         setBest(model, quality, 0);
-    state.countedSamples = drawn;
     forgotten = -drawn;
 }
 

@@ -50,7 +50,7 @@ public:
 
     //! To be called before run(): scores and optimizes an initial model, as if from a sample.
     //! @param drawn number of uniform samples of which `initial` is the best model; they count for
-    //! the confidence
+    //! the confidence if most points are inliers of the best model, see samplesThatCount()
     void begin(const Model& initial, int drawn = 0);
     /** Searches until a criterion ends the search, or until `pause` samples have been drawn. The
     result is State::best; State::bestQuality stays infinite if no model is found. @return false if

@@ -66,7 +66,7 @@ int rightOnes(int others, bool scores)
 
 //! The correct F has 96 inliers beside those on the plane. Beside those, the wrong F has 90 inliers
 //! and by chance some of the uniform outliers, so that its cost is slightly lower. Without scores
-//! 10 of 60 returned models are correct, and with scores 24; where `libm` differs, other ones are.
+//! 10 of 60 returned models are correct, and with scores 24; other platforms have other numbers.
 //! In the other scenes the costs differ by more, or the correct F was not found.
 TEST(Usac_Alternatives, good_scores_decide_between_models_of_nearly_the_same_cost)
 {

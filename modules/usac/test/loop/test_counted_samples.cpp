@@ -204,5 +204,37 @@ TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
     EXPECT_GT(differ, 0);
 }
 
+//! Mean over some scenes of the number of samples of the search with an estimated threshold, over
+//! the number that the standard criterion asks for.
+double drawnWithEstimatedThreshold(ProblemType problem, int inliers, int outliers)
+{
+    Params params = Params::automatic();
+    params.termination = TERMINATION_STANDARD | TERMINATION_EXACT;
+    params.sampler = SAMPLER_UNIFORM;
+    params.runnersUp = 0;
+    const int scenes = 20, m = problem == FUNDAMENTAL ? 7 : 4;
+    double sum = 0;
+    for (int seed = 1; seed <= scenes; ++seed)
+    {
+        SceneOptions options;
+        options.setSize(inliers + outliers, (double)inliers / (inliers + outliers));
+        options.seed = params.seed = seed;
+        const Scene scene = makeScene(problem, options);
+        Report report;
+        EXPECT_FALSE(createUsac(scene, params)->run(noArray(), &report).empty());
+        sum += report.iterations / wantedSamples(report.inliers, scene.size(), m);
+    }
+    return sum / scenes;
+}
+
+//! The samples that are drawn to estimate the threshold count if most points are inliers of the
+//! model. Otherwise they do not, because models with fewer inliers at the final threshold may have
+//! looked better at the widest one.
+TEST(Usac_CountedSamples, samples_before_the_search)
+{
+    EXPECT_LE(drawnWithEstimatedThreshold(FUNDAMENTAL, 180, 120), 0.8);
+    EXPECT_GE(drawnWithEstimatedThreshold(HOMOGRAPHY, 90, 160), 0.95);
+}
+
 }
 }  // namespace

@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "significance/model_cases.hpp"
+#include "neighborhood/neighborhood.hpp"
+#include "support/run_context.hpp"
 
 // Tests of Params::sigmas, the relative noise of each match.
 
@@ -229,6 +231,24 @@ TEST(Usac_Sigmas_, setPoints)
     EXPECT_THROW(
         usac->setPoints(two.scene.points1.rowRange(0, 50), two.scene.points2.rowRange(0, 50)),
         Exception);
+}
+
+//! Params::neighborRadius is in pixels, whatever the unit of the threshold is.
+TEST(Usac_Sigmas_, radiusOfNeighborhoods)
+{
+    const MixedNoise mixed(HOMOGRAPHY, 1);
+    std::vector<Vec2i> edges[2];
+    for (int weighted = 0; weighted < 2; ++weighted)
+    {
+        const Ptr<Usac> usac = mixed.create(Params(), 1, weighted != 0);
+        const Ptr<Neighborhood> neighborhood = createRadiusNeighborhood(80);
+        const Components none;
+        const RunContext context(usac->points(), none, Params());
+        neighborhood->start(context);
+        edges[weighted] = edgesOf(*neighborhood, context);
+    }
+    EXPECT_FALSE(edges[0].empty());
+    EXPECT_EQ(edges[0], edges[1]);
 }
 
 //! The points that components see must have a factor each, the mean sigma divided by the sigma of
