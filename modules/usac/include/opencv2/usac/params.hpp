@@ -288,7 +288,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW std::vector<float> sigmas;
     /** Entries, row by row, of an initial model as the estimator returns it (such as that of the
     previous frame), or no model; see setInitialModel(). It is scored and optimized before the first
-    sample, like a model of a sample. It saves time if `maxIterations` is small. Default none. */
+    sample, like a model of a sample. A wrong number raises cv::Exception. Default none. */
     CV_PROP_RW std::vector<double> initialModel;
     /** Entries, row by row, of the covariance of `initialModel`, or no covariance; d x d, symmetric
     and positive definite, for the parameters of Report::covariance. With it, the initial model is a
