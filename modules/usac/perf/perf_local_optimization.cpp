@@ -9,8 +9,7 @@
 namespace opencv_test {
 namespace {
 
-CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
-typedef TestBaseWithParam<tuple<Problem, int>> UsacGraphCut;
+typedef TestBaseWithParam<tuple<PerfProblem, int>> UsacGraphCut;
 
 //! The best model of a sample of true matches, as the start of a local optimization.
 Model modelOfSample(const PerfScene& scene, int stream)
@@ -43,9 +42,9 @@ Model modelOfSample(const PerfScene& scene, int stream)
 
 //! Full local optimizations of 20 models, each one as if its model were the first of a run.
 PERF_TEST_P(UsacGraphCut, optimize_20models,
-            testing::Combine(Problem::all(), testing::Values(1000, 10000)))
+            testing::Combine(testing::ValuesIn(PERF_PROBLEMS), testing::Values(1000, 10000)))
 {
-    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
+    const PerfScene scene(get<0>(GetParam()).type, get<1>(GetParam()));
     std::vector<Model> models;
     for (int k = 0; k < 20; ++k)
         models.push_back(modelOfSample(scene, k));
@@ -69,9 +68,9 @@ PERF_TEST_P(UsacGraphCut, optimize_20models,
 
 //! The graph cut alone, 20 times at the true model. The graph is built before the measurement.
 PERF_TEST_P(UsacGraphCut, cut_20times,
-            testing::Combine(Problem::all(), testing::Values(1000, 10000)))
+            testing::Combine(testing::ValuesIn(PERF_PROBLEMS), testing::Values(1000, 10000)))
 {
-    const PerfScene scene((ProblemType)(int)get<0>(GetParam()), get<1>(GetParam()));
+    const PerfScene scene(get<0>(GetParam()).type, get<1>(GetParam()));
     Labeling labeling;
     std::vector<int> inliers(scene.context.points.size);
     int found = 0;

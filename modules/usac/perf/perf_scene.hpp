@@ -5,17 +5,33 @@
 #ifndef OPENCV_USACV20_PERF_SCENE_HPP
 #define OPENCV_USACV20_PERF_SCENE_HPP
 
+#include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "support/scenes.hpp"
 
 namespace opencv_test {
 
+//! A problem as a parameter of a performance test, which is printed by its name.
+struct PerfProblem
+{
+    ProblemType type;
+    const char* name;
+};
+
+inline void PrintTo(const PerfProblem& problem, std::ostream* out) { *out << problem.name; }
+
+const PerfProblem PERF_PROBLEMS[] = {
+#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) {TYPE, #TYPE},
+#include "problems/registry.inl.hpp"
+};
+
 /** A synthetic scene with 50 % outliers, and a run whose components have been started. */
 struct PerfScene
 {
     PerfScene(ProblemType problem, int size, const Params& params_ = Params())
-        : params(params_),
-          usac(isSpace(problem) ? createSpace(problem, size) : createTwoView(problem, size)),
+        : params(params_), usac(problem == ABSOLUTE_POSE ? createPose(size)
+                                : isSpace(problem)       ? createSpace(problem, size)
+                                                         : createTwoView(problem, size)),
           context(usac->points(), usac->components(), params, arena)
     {
         usac->components().start(context);
@@ -48,6 +64,18 @@ private:
         return created;
     }
 
+    Ptr<Usac> createPose(int size)
+    {
+        PoseSceneOptions options;
+        options.size = size;
+        options.inlierRatio = 0.5;
+        const PoseScene scene = makePoseScene(options);
+        const Ptr<Usac> created = Usac::create(ABSOLUTE_POSE, scene.object, scene.image, params,
+                                               scene.K);
+        setTruth(*created, scene.truth, scene.pose);
+        return created;
+    }
+
     Ptr<Usac> createSpace(ProblemType problem, int size)
     {
         RigidSceneOptions options;
@@ -56,10 +84,15 @@ private:
         options.unit = params.threshold / (3.5 * options.noise);
         const RigidScene scene = makeRigidScene(options);
         const Ptr<Usac> created = Usac::create(problem, scene.points1, scene.points2, params);
-        const std::vector<double> motion(scene.motion.val, scene.motion.val + 12);
-        truth = scene.truth;
-        CV_Assert(created->points().problem->fromOutput(motion, created->points(), model));
+        setTruth(*created, scene.truth, scene.motion);
         return created;
+    }
+
+    void setTruth(const Usac& created, const std::vector<uchar>& mask, const Matx34d& motion)
+    {
+        const std::vector<double> numbers(motion.val, motion.val + 12);
+        truth = mask;
+        CV_Assert(created.points().problem->fromOutput(numbers, created.points(), model));
     }
 
     PerfScene(const PerfScene&);

@@ -10,15 +10,14 @@
 namespace opencv_test {
 namespace {
 
-CV_ENUM(Problem, HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, RIGID_3D, SIMILARITY_3D)
-typedef TestBaseWithParam<Problem> UsacSolver;
+typedef TestBaseWithParam<PerfProblem> UsacSolver;
 
 //! Each call solves 10000 samples, as many at once as in a run. As 50 % of the points are outliers,
 //! most samples contain outliers, as in a real run.
-PERF_TEST_P(UsacSolver, minimal_10000samples, Problem::all())
+PERF_TEST_P(UsacSolver, minimal_10000samples, testing::ValuesIn(PERF_PROBLEMS))
 {
     const int samples = 10000;
-    const PerfScene scene((ProblemType)(int)GetParam(), 1000);
+    const PerfScene scene(GetParam().type, 1000);
     const MinimalSolver& solver = *scene.usac->components().minimalSolver;
     const Correspondences& points = scene.usac->points();
     const int together = solver.together();
