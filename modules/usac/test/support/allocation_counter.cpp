@@ -4,9 +4,10 @@
 
 #include "support/allocation_counter.hpp"
 
-// These definitions replace the functions of glibc that allocate, in the whole program: the linker
-// prefers the symbols of a program to those of its libraries. operator new and cv::fastMalloc call
-// them, too. The free of glibc frees what they return.
+// These definitions replace glibc's functions that allocate memory, for all code of the process:
+// the linker prefers the symbols of a program to those of its libraries. operator new and
+// cv::fastMalloc call these functions, too. The memory that they return is freed by free() of
+// glibc.
 
 #ifdef __GLIBC__
 

@@ -11,7 +11,8 @@ namespace opencv_test {
 
 #ifdef __GLIBC__
 //! Number of allocations of any size by malloc and related functions in the whole process so far.
-//! Weak, because a program is linked without it where a sanitizer or valgrind replaces malloc.
+//! Weak, because allocation_counter.cpp is not linked where a sanitizer or valgrind replaces
+//! malloc.
 long allocationsSoFar() __attribute__((weak));
 
 inline bool allocationsAreCounted() { return allocationsSoFar != 0; }

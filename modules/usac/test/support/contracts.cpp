@@ -91,7 +91,7 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
                  const Report& report, double widestReach)
 {
     Params params;
-    params.widestReach = widestReach;  // if the reach may grow, a correct model may have no inliers
+    params.widestReach = widestReach;  // above 1, a correct model is allowed to have no inliers
     params.threshold = pixels;
     EXPECT_EQ("", brokenResult(callOf(scene, params), model, mask, report));
     if (scene.problem == HOMOGRAPHY && !model.empty())
@@ -100,7 +100,7 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
         for (int i = 0; i < 3; ++i)
             rows.row(i) *= 1 / cvtest::norm(rows.row(i), NORM_INF);
         EXPECT_GT(std::abs(determinant(rows)),
-                  0);  // the determinant of the model itself may underflow
+                  0);  // the determinant of the model itself could underflow
     }
 }
 
@@ -131,8 +131,9 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
 
 namespace {
 
-//! Calls the find functions with a flag, in all their forms. Their results must equal those of the
-//! estimate function. Problems without flags are skipped.
+//! Calls OpenCV's function for the problem with a flag, for E also with a focal length instead of a
+//! camera matrix. The results must equal those of the estimate function. Problems without flags are
+//! skipped.
 void checkFlag(UsacV20Method flag, ProblemType problem, InputArray points1, InputArray points2,
                const Params& params, const Matx33d& K, const Mat& model, const Mat& mask)
 {

@@ -5,30 +5,30 @@
 #ifndef OPENCV_USACV20_TEST_CONTRACTS_HPP
 #define OPENCV_USACV20_TEST_CONTRACTS_HPP
 
-// Functions shared by contracts/, test_find*.cpp, test_params*.cpp and some of the other tests,
-// defined in contracts.cpp.
+// Functions shared by contracts/, api/ and some of the other tests, defined in contracts.cpp.
 
 #include "test_precomp.hpp"
 #include "support/result_oracle.hpp"
 
 namespace opencv_test {
 
-//! Name of a problem for the trace of a failure.
+//! Name of a problem, for messages of failing tests.
 const char* nameOf(ProblemType problem);
 
-//! Camera matrix of all scenes of makeScene.
+//! Camera matrix of all scenes of makeScene().
 Matx33d sceneCamera();
 
-//! Calls the public function of the problem; K is used for E only.
+//! Calls the estimate function of the problem; K is used for E and absolute pose only.
 Mat estimatePoints(ProblemType problem, InputArray points1, InputArray points2,
                    const Params& params, OutputArray mask, Report& report,
                    InputArray K = sceneCamera());
 
-//! The scene and the parameters as a call that the oracle brokenResult takes.
+//! Packs the scene and the parameters for the oracle brokenResult().
 EstimatorCall callOf(const Scene& scene, const Params& params);
 
-//! Checks the documented properties of a result, with the standard residual and a threshold in
-//! pixels. The second form is for points and a camera matrix that are not those of a Scene.
+//! Checks the documented properties of a result for the standard residual and a threshold of
+//! `pixels`. If `widestReach` (Params::widestReach) is above 1, a model without inliers is
+//! accepted. The second form is for points and a camera matrix that are not those of a Scene.
 void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat& mask,
                  const Report& report, double widestReach = 1);
 void checkResult(ProblemType problem, const std::vector<Point2d>& points1,
@@ -43,18 +43,19 @@ struct NamedPreset
 };
 
 std::vector<NamedPreset> allPresets();
-//! As allPresets(); for problems other than H, F and E, usac2013() is without DEGENSAC, for which
-//! they raise an exception.
+//! As allPresets(). For problems other than H, F and E, usac2013() comes without DEGENSAC, because
+//! these problems raise an exception for it.
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
-/** Runs every preset on the points, by the estimate function and by Usac::create, and every flag by
-the find functions. Expects no exception, the same bits from each of these ways, and a result with
-all documented properties (checkResult). @return the models of the presets */
+/** Runs every preset on the points, both with the estimate function and with Usac::create, and
+every flag with the find functions (if the problem has flags). Expects no exception, bitwise
+identical results from all of these, and a result with all documented properties (checkResult).
+@return the models of the presets */
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
                                const std::vector<Point2d>& points2, double pixels = 1.5,
                                int maxIterations = 200, const Matx33d& K = sceneCamera());
 
-//! Returns true if type, size and all bits of the elements are equal.
+//! Returns true if type, size and all bits of the elements are equal, or if both are empty.
 bool sameBits(const Mat& a, const Mat& b);
 
 //! Runs `call`, which has to raise a cv::Exception with `words` in its message.

@@ -9,7 +9,8 @@
 
 namespace opencv_test {
 
-//! Everything that a sampler needs, and its samples one after the other, as Ransac draws them.
+//! A sampler with everything that it needs. next() draws its samples one after the other, as Ransac
+//! does.
 class Draw
 {
 public:
@@ -21,14 +22,14 @@ public:
           m(usac->components().minimalSolver->sampleSize()), seed(seed_)
     {
         order.resize(count);
-        for (int i = 0; i < count; ++i)  // the order is an arbitrary permutation
+        for (int i = 0; i < count; ++i)  // a permutation unless 11 divides count
             order[i] = (i * 11 + 3) % count;
         state.order = order.data();
         usac->components().start(context);
         sampler->start(context);
     }
 
-    //! Parameters with which all samples are drawn in the sampler's own way and none uniformly.
+    //! Parameters with which all samples are drawn in the way of the sampler and none uniformly.
     static Params ordered()
     {
         Params result;
@@ -82,8 +83,8 @@ private:
     const uint64 seed;
 };
 
-//! Chi-squared statistic of equally likely counts: its distance from its mean (the degrees of
-//! freedom) in standard deviations.
+//! Distance of the chi-squared statistic of equally likely counts from its mean (the degrees of
+//! freedom), in standard deviations. `total` is the sum of the counts.
 inline double deviation(const std::vector<int>& counts, double total)
 {
     const double expected = total / counts.size(), freedom = counts.size() - 1.;
@@ -93,9 +94,9 @@ inline double deviation(const std::vector<int>& counts, double total)
     return (sum - freedom) / std::sqrt(2 * freedom);
 }
 
-/** T'_n of PROSAC's algorithm as published, for n = 0 .. N, from the product that defines T_n. The
-values T_n are written to `uniform`. T_N is 200000 or, if smaller, the number of possible samples.
-*/
+/** The values T'_n, n = 0 .. N, of PROSAC as published, from the product that defines T_n. The
+values T_n are written to `uniform`. T_N is 200000 or, if smaller, the number of possible
+samples. */
 inline std::vector<double> publishedGrowth(int N, int m, std::vector<double>* uniform = 0)
 {
     long double subsets = 1;

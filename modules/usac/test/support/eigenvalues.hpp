@@ -13,8 +13,8 @@ namespace opencv_test {
 typedef Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> MatrixXl;
 typedef Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, Eigen::Dynamic> MatrixXcl;
 
-//! Eigenvalues of a square matrix, as a column. @param vectors output unless null: eigenvectors,
-//! the columns
+//! Eigenvalues of a square matrix, as a column.
+//! @param vectors output unless null: eigenvectors, as columns
 MatrixXcl eigenvaluesOf(const MatrixXl& matrix, MatrixXcl* vectors = 0);
 
 }  // namespace opencv_test

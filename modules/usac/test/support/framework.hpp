@@ -5,15 +5,15 @@
 #ifndef OPENCV_USACV20_TEST_FRAMEWORK_HPP
 #define OPENCV_USACV20_TEST_FRAMEWORK_HPP
 
-// The test framework. Inside OpenCV it is OpenCV's module `ts`. An installed OpenCV has no `ts`;
-// there it is GoogleTest of the system with the few parts of `ts` that the tests use
-// (USAC_SYSTEM_GTEST).
+// The test framework. Inside OpenCV, the tests use OpenCV's module `ts`. An installed OpenCV has no
+// `ts`. Tests are then built with the GoogleTest of the system (USAC_SYSTEM_GTEST), and this file
+// defines the few parts of `ts` that they use.
 
 #ifndef USAC_SYSTEM_GTEST
 
 #include "opencv2/ts.hpp"
 
-//! Ends the test as skipped because it cannot run here; only in functions that return void.
+//! Skips the rest of a test that cannot run here. To be used only in functions that return void.
 #define USAC_SKIP(reason) throw SkipTestException(reason)
 
 #else
@@ -23,11 +23,11 @@
 
 namespace cvtest {
 
-//! Level of debug output, by default 0. With `--test_debug=1` it is 1, and the tests print what
+//! Level of debug output, 0 by default. `--test_debug=1` sets it to 1, so that the tests print what
 //! they have measured.
 extern int debugLevel;
 
-//! Returns true if `--test_tag_enable=verylong` asks for the tests that take minutes.
+//! Returns true if `--test_tag_enable=verylong` enables the tests that take minutes.
 bool runsVeryLong();
 
 using cv::norm;
@@ -47,7 +47,8 @@ using namespace cv;
             USAC_SKIP(tag);                                                                        \
     while (0)
 
-// OpenCV's GoogleTest has only the old name; newer GoogleTests deprecate it, and clang++ warns.
+// The GoogleTest of OpenCV has only the old name of this macro. Newer versions of GoogleTest
+// deprecate the old name, and clang++ warns about it.
 #undef INSTANTIATE_TEST_CASE_P
 #define INSTANTIATE_TEST_CASE_P INSTANTIATE_TEST_SUITE_P
 

@@ -7,7 +7,7 @@
 
 namespace opencv_test {
 
-//! Integral of f by Simpson's rule with 2 * steps intervals.
+//! Integral of f from `from` to `to` by Simpson's rule with 2 * steps intervals.
 template <class F>
 double integrate(const F& f, double from, double to, int steps)
 {

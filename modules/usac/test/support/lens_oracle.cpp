@@ -17,8 +17,8 @@ namespace opencv_test {
 
 namespace {
 
-//! Largest residual of Newton's method relative to the size of the point: twice the module's limit
-//! of 1e-11.
+//! Largest residual of Newton's method relative to 1 plus the distorted radius: twice the module's
+//! limit of 1e-11.
 const double LEFT = 2e-11;
 const int STEPS = 2000;
 
@@ -32,14 +32,14 @@ LensOracle::LensOracle(const Mat& distortion) : d()
         d[i] = doubles.ptr<double>()[i];
 }
 
-//! Radius of the image of a point with radius r, by the radial terms only. NaN beyond a pole.
+//! Distorted radius of a point with radius r, from the radial terms only. NaN at or beyond a pole.
 double LensOracle::radial(double r) const
 {
     const double q = r * r, below = 1 + q * (d[5] + q * (d[6] + q * d[7]));
     return below > 0 ? r * (1 + q * (d[0] + q * (d[1] + q * d[4]))) / below : NAN;
 }
 
-//! Returns whether the distorted radius grows strictly with the radius from 0 to `radius`.
+//! Returns true if radial() increases strictly between STEPS equidistant radii up to `radius`.
 bool LensOracle::grows(double radius) const
 {
     double before = 0;
@@ -53,7 +53,8 @@ bool LensOracle::grows(double radius) const
     return true;
 }
 
-//! Start of Newton's method by the radial terms, from the center outwards in small steps.
+//! Computes the starting point of Newton's method: inverts the radial terms alone, in small steps
+//! from the center outward.
 LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
 {
     const double wanted = cv::norm(seen);
@@ -71,13 +72,14 @@ LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
     return before >= wanted ? SEEN : UNDECIDED;
 }
 
-//! @param J output, derivative of the result by the point
+//! Distorts the point with cv::projectPoints.
+//! @param J output, derivative of the result with respect to the point
 //! @param rounding output, bound of the rounding error of the result
 Vec2d LensOracle::distort(const Vec2d& point, Matx22d& J, double& rounding) const
 {
     std::vector<Point2d> image;
-    Mat derivative;  // derivatives of the image point by rvec, tvec, focal lengths, center and the
-                     // coefficients
+    Mat derivative;  // derivatives of the image point with respect to rvec, tvec, focal lengths,
+                     // principal point and coefficients
     cv::projectPoints(std::vector<Point3d>(1, Point3d(point[0], point[1], 1)), Vec3d(), Vec3d(),
                       Matx33d::eye(), Mat(1, 14, CV_64F, const_cast<double*>(d)), image,
                       derivative);

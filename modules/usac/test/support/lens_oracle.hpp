@@ -12,17 +12,18 @@
 
 namespace opencv_test {
 
-//! Bound of the relative rounding error of sums and products of some dozens of numbers in any
-//! order, and of a pose whose rotation is made orthogonal once more.
+//! Bound of the rounding error of sums of some dozens of products in any order, relative to the sum
+//! of the absolute values of the terms. A rotation that is made orthogonal again is covered, too.
 const double ROUNDING = 300 * DBL_EPSILON;
-//! If the radius of a point differs relatively by less than this from that of a fold of the lens,
-//! where the distorted radius has a maximum, the oracle does not decide.
+//! The oracles do not decide about points whose radius differs relatively by less than this from a
+//! fold of the lens, that is, a maximum of the distorted radius.
 const double OFF_FOLD = 1e-3;
 
-/** Inverts the lens distortion by cv::projectPoints alone. The undistorted point is found by
-Newton's method with the derivatives of that function; the remaining residual bounds its error.
-Points are not seen beyond the smallest radius at which the distorted radius, by the radial terms,
-begins to decrease. */
+/** Inverts the lens distortion without code of the module: the undistorted point is found by
+Newton's method with the values and derivatives of cv::projectPoints. The largest accepted residual
+gives a bound of the point's error. If the distortion is only radial, a point is not seen if its
+distorted radius exceeds the first maximum of the distorted radius. With other distortion, the
+oracle does not decide about such points. */
 class LensOracle
 {
 public:
@@ -31,8 +32,8 @@ public:
     //! @param distortion 4 to 14 coefficients, or none
     explicit LensOracle(const cv::Mat& distortion);
 
-    //! Replaces the distorted point x, y by the point of the normalized image plane that is seen
-    //! there.
+    //! If the answer is SEEN, the distorted point x, y is replaced by the point of the normalized
+    //! image plane that is seen there. Otherwise x, y are not changed.
     Answer invert(Bounded& x, Bounded& y) const;
 
 private:

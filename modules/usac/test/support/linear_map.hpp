@@ -9,8 +9,8 @@
 
 namespace opencv_test {
 
-//! The affinity or similarity that minimizes the (weighted) sum of squared distances in image 2, by
-//! its linear equations.
+//! The affinity or similarity that minimizes the (weighted) sum of squared distances in image 2, as
+//! the least-squares solution of linear equations.
 inline Matx23d linearMap(ProblemType problem, const std::vector<Point2d>& points1,
                          const std::vector<Point2d>& points2,
                          const std::vector<double>& weights = std::vector<double>())

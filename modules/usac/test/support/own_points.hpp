@@ -11,7 +11,7 @@
 
 namespace opencv_test {
 
-//! Correspondences made from points of a test; they are valid as long as this object exists.
+//! Correspondences made from a test's points; they are valid as long as this object exists.
 class OwnPoints
 {
 public:

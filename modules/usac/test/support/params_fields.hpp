@@ -22,12 +22,13 @@ struct NamedField
     FieldValues values;
 };
 
-//! The fields of Params by type, each in the order of cv::usacv20::visitFields.
+//! The fields of Params of the types int and double, and the names of all fields, each list in the
+//! order of cv::usacv20::visitFields.
 struct Fields
 {
     std::vector<NamedField<int>> ints;
     std::vector<NamedField<double>> doubles;
-    std::vector<std::string> names;  //!< all names, in that order
+    std::vector<std::string> names;  //!< of all fields, whatever their type
 
     Fields() { cv::usacv20::visitFields(*this); }
 

@@ -38,8 +38,8 @@ public:
         condition = cv::norm(centered) * cv::norm(centered.inv());
     }
 
-    //! Decides if the point X, seen at `seen`, is an inlier. `error` is its reprojection error in
-    //! pixels if the error decides, otherwise NaN.
+    //! Decides whether the point X, seen at `seen`, is an inlier. `error` is its reprojection error
+    //! in pixels, or NaN if the error is not needed for the answer.
     Answer isInlier(const Point3d& X, const Point2d& seen, double threshold, double& error) const
     {
         error = NAN;
@@ -68,14 +68,15 @@ public:
     }
 
 private:
-    //! Radius of the image of a point with radius r, by the radial terms only. NaN beyond a pole.
+    //! Distorted radius of a point with radius r, from the radial terms only. NaN at or beyond a
+    //! pole.
     double radial(double r) const
     {
         const double q = r * r, below = 1 + q * (d[5] + q * (d[6] + q * d[7]));
         return below > 0 ? r * (1 + q * (d[0] + q * (d[1] + q * d[4]))) / below : NAN;
     }
 
-    //! Returns whether the distorted radius grows strictly with the radius from 0 to `radius`.
+    //! Returns true if radial() increases strictly between equidistant radii up to `radius`.
     bool grows(double radius) const
     {
         const int steps = 2000;
@@ -102,8 +103,8 @@ private:
             return grows(close) ? UNDECIDED : NO;
         if (d[12] == 0 && d[13] == 0)
             return YES;
-        // For a tilted sensor: depth, after the tilt, of the point to which the other terms move
-        // (x, y).
+        // For a tilted sensor: the other terms of the lens model move (x, y) to the point `flat`;
+        // `depth` is the depth of this point after the tilt.
         const std::vector<Point3d> point(1, Point3d(x, y, 1));
         std::vector<Point2d> flat;
         cv::projectPoints(point, Vec3d(), Vec3d(), Matx33d::eye(),
@@ -123,8 +124,8 @@ private:
     {
         const std::vector<Point3d> points(1, point);
         std::vector<Point2d> image;
-        Mat J;  // derivatives of the image point by rvec, tvec, focal lengths, center and the
-                // coefficients
+        Mat J;  // derivatives of the image point with respect to rvec, tvec, focal lengths,
+                // principal point and coefficients
         cv::projectPoints(points, Vec3d(), Vec3d(), Matx33d::eye(),
                           Mat(1, 14, CV_64F, const_cast<double*>(d)), image, J);
         // cv::projectPoints ignores the skew, so K is applied here
@@ -156,7 +157,7 @@ private:
     const Matx33d K;
     double d[14];
     const Matx34d pose;
-    double condition;  //!< condition number of the camera matrix without its center
+    double condition;  //!< condition number of K / focal length, without the principal point
 };
 
 bool finite(const Point3d& X, const Point2d& x)

@@ -36,13 +36,14 @@ const int SPACE_PROBLEMS[] = {
 #include "problems/registry.inl.hpp"
 };
 
-//! Problems for which a function of OpenCV takes the module's flags.
+//! Problems for which a function of OpenCV accepts the module's flags.
 const int FLAG_PROBLEMS[] = {cv::usacv20::HOMOGRAPHY, cv::usacv20::FUNDAMENTAL,
                              cv::usacv20::ESSENTIAL, cv::usacv20::AFFINITY,
                              cv::usacv20::SIMILARITY};
+//! True if the problem is one of FLAG_PROBLEMS.
 bool hasFlags(cv::usacv20::ProblemType problem);
 
-//! Number of points of a minimal sample.
+//! Number of points in a minimal sample of the problem.
 int sampleSizeOf(int problem);
 
 }  // namespace opencv_test

@@ -15,11 +15,11 @@
 
 namespace opencv_test {
 
-//! The built-in problem of a type, for points on the normalized image plane. There is one object
-//! for each type, which exists until the program ends.
+//! The built-in problem of a type, with the unit matrix as camera matrix. There is one object for
+//! each type, which exists until the program ends.
 const cv::usacv20::Problem& problemObject(cv::usacv20::ProblemType type);
 
-//! The formulas of errors, in the order of their list in problems/errors.hpp.
+//! The formulas of residuals, in the order of the list `Errors` in problems/errors.hpp.
 struct Formula
 {
     enum Kind {
@@ -32,14 +32,14 @@ struct Formula
     };
 };
 
-//! The built-in residual of a formula, which must be one of the first four.
+//! The built-in residual of a formula, which must be one of the first four of Formula::Kind.
 cv::Ptr<cv::usacv20::Residual> residualOf(Formula::Kind kind);
 
 //! The least-squares solver of the problem for the residual of a formula.
 cv::Ptr<cv::usacv20::NonMinimalSolver> createLeastSquaresSolver(cv::usacv20::ProblemType type,
                                                                 Formula::Kind kind);
 
-//! The parameterization of any problem around a model, with matrices of any size.
+//! The parameterization of any problem around a model, with Eigen matrices of dynamic size.
 class Parameterization
 {
 public:

@@ -9,18 +9,19 @@
 
 namespace opencv_test {
 
-//! False where resident memory cannot be read, and under a sanitizer, which keeps freed memory and
-//! has memory of its own.
+//! False where resident memory cannot be read, and under AddressSanitizer or ThreadSanitizer, which
+//! keep freed memory and use memory themselves.
 bool memoryIsMeasurable();
 
-//! Resident memory in bytes, after free memory has been returned to the system.
+//! Resident memory in bytes; 0 if it cannot be read. With glibc, free memory is first returned to
+//! the system.
 double residentBytes();
 
-/** @brief The peak of resident memory in bytes since the object was made, minus the value at that
-time.
+/** @brief The peak of resident memory in bytes since the object was constructed, minus the resident
+memory at that time.
 
 Where the system cannot reset the peak, only memory above the previous peak of the process is
-counted, so that the result may be too small but never too large. */
+counted, so that the result can be too small but never too large. */
 class PeakMemory
 {
 public:

@@ -11,7 +11,7 @@ namespace opencv_test {
 
 // Random points and vectors, the last coordinate drawn first. Compilers evaluate the arguments of a
 // call in different orders, so Point2d(rng.uniform(0., 1.), rng.uniform(0., 1.)) would not be the
-// same point with all of them.
+// same point with all compilers.
 
 inline cv::Point2d uniformPoint(cv::RNG& rng, double left, double right, double top, double bottom)
 {

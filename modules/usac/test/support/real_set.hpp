@@ -12,7 +12,7 @@
 
 namespace opencv_test {
 
-//! One data set of test_data/; the README.md there says where the numbers come from.
+//! One data set of test_data/. The README.md of that folder names the sources of the data.
 struct RealSet
 {
     explicit RealSet(const std::string& name);
@@ -23,7 +23,8 @@ struct RealSet
     cv::Mat find(cv::UsacV20Method flag, double pixels, cv::OutputArray mask) const;
     cv::Mat estimateWith(const cv::usacv20::Params& params, cv::OutputArray mask,
                          cv::usacv20::Report& report) const;
-    //! The given fraction of the matches, those with the lowest (best) scores, sorted, best first.
+    //! The data set with only the given fraction of its matches: those with the lowest (best)
+    //! scores, best first.
     RealSet sorted(double part = 1) const;
 
     cv::usacv20::ProblemType problem;

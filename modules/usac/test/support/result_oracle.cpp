@@ -32,7 +32,7 @@ struct BoundedPoint
 
 bool finite(const Point2d& p) { return std::abs(p.x) <= DBL_MAX && std::abs(p.y) <= DBL_MAX; }
 
-//! The third coordinate of `point` is 1.
+//! Multiplies M by the homogeneous vector (x, y, 1) of the point.
 void multiply(const Bounded* M, const BoundedPoint& point, Bounded* result)
 {
     for (int i = 0; i < 3; ++i)
@@ -86,8 +86,9 @@ Bounded modelError(const EstimatorCall& call, const Bounded* M, const BoundedPoi
     return squareRoot(symmetric ? r * r * (one / n1 + one / n2) : r * r / (n1 + n2));
 }
 
-//! Points of one image in the coordinates in which the errors of the problem are computed. A point
-//! that the lens does not show has `seen` == NOT_SEEN.
+//! Points of one image in the coordinates in which the errors of the problem are computed: with a
+//! camera, on the normalized image plane without distortion; otherwise unchanged. A point that the
+//! lens does not show has `seen` == NOT_SEEN.
 std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const Mat& camera,
                                       const Mat& distortion)
 {
@@ -115,8 +116,8 @@ std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const 
     return result;
 }
 
-//! Half of the mean of the two focal lengths. K may be a multiple of the camera matrix whose last
-//! row is 0 0 1.
+//! Half of the mean of the two focal lengths. K is allowed to be a multiple of the camera matrix
+//! whose last row is 0 0 1.
 double halfFocal(const Mat& K)
 {
     return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) +

@@ -5,13 +5,13 @@
 #ifndef OPENCV_USACV20_TEST_RESULTS_HPP
 #define OPENCV_USACV20_TEST_RESULTS_HPP
 
-// All values that a call returns, and hashes of them.
+// Result has all values that a call returns, and hashes of them.
 
 #include "support/contracts.hpp"
 
 namespace opencv_test {
 
-//! The hash FNV-1a of 64 bits.
+//! The 64-bit FNV-1a hash.
 class Hash
 {
 public:
@@ -35,9 +35,10 @@ struct Result
     Mat model, mask;
     Report report;
 
-    //! Hash of the bits of the model, the mask and the whole report without the times.
+    //! Hash of the bits of the model and the mask, and of the counts, the stop reason, the
+    //! threshold, the cost and the chance of the report.
     uint64 exact() const;
-    //! Hash of the mask, the number of iterations and the reason of the end.
+    //! Hash of the mask, the number of iterations and the stop reason.
     uint64 robust() const;
 };
 

@@ -41,7 +41,7 @@ std::string brokenRotation(const EstimatorCall& call, const Mat& model)
         largest = std::max(largest, std::abs(A.val[k]));
     if (!(largest > 0))
         return "the linear part is zero";
-    const Matx33d unit = A * (1 / largest);  // so that no square leaves the range of double
+    const Matx33d unit = A * (1 / largest);  // so that squares neither overflow nor all underflow
     const double scale = cv::norm(unit) / std::sqrt(3.);
     const Matx33d R = unit * (1 / scale);
     const double off = cv::norm(R * R.t() - Matx33d::eye(), cv::NORM_INF);

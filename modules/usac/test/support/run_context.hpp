@@ -10,8 +10,8 @@
 
 namespace opencv_test {
 
-//! Context of a run that has been started, with an arena of its own. It keeps references to the
-//! constructor's arguments.
+//! Context of a run that has been started, with an arena of its own. The context keeps references
+//! to the constructor's arguments.
 class RunContext
 {
 public:
@@ -35,7 +35,7 @@ private:
     RunContext& operator=(const RunContext&);
 };
 
-//! Starts the component as in a run with these points and returns it.
+//! Starts the component as in a run with these points and default parameters. @return the component
 template <class T>
 cv::Ptr<T> started(const cv::Ptr<T>& part, const cv::usacv20::Correspondences& points)
 {

@@ -31,7 +31,7 @@ Vec3d randomDirection(RNG& rng)
     return v * (1 / cv::norm(v));
 }
 
-//! Rotates camera 2, whose center is `center`, towards (0, 0, 6), the middle of what both cameras
+//! Rotates camera 2, whose center is `center`, toward (0, 0, 6), the middle of what both cameras
 //! see.
 void turnTowards(Scene& scene, const Vec3d& center)
 {
@@ -74,9 +74,9 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     }
 }
 
-//! The affine map or similarity that approximates a homography at the middle of image 1. The middle
-//! hardly moves between the images, so that a translation is taken from the point at a quarter of
-//! the width and height instead.
+//! The affine map, similarity or translation that approximates the homography H. Affine maps and
+//! similarities agree with H at the middle of image 1. The middle hardly moves between the images,
+//! so a translation instead agrees with H at a quarter of the width and height.
 Matx33d flattened(ProblemType problem, const Matx33d& H)
 {
     const double part = problem == TRANSLATION_2D ? 4 : 2;

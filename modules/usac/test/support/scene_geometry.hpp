@@ -11,14 +11,16 @@
 
 namespace opencv_test {
 
-//! Minimum distance of all points from the border of their image in pixels.
+//! Minimum distance in pixels of points without noise from the border of their image (except with
+//! OUTLIERS_BORDER).
 const double SCENE_MARGIN = 5;
 
 bool inside(const cv::Point2d& p);
 
 cv::Point2d randomPixel(cv::RNG& rng);
 
-//! Makes the cameras, and a plane n X = 1 in front of camera 1. @return n
+//! Sets the cameras and the models of the scene, and draws a plane n X = 1 in front of camera 1.
+//! @return n
 cv::Vec3d makeGeometry(Scene& scene, cv::RNG& rng, const SceneOptions& options);
 
 //! What is needed to draw points: the cameras, the plane and the options.
@@ -33,11 +35,12 @@ struct Geometry
     const SceneOptions& options;
 };
 
-//! Finds the point p2 of image 2 that belongs to p1. If `plane`, the point in space is on the
-//! plane. @return false if p2 is not visible
+//! Finds the point p2 of image 2 that belongs to p1. The point in space is on the plane if `plane`
+//! is true, otherwise at a random depth. @return false if p2 is outside image 2
 bool follow(const Geometry& g, bool plane, cv::RNG& rng, const cv::Point2d& p1, cv::Point2d& p2);
 
-//! Draws the images of a point that both cameras see. If `plane`, it is on the plane.
+//! Draws the images p1 and p2 of a point in space that both cameras see. If `plane` is true, the
+//! point is on the plane.
 void seenPoint(const Geometry& g, bool plane, cv::RNG& rng, cv::Point2d& p1, cv::Point2d& p2);
 
 //! True for an affinity, a similarity or a translation.

@@ -15,9 +15,8 @@ namespace {
 //! Side of the square of SCORES_OF_PLACE in pixels.
 const double SCORED_PATCH = 160;
 
-//! Scores that do not depend only on whether a match is true, see ScoreModel. Except with
-//! SCORES_NEAR, preferred matches have scores between 0 and 1, and all other matches between 1 and
-//! 2; lower is better.
+//! Scores other than SCORES_OF_TRUTH, see ScoreModel. Except with SCORES_NEAR, preferred matches
+//! have scores between 0 and 1, and all other matches between 1 and 2; lower is better.
 std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& options)
 {
     RNG rng(0x3c6ef372 + 7919 * options.seed);
@@ -45,7 +44,7 @@ std::vector<float> makeMisleadingScores(const Scene& scene, const SceneOptions& 
 
 }  // namespace
 
-//! The scores have a random generator of their own, so that the points do not depend on them.
+//! Scores are drawn with a random generator of their own, so that the points do not depend on them.
 std::vector<float> makeScores(const std::vector<uchar>& truth, double information, uint64 seed)
 {
     const double q = information;

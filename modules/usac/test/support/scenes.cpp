@@ -16,7 +16,7 @@ using namespace cv::usacv20;
 
 namespace {
 
-//! Displacement in pixels for OUTLIERS_LOCAL.
+//! Smallest and largest displacement in pixels for OUTLIERS_LOCAL.
 const double MIN_SHIFT = 5, MAX_SHIFT = 50;
 //! Mean number of wrong matches that share a point for OUTLIERS_MANY_TO_ONE.
 const int MATCHES_OF_ONE_POINT = 10;
@@ -45,7 +45,7 @@ Point2d randomInSquare(RNG& rng, const Point2d& corner, double side)
     return corner + uniformPoint(rng, 0., side);
 }
 
-//! Both coordinates have a Cauchy distribution about the center, restricted to the image.
+//! A point whose coordinates have a Cauchy distribution about the center, restricted to the image.
 Point2d aboutCenter(RNG& rng)
 {
     Point2d p;
@@ -67,8 +67,8 @@ Point2d onBorder(RNG& rng)
                    std::fmod(at - 2 * SCENE_WIDTH, SCENE_HEIGHT));
 }
 
-//! What all wrong matches of a scene have in common if they follow a structured model: one of
-//! OUTLIERS_TARGETS and the later values of OutlierModel.
+//! What all wrong matches of a scene have in common if they follow a structured model, that is,
+//! OUTLIERS_TARGETS or a later value of OutlierModel.
 struct OutlierStructure
 {
     OutlierStructure(ProblemType problem, const SceneOptions& options_) : options(options_)
@@ -157,7 +157,7 @@ struct OutlierStructure
     {
         return has(i) && (i < options.second || options.outlierModel <= OUTLIERS_PLANE);
     }
-    //! Returns true if the i-th wrong match is consistent with the second motion.
+    //! Returns true if the i-th wrong match is made as with OUTLIERS_SECOND_MODEL.
     bool ofSecond(int i) const
     {
         return options.outlierModel == OUTLIERS_SECOND_MODEL || i < options.second;
@@ -182,7 +182,7 @@ void repeatRow(Scene& scene, int from, int to)
     scene.onSecond[to] = scene.onSecond[from];
 }
 
-//! Repeats each row `copies` times and shuffles all rows.
+//! Makes each row occur `copies` times, and shuffles all rows.
 void copyRows(Scene& scene, int copies, RNG& rng)
 {
     const int size = scene.size(), copied = size * copies;

@@ -23,24 +23,24 @@ enum OutlierModel {
     OUTLIERS_UNIFORM,  //!< anywhere in both images
     OUTLIERS_LOCAL,    //!< a true match (H, affine maps: on the plane) displaced in image 2 by 5 to
                        //!< 50 pixels, with an error of at least 5 pixels
-    OUTLIERS_MANY_TO_ONE,  //!< anywhere in image 1; in image 2 the point of a true match, each
-                           //!< shared by about ten wrong matches
+    OUTLIERS_MANY_TO_ONE,  //!< anywhere in image 1; in image 2 at the point of a true match; about
+                           //!< ten wrong matches share each such point
     OUTLIERS_TARGETS,      //!< anywhere in image 1; in image 2 at one of two points, up to noise
     OUTLIERS_LINE,  //!< anywhere in image 1; in image 2, every second match is on one line, up to
                     //!< noise, the others are anywhere
-    OUTLIERS_CLUSTERED,     //!< from one square of side 80 pixels in image 1 to one in image 2
-    OUTLIERS_SECOND_MODEL,  //!< true matches of another camera motion (H, affine maps: of another
-                            //!< plane), in image 1 within a square of side 160 pixels
-    // With the following models, SceneOptions::structured of the wrong matches follow the model;
+    OUTLIERS_CLUSTERED,     //!< in each image within one square of side 80 pixels
+    OUTLIERS_SECOND_MODEL,  //!< true matches of another camera motion (H, affine maps: and of
+                            //!< another plane), in image 1 within a square of side 160 pixels
+    // With the following models, at most SceneOptions::structured wrong matches follow the model;
     // the others are uniform.
     OUTLIERS_SHIFT,  //!< shifted in image 2 by one common vector of 30 to 100 pixels, as for
                      //!< repeated windows
-    OUTLIERS_PLANE,  //!< on a plane seen with another camera motion, from all of image 1
+    OUTLIERS_PLANE,  //!< true matches of another camera motion and of another plane
     OUTLIERS_PLACE,  //!< in image 2 at one of `places` points, with Gaussian noise of 0.4 pixels,
                      //!< as from a watermark or a dead pixel
     OUTLIERS_CLUSTERS,  //!< each point in one of five squares of side 20 pixels of its image
-    OUTLIERS_CENTER,    //!< both points about the center of their image by a Cauchy distribution,
-                        //!< each coordinate with probability 1/2 within 20 pixels
+    OUTLIERS_CENTER,    //!< both points with a Cauchy distribution about the center of their image;
+                        //!< about half of the coordinates are within 20 pixels of the center
     OUTLIERS_WINDOW,    //!< in image 2 up to 60 pixels per coordinate from the position in image 1,
                         //!< as from a matcher with a search window
     OUTLIERS_BORDER     //!< both points anywhere on the border of their image
@@ -48,17 +48,17 @@ enum OutlierModel {
 
 //! What the scores of a scene depend on; lower is better.
 enum ScoreModel {
-    SCORES_OF_TRUTH,   //!< truth of the match, see scoreInformation
-    SCORES_OF_SECOND,  //!< matches of the second motion have the best scores; all other matches
-                       //!< have worse, random scores
+    SCORES_OF_TRUTH,   //!< whether the match is true, see scoreInformation
+    SCORES_OF_SECOND,  //!< wrong matches of the second motion have the best scores; all other
+                       //!< matches have worse, random scores
     SCORES_OF_PLACE,   //!< true matches in one square of side 160 pixels of image 1 have the best
                        //!< scores; all other matches have worse, random scores
-    SCORES_NEAR        //!< the distance from one point of image 1, for true and wrong matches
+    SCORES_NEAR        //!< distance in image 1 from the point of one true match
 };
 
 //! How the camera moves from image 1 to image 2.
 enum Motion {
-    MOTION_GENERAL,    //!< mostly sideways with a rotation; camera 2 is turned towards the scene
+    MOTION_GENERAL,    //!< mostly sideways with a rotation; camera 2 is turned toward the scene
     MOTION_FORWARD,    //!< along the optical axis, with a rotation about a random axis
     MOTION_SIDEWAYS,   //!< parallel to the image plane, with a rotation about a random axis
     MOTION_RECTIFIED,  //!< along the image rows, without rotation
@@ -82,38 +82,39 @@ struct SceneOptions
 
     int inliers;     //!< true matches
     int outliers;    //!< wrong matches
-    int structured;  //!< maximum number of wrong matches whose OutlierModel is OUTLIERS_SHIFT or
-                     //!< a later enumerator; the other wrong matches are uniform
+    int structured;  //!< OUTLIERS_SHIFT and later enumerators: maximum number of wrong matches that
+                     //!< follow the model; the others are uniform
     int places;      //!< OUTLIERS_PLACE: number of points of image 2, 1 or 2
     double noise;    //!< standard deviation of each of the four coordinates in pixels
     uint64 seed;
-    double planeFraction;  //!< F, E: fraction of the true matches on one plane; other problems: all
-                           //!< are on it
-    bool frontalPlane;     //!< the plane is parallel to image 1; otherwise it is tilted
+    double planeFraction;      //!< F, E: fraction of the true matches on the plane; with other
+                               //!< problems, all true matches are on it
+    bool frontalPlane;         //!< the plane is parallel to image 1; otherwise it is tilted
     double nearest, farthest;  //!< depths of points off the plane; the plane has a depth of about 6
     int duplicates;            //!< number of true matches that are copies of other true matches
     int copies;  //!< number of times that each match occurs; `inliers` and `outliers` count
                  //!< different matches
     Motion motion;
-    double angle;     //!< angle of the rotation between the cameras in degrees
+    double angle;     //!< angle of the rotation in degrees; MOTION_GENERAL: before camera 2 is
+                      //!< turned; MOTION_CAR: maximum; MOTION_RECTIFIED: not used
     double baseline;  //!< distance between the cameras, in the unit of the depths
     OutlierModel outlierModel;
     //! Probability that a true match has a better score than a wrong one, in (0, 1]. 0.5: the
     //! scores are not informative; 1: they separate perfectly; near 0: they are reversed.
     double scoreInformation;
-    int second;  //!< OUTLIERS_UNIFORM: number of wrong matches that are made as with
-                 //!< OUTLIERS_SECOND_MODEL
+    int second;  //!< OUTLIERS_UNIFORM: number of wrong matches that are nevertheless made as
+                 //!< with OUTLIERS_SECOND_MODEL
     ScoreModel scoreModel;
 };
 
 /** @brief Points of space in two images of 640 x 480 pixels, with the exact model.
 
 Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0,
-they equal the points unless OutlierModel adds noise. With SCORES_OF_TRUTH, scores lie between 0 and
-1, lower is better: those of wrong matches are uniform, those of true matches are 1 - u^((1 - q) /
-q) with uniform u and the option `scoreInformation` q. H, F and E have the same cameras; F and E
-also have the same points. Affinities, similarities and translations approximate the same H near the
-middle of image 1. */
+they equal the points unless the wrong matches have noise, too. With SCORES_OF_TRUTH, scores lie
+between 0 and 1, lower is better: those of wrong matches are uniform, those of true matches are 1 -
+u^((1 - q) / q) with uniform u and the option `scoreInformation` q. With the same options, H, F and
+E have the same cameras, and F and E also have the same points. Affinities and similarities
+approximate this H at the middle of image 1, translations at a quarter of its width and height. */
 struct Scene
 {
     cv::usacv20::ProblemType problem;
@@ -121,7 +122,7 @@ struct Scene
     std::vector<float> scores;
     std::vector<uchar> truth;     //!< 1: a true match
     std::vector<uchar> onPlane;   //!< 1: a true match on the plane
-    std::vector<uchar> onSecond;  //!< 1: a wrong match that is consistent with the second motion
+    std::vector<uchar> onSecond;  //!< 1: a wrong match of OUTLIERS_SECOND_MODEL, see also `second`
     cv::Matx33d model;            //!< H, affine maps: last entry 1; F, E: unit Frobenius norm
     cv::Matx33d F;                //!< fundamental matrix of unit Frobenius norm, for all problems
     cv::Matx33d K, R;             //!< both cameras have the same K; X2 = R X1 + baseline * t
@@ -134,7 +135,7 @@ struct Scene
 bool mapsPoints(cv::usacv20::ProblemType problem);
 
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());
-//! A scene with these numbers of matches and otherwise the default options.
+//! A scene with these numbers of matches, this seed and otherwise the default options.
 Scene makeScene(cv::usacv20::ProblemType problem, int inliers, int outliers, uint64 seed = 1);
 
 //! Scores of the matches of a scene, according to `options`.
@@ -158,8 +159,8 @@ inline cv::Matx33d squareModel(const cv::Mat& model)
 //! Which true matches modelError() uses.
 enum ScenePart { TRUE_MATCHES, ON_PLANE, OFF_PLANE };
 
-//! Root mean square error in pixels of the true matches without noise. Infinite for an empty model
-//! or one of a wrong size.
+//! Root mean square error in pixels of the true matches without noise. Infinite for an empty model,
+//! one of a wrong size, or if `part` has no matches.
 double modelError(const Scene& scene, const cv::Mat& model, ScenePart part = TRUE_MATCHES);
 
 //! An estimator for the scene; E gets the camera matrix.

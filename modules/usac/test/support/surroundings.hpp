@@ -10,8 +10,8 @@
 
 namespace opencv_test {
 
-//! Points around 0 with duplicates. One point in 50 has coordinates of up to 30, the others of up
-//! to 1.
+//! Matches of points around 0. Every fifth match copies an earlier one. Of the points of image 1,
+//! one in 50 has coordinates of up to 30 before copying, the others of up to 1.
 inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1,
                          std::vector<Point2d>& points2)
 {
@@ -31,7 +31,8 @@ inline void clumsyPoints(int count, RNG& rng, std::vector<Point2d>& points1,
     }
 }
 
-//! A context for a neighborhood or an ordering, which use only the points and the parameters.
+//! A context without components, for neighborhoods and orderings, which need only the points, the
+//! parameters and an arena.
 struct Surroundings
 {
     explicit Surroundings(const Correspondences& points, const Params& params_ = Params())
@@ -44,7 +45,7 @@ struct Surroundings
     Context context;
 };
 
-//! The points that a layer of the neighborhood has around a point; the test fails if a point is
+//! The neighbors of a point in a layer of the neighborhood. The test fails if a neighbor is
 //! repeated.
 inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& context, int layer,
                                int point)

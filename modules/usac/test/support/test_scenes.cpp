@@ -26,7 +26,8 @@ int countTrue(const Scene& scene)
     return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
 }
 
-//! Fraction of the pairs of a true and a wrong match in which the true one has the better score.
+//! Of all pairs of a true and a wrong match, the fraction in which the true match has the better
+//! score.
 double rankedRight(const Scene& scene)
 {
     double right = 0, pairs = 0;
@@ -40,7 +41,7 @@ double rankedRight(const Scene& scene)
     return right / pairs;
 }
 
-//! For each point of image 2 to which wrong matches lead, the number of these matches.
+//! For each point of image 2 that belongs to wrong matches, the number of these matches.
 std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
 {
     std::map<std::pair<double, double>, int> result;
@@ -142,7 +143,7 @@ TEST(Usac_Scenes, scoresAreAsInformativeAsAskedFor)
     {
         options.scoreInformation = information;
         const Scene scene = makeScene(HOMOGRAPHY, options);
-        // four standard deviations for an information of 0.5
+        // about four standard deviations for an information of 0.5
         EXPECT_NEAR(information, rankedRight(scene), 0.04);
         EXPECT_GE(*std::min_element(scene.scores.begin(), scene.scores.end()), 0.f);
         EXPECT_LE(*std::max_element(scene.scores.begin(), scene.scores.end()), 1.f);
