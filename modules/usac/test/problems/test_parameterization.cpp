@@ -8,8 +8,8 @@
 
 #include <numeric>
 
-// The tangents of a parameterization must be independent at the models of special motions, where
-// those of a parameterization by angles coincide.
+// The tangents of a parameterization must be independent, also at the models of special motions,
+// where the tangents of a parameterization by angles are dependent.
 
 namespace opencv_test {
 namespace {
@@ -29,8 +29,8 @@ Scene sceneOf(ProblemType problem, Motion motion, double noise, double baseline 
     return makeScene(problem, options);
 }
 
-/** Least and largest singular value of the derivatives of plus() at the parameters 0, from finite
-differences. The derivatives of tangent() must be the same. */
+/** Smallest and largest singular value of the derivatives of plus() with respect to the step at
+step 0, from finite differences. tangent() must return the same derivatives. */
 Vec2d conditionOf(const Parameterization& here)
 {
     const double h = 1e-5;
@@ -65,7 +65,8 @@ TEST_P(Usac_Parameterization, isRegularAtSpecialMotions)
     }
 }
 
-//! Three Gauss-Newton steps must reach the minimum, which is impossible if a direction is missing.
+//! Three Gauss-Newton steps must reach the minimum, which is impossible if the tangents lack a
+//! direction.
 TEST_P(Usac_Parameterization, leastSquaresInThreeSteps)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());
@@ -95,8 +96,8 @@ INSTANTIATE_TEST_CASE_P(All, Usac_Parameterization,
                         testing::Combine(testing::Range(0, 3),
                                          testing::Range((int)MOTION_GENERAL, (int)MOTION_CAR + 1)));
 
-//! The ratio of the two singular values of F is between 1 and a thousandth. For each ratio, the
-//! tangents must be orthonormal.
+//! The ratio of the smaller to the larger nonzero singular value of F is between 1/1000 and 1. For
+//! each ratio, the tangents must be orthonormal.
 TEST(Usac_Parameterization_Fundamental, isRegularForAllSingularValues)
 {
     RNG rng(1);

@@ -35,8 +35,8 @@ std::vector<Model> solveFirst(const MinimalSolver& solver, const Correspondences
     return solve(solver, points, sample);
 }
 
-//! Largest algebraic error over the sample, with homogeneous points and the model scaled to unit
-//! norm.
+//! Largest algebraic error over the sample, with homogeneous points of unit norm. The model must
+//! have unit norm, too.
 double constraintError(const Correspondences& p, const int* sample, int count, const Model& model)
 {
     double largest = 0;
@@ -53,8 +53,8 @@ double constraintError(const Correspondences& p, const int* sample, int count, c
     return largest;
 }
 
-//! Violation of the constraints by a model of unit norm: the determinant is not 0 (F, E), or the
-//! two singular values differ (E).
+//! How far a model of unit norm violates the constraints that the determinant is 0 (F, E) and that
+//! the two nonzero singular values are equal (E).
 double manifoldError(ProblemType problem, const Matx33d& M)
 {
     if (problem == HOMOGRAPHY)
@@ -69,7 +69,7 @@ double manifoldError(ProblemType problem, const Matx33d& M)
 struct Exactness
 {
     Exactness() : samples(0), unsolved(0), missed(0) {}
-    int samples, unsolved, missed;  //!< missed: the true model is not among the solutions
+    int samples, unsolved, missed;  //!< missed: there are solutions, but not the true model
     std::vector<double> constraint, manifold;
 };
 
@@ -104,7 +104,7 @@ void solveScene(ProblemType problem, uint64 seed, double planeFraction, Exactnes
     }
 }
 
-//! The value that a fraction of the values does not exceed.
+//! The value that the given fraction of the values does not exceed.
 double quantile(std::vector<double>& values, double fraction)
 {
     std::sort(values.begin(), values.end());
@@ -152,7 +152,7 @@ void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vecto
     }
 }
 
-//! Number of real F with det F = 0 in the null space of the constraints, by SVD and the
+//! Number of real F with det F = 0 in the null space of the constraints, from an SVD and the
 //! discriminant of the cubic. Returns -1 if rounding could change the number.
 int countFundamental(const Correspondences& p)
 {
@@ -175,7 +175,7 @@ int countFundamental(const Correspondences& p)
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 9; ++i)
             F[k].val[i] = svd.vt.at<double>(7 + k, i);
-    // coefficients of det(x F0 + F1) from four of its values
+    // coefficients of det(x F0 + F1) from its values at 0, 1 and -1 and its leading coefficient
     const double d = determinant(F[1]), plus = determinant(F[0] + F[1]),
                  minus = determinant(F[1] - F[0]);
     const double a = determinant(F[0]), b = (plus + minus) / 2 - d, c = (plus - minus) / 2 - a;
@@ -211,8 +211,8 @@ TEST(Usac_Solvers, allFundamentalMatrices)
     EXPECT_GT(three, 100);
 }
 
-//! The essential matrices of calib3d's solver for five points, which finds the roots of its
-//! polynomial by iteration in the complex plane.
+//! All essential matrices that calib3d's solver for five points returns. This solver finds the
+//! roots of its polynomial by iteration in the complex plane.
 std::vector<Matx33d> essentialByCalib3d(const std::vector<Point2d>& points1,
                                         const std::vector<Point2d>& points2)
 {
@@ -387,8 +387,8 @@ TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
     EXPECT_EQ(0, wrong);
 }
 
-//! If products of triangle areas are below the range of double, the solver must return no
-//! homography.
+//! If the entries of H, which are products of triangle areas and coordinates, are so small that
+//! their squares underflow, the solver must return no homography.
 TEST(Usac_Solvers, homographyOfTinySquares)
 {
     std::vector<Point2d> corners;

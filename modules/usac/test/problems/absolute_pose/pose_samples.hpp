@@ -9,7 +9,7 @@
 
 namespace opencv_test {
 
-//! Three points, and a pose for which their images are exact.
+//! Three points X, and a pose for which their images on the normalized image plane are exact.
 struct PoseSample
 {
     cv::Vec3d X[3];
@@ -18,7 +18,8 @@ struct PoseSample
     double size;  //!< largest distance of a point from the mean of the three points
 };
 
-//! How the points are placed. No angle of the triangle is within one degree of 0 or 180 degrees.
+//! Positions of the points in camera coordinates. No angle of the triangle is within one degree of
+//! 0 or 180 degrees.
 enum PoseSampleKind {
     CUBE,           //!< in a cube of side 2 at depth 3
     FRONTAL_PLANE,  //!< on a plane parallel to the image
@@ -35,10 +36,11 @@ extern const char* const POSE_SAMPLE_NAMES[POSE_SAMPLE_KINDS];
 
 PoseSample randomPoseSample(PoseSampleKind kind, cv::RNG& rng);
 
-/** @brief A sample of points given in camera coordinates, with object coordinates in a random pose.
+/** @brief A sample of the points Y, given in camera coordinates. The camera has a random pose in
+the coordinates of PoseSample::X.
 
-The image points are projected from the rounded object coordinates in long double, so that the only
-error is their own rounding to double. */
+The image points are projected from the rounded X in long double, so that their only error is their
+own rounding to double. */
 PoseSample poseSampleOf(const cv::Vec3d (&Y)[3], cv::RNG& rng);
 
 //! A triangle seen from `center`. Its corners are at these angles (radians) on the circle of radius

@@ -45,7 +45,7 @@ bool inside(const Point2d& p)
     return p.x > MARGIN && p.x < WIDTH - MARGIN && p.y > MARGIN && p.y < HEIGHT - MARGIN;
 }
 
-//! The ray through a pixel without distortion, at depth 1.
+//! The point at depth 1 on the ray through a pixel, without distortion.
 Vec3d rayOf(const Point2d& pixel)
 {
     return Vec3d((pixel.x - WIDTH / 2) / FOCAL, (pixel.y - HEIGHT / 2) / FOCAL, 1);
@@ -69,7 +69,7 @@ Matx33d rotationAround(const Vec3d& axis, double angle)
     return R;
 }
 
-//! Coefficients so small that the field of view is mapped one to one.
+//! Coefficients so small that no two points in the field of view have the same image.
 std::vector<double> makeDistortion(int coefficients)
 {
     CV_Assert(coefficients == 0 || coefficients == 4 || coefficients == 5 || coefficients == 8 ||
@@ -104,7 +104,7 @@ public:
         center = rayOf(Point2d(middle.x * WIDTH, middle.y * HEIGHT)) * MIDDLE;
     }
 
-    //! The i-th point. It is visible unless distortion or the margin of the image exclude it.
+    //! The i-th point. It is visible unless distortion or the margin of the image excludes it.
     Vec3d point(int i, RNG& rng) const
     {
         const Vec3d ray = rayOf(randomPixel(rng));
@@ -195,7 +195,7 @@ private:
                        (Y * options.scale - translationOf(scene.pose)));
     }
 
-    //! The object point behind the camera that has the same image.
+    //! The object point behind the camera that has the same image as X.
     Point3d throughCenter(const Point3d& X) const
     {
         const Matx33d R = rotationOf(scene.pose);
@@ -212,7 +212,7 @@ private:
         scene.truth.push_back(truth);
     }
 
-    //! Adds points of the object that are visible with this pose.
+    //! Adds `count` matches of points of the object that are visible with this pose.
     void addSeen(const Matx34d& pose, int count, uchar truth)
     {
         for (int found = 0, tries = 0; found < count; ++tries)

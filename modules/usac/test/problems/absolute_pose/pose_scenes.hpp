@@ -13,7 +13,7 @@ namespace opencv_test {
 //! Size of the image in pixels.
 enum { POSE_WIDTH = 640, POSE_HEIGHT = 480 };
 
-//! Where the object points of a PoseScene are. All visible points have depths of about 4 to 9.
+//! Positions of the object points of a PoseScene. All visible points have depths of about 4 to 9.
 enum PoseShape {
     POSE_CLOUD,       //!< anywhere in the field of view
     POSE_PLANE,       //!< on one plane, tilted against the image by up to 30 degrees
@@ -31,11 +31,11 @@ enum PoseOutliers {
                                 //!< square of side 80 pixels
     POSE_OUTLIERS_SECOND_POSE,  //!< true matches of another pose of the same object, with the same
                                 //!< noise
-    POSE_OUTLIERS_PLACE  //!< `structured` of them lead to a few image points, with Gaussian noise
-                         //!< of 0.4 pixels; the others are uniform
+    POSE_OUTLIERS_PLACE  //!< `structured` wrong matches lead to a few image points, with Gaussian
+                         //!< noise of 0.4 pixels; the others are uniform
 };
 
-//! What a synthetic scene of absolute pose looks like.
+//! What a synthetic scene for absolute poses looks like.
 struct PoseSceneOptions
 {
     PoseSceneOptions()
@@ -46,13 +46,13 @@ struct PoseSceneOptions
 
     int size;            //!< number of different matches, at least 4
     double inlierRatio;  //!< fraction of the matches that is true; at least 3 matches are true
-    double noise;        //!< standard deviation of both image coordinates in pixels
+    double noise;        //!< standard deviation of each image coordinate in pixels
     uint64 seed;
     PoseShape shape;
     int coefficients;  //!< number of distortion coefficients: 0, 4, 5, 8, 12 or 14
     PoseOutliers outliers;
-    int behind;    //!< number of wrong matches that are exact, except that their object points are
-                   //!< behind the camera
+    int behind;    //!< number of wrong matches made like true ones, but with the object points
+                   //!< mirrored at the camera center, behind the camera
     int atCenter;  //!< number of wrong matches with object points at the camera center and image
                    //!< points anywhere
     int copies;    //!< number of times that each match occurs

@@ -93,7 +93,7 @@ TEST(Usac_AbsolutePose, every_preset)
         if (params.sampler == SAMPLER_IMPORTANCE || params.ordering == ORDERING_INPUT_ORDER)
             params.scores.clear();
         Estimate found = estimate(scene, params);
-        params.threshold = found.report.threshold;  // LMedS estimates it
+        params.threshold = found.report.threshold;  // some presets estimate it
         expectRight(scene, found, params, 0.6, 0.03);
     }
 }
@@ -174,8 +174,9 @@ TEST(Usac_AbsolutePose, points_behind_the_camera_are_no_inliers)
     expectRight(scene, found, Params(), 0.5, 0.02);
 }
 
-//! The object points are on a line, all equal or all NaN, or the image points are all equal. No
-//! preset may raise an exception or return a pose; for the line a finite pose is allowed.
+//! The object points are on a line, all equal or all not finite, or the image points are all equal.
+//! With every preset, there must be no exception and no pose; for the line a finite pose is
+//! allowed.
 TEST(Usac_AbsolutePose, degenerate_points)
 {
     PoseSceneOptions options;
@@ -195,7 +196,7 @@ TEST(Usac_AbsolutePose, degenerate_points)
             SCOPED_TRACE(cv::format("scene %d, %s", (int)s, preset.name));
             preset.params.maxIterations = 300;
             const Estimate found = estimate(scenes[s], preset.params);
-            if (s != 0)  // rounding may make three points of the line solvable
+            if (s != 0)  // rounding can make three points of the line solvable
             {
                 EXPECT_TRUE(found.model.empty());
             }
@@ -233,8 +234,8 @@ TEST(Usac_AbsolutePose, near_lines_clusters_and_copies)
         }
 }
 
-//! The pose must be found, and the mask must be right, if the camera matrix has two different focal
-//! lengths, a negative focal length or skew, or is the identity.
+//! The camera matrix has two different focal lengths, skew or a negative focal length, or it is the
+//! identity. The pose must be found, and the mask must be right.
 TEST(Usac_AbsolutePose, any_camera_matrix)
 {
     PoseScene scene = makePoseScene();
@@ -328,7 +329,7 @@ TEST(Usac_AbsolutePose, wrong_arguments_are_named)
                     "degeneracy");
 }
 
-//! A residual as a caller may write it. It has the errors that the search uses, which do not
+//! A residual that a caller might write. It has the errors that the search uses, which do not
 //! include the lens distortion.
 class PlainResidual : public Residual
 {
@@ -347,8 +348,9 @@ public:
     Ptr<Residual> builtIn;
 };
 
-//! If the residual is replaced by one that ignores the lens distortion, the mask must do so, too.
-//! When the built-in residual is restored, the mask must include the distortion again.
+//! If the residual is replaced by one that ignores the lens distortion, the mask must ignore the
+//! distortion, too. When the built-in residual is restored, the mask must include the distortion
+//! again.
 TEST(Usac_AbsolutePose, replaced_residual_makes_the_mask)
 {
     PoseSceneOptions options;

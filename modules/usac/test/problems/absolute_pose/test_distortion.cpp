@@ -110,7 +110,7 @@ TEST(Usac_Distortion, of_any_depth_and_shape)
     EXPECT_LE(cv::norm(a - c), 1e-7);
 }
 
-//! Checks a residual with a lens: its derivatives, its form for columns of points, and that points
+//! Checks a residual with a lens: its derivatives, the agreement of its two forms, and that points
 //! behind the camera have infinite errors.
 void checkResidual(const Residual& residual, const Matx33d& camera)
 {

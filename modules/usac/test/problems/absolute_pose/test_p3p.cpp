@@ -94,7 +94,7 @@ TEST(Usac_P3P, exactMillion)
     expectTruth(1000000);
 }
 
-//! The poses of OpenCV's solver that reproject the points without error.
+//! The poses of OpenCV's solver that reproject the points with errors below 1e-9.
 std::vector<Matx34d> posesOfOpenCV(const PoseSample& s, int method)
 {
     const std::vector<Point3d> X(s.X, s.X + 3);
@@ -129,9 +129,9 @@ int countLacking(const PoseSample& s, const std::vector<Matx34d>& some,
     return result;
 }
 
-/** The solver must find all poses that OpenCV's solvers find. OpenCV's solvers miss 4 of 3100
-poses, where a point is close to the camera center, or find them with errors so large that they
-cannot be distinguished from wrong poses. */
+/** The solver must find all poses that OpenCV's solvers find. In 4 of 3100 poses, where a point is
+close to the camera center, OpenCV's solvers find no pose, or one with an error so large that it
+cannot be distinguished from a wrong pose. */
 TEST(Usac_P3P, sameAsOpenCV)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -157,11 +157,12 @@ TEST(Usac_P3P, sameAsOpenCV)
     }
 }
 
-//! Tolerance of poseDistance() for nearly double solutions, which rounding may move by so much.
+//! Tolerance of poseDistance() for nearly double solutions, which rounding can move by this much.
 const double DOUBLE_SOLUTION = 1e-5;
 
 //! The equations are singular if the camera center is on the cylinder through the circumscribed
-//! circle of the triangle, with its axis perpendicular to the triangle.
+//! circle of the triangle, with its axis perpendicular to the triangle. On and near this cylinder,
+//! the true pose must be found nevertheless.
 TEST(Usac_P3P, dangerCylinder)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -185,7 +186,7 @@ TEST(Usac_P3P, dangerCylinder)
     }
 }
 
-//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere, may
+//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere, can
 //! have double solutions. The true pose must be found nevertheless.
 TEST(Usac_P3P, symmetric)
 {
@@ -257,8 +258,9 @@ TEST(Usac_P3P, anyOrder)
     }
 }
 
-//! A sample whose third point is off the line through the first two points. `height` is its
-//! distance from this line, divided by the distance between the first two points.
+//! A sample whose third point is off the line through the first two points. `height` is the
+//! distance of the third point from this line, divided by the distance between the first two
+//! points.
 PoseSample flatSample(double height, RNG& rng)
 {
     PoseSample s = randomPoseSample(CUBE, rng);
@@ -272,7 +274,7 @@ PoseSample flatSample(double height, RNG& rng)
 }
 
 //! If the points are collinear, two points coincide or two rays are equal, there must be no model,
-//! whatever the rounding.
+//! also if this holds only up to rounding.
 TEST(Usac_P3P, degenerate)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -301,8 +303,8 @@ TEST(Usac_P3P, degenerate)
     }
 }
 
-//! Collinear points far from the origin, within 1e-8 of each other. They are a triangle only
-//! because of rounding, so that there must be no model.
+//! Collinear points within about 1e-8 of each other, whose distance from the origin is more than 1.
+//! They are a triangle only because of rounding, so that there must be no model.
 TEST(Usac_P3P, smallAndFlat)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();

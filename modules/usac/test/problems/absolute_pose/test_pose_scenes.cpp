@@ -208,7 +208,7 @@ TEST(Usac_PoseScenes, clusteredOutliers)
 
 //! The option `behind` must make object points behind the camera, on the line through the camera
 //! center and their image point. The option `atCenter` must make object points at the camera
-//! center. All of them must be wrong matches.
+//! center. The matches of all these points must be wrong.
 TEST(Usac_PoseScenes, pointsThatNoCameraSees)
 {
     PoseSceneOptions options;
@@ -294,7 +294,7 @@ TEST(Usac_PoseScenes, scoresAreAsInformativeAsAskedFor)
         for (int i = 0; i < scene.size(); ++i)
             for (int j = 0; j < scene.size(); ++j)
                 right += scene.truth[i] && !scene.truth[j] && scene.scores[i] < scene.scores[j];
-        // four standard deviations for an information of 0.5
+        // about four standard deviations for an information of 0.5
         EXPECT_NEAR(information, right / (800. * 1200.), 0.05);
     }
 }

@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! An isosceles triangle, seen from its plane of symmetry.
+//! An isosceles triangle, seen from its plane of symmetry: a12 and a13 are `side`, and s12, s13 and
+//! s23 are proportional to `ray`, `ray` and `base`.
 Triangle isosceles(double side, double ray, double base, double sigma)
 {
     const double largest = std::max(ray, base);
@@ -68,9 +69,10 @@ TEST(Usac_TriangleDepths, solutionsFit)
     EXPECT_GT(total, 20000);
 }
 
-/** For an isosceles triangle, the conics of the first and of the second point are mirror images. If
-one is degenerate, so is the other, and the cubic of their pencil has neither a constant nor a
-leading coefficient. The number of solutions must nevertheless be that of a nearby triangle. */
+/** For an isosceles triangle, the two conics a23 Q12 - a12 Q23 and a23 Q13 - a13 Q23 are mirror
+images. If one is degenerate, so is the other, and the cubic of their pencil has neither a constant
+nor a leading coefficient. The number of solutions must nevertheless be that of a nearby
+triangle. */
 TEST(Usac_TriangleDepths, bothConicsDegenerate)
 {
     RNG rng(2);

@@ -12,7 +12,7 @@
 namespace opencv_test {
 namespace {
 
-//! A camera motion, and how the scene looks; there are no outliers.
+//! A camera motion and the properties of its scene, which has no outliers.
 struct Case
 {
     const char* name;
@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.nam
 
 typedef testing::TestWithParam<Case> Usac_Essential5;
 
-//! Number of samples in a scene. Each sample has five consecutive matches.
+//! Number of samples in a scene. Each sample consists of five consecutive matches.
 enum { SAMPLES = 500 };
 
 Scene sceneOf(const Case& c, uint64 seed, double noise)
@@ -78,7 +78,8 @@ double closest(const Model* models, int count, const Matx33d& model)
     return distance;
 }
 
-//! How far the singular values of a matrix of unit norm are from (1, 1, 0) / sqrt(2).
+//! Difference between the singular values of a matrix of unit norm and those of an essential
+//! matrix, (1, 1, 0) / sqrt(2).
 double violation(const Matx33d& E)
 {
     Vec3d w;
@@ -108,7 +109,7 @@ TEST_P(Usac_Essential5, finds_the_motion_of_exact_points)
                 worst = std::max(worst, violation(found[i]));
         }
     }
-    // With a baseline of 1/1000, rounding errors of 1e-13 change the motion by 1e-8 or more.
+    // With a baseline of 1/1000, rounding errors change the motion about a thousand times as much.
     EXPECT_GE(exact, samples * (GetParam().baseline < 1 ? 0.993 : 0.998));
     EXPECT_GE(near, samples * (GetParam().baseline < 1 ? 0.995 : 0.998));
     EXPECT_LE(worst, 1e-8);
@@ -175,9 +176,9 @@ MatrixXl constraintsOn(const MatrixXl& N)
     return C;
 }
 
-/** All essential matrices of five points from the eigenvectors of the action matrix @cite
-stewenius2006recent, in long double. The tested solver uses another method, so that the errors of
-the two are independent. */
+/** All real essential matrices of five points, computed in long double from the eigenvectors of the
+action matrix @cite stewenius2006recent. The tested solver uses another method, so that the errors
+of both are independent. */
 std::vector<Matx33d> reference(const Correspondences& p, const int* sample)
 {
     MatrixXl A(5, 9), G(4, 4);

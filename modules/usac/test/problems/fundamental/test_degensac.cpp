@@ -16,8 +16,8 @@ struct Outcome
     std::vector<double> errors;
 };
 
-//! Estimates F in scenes that differ only in their seeds. A success is an error below 2 pixels over
-//! the true matches off the plane.
+//! Estimates F in scenes that differ only in their seeds. A success is a root mean square error
+//! below 2 pixels over the true matches off the plane.
 Outcome estimateScenes(const SceneOptions& common, int scenes, const Params& params)
 {
     Outcome outcome;
@@ -71,7 +71,8 @@ TEST(Usac_Degensac, dominantPlanes)
     EXPECT_GE(with, without + 5 * SCENES / 10) << "of " << 5 * SCENES;
 }
 
-//! Without local optimization, plane and parallax alone must find the model.
+//! Without local optimization, DEGENSAC (plane and parallax) must still increase the number of
+//! successes.
 TEST(Usac_Degensac, withoutLocalOptimization)
 {
     SceneOptions options;
@@ -99,7 +100,7 @@ TEST(Usac_Degensac, generalScenesAreNotWorse)
     }
 }
 
-//! recover() may replace a model only by a model with a lower cost.
+//! If recover() replaces a model, the new model must have a lower cost.
 TEST(Usac_Degensac, neverRaisesTheCost)
 {
     int replaced = 0, detected = 0, tried = 0;
@@ -156,8 +157,8 @@ TEST(Usac_Degensac, neverRaisesTheCost)
     EXPECT_LT(detected, tried);
 }
 
-//! Samples of exact points, of which a known number is on a plane. A plane must be detected if
-//! at least five of the seven points are on it, and only rarely otherwise.
+//! Samples of exact points, of which a known number is on a plane. A plane must nearly always be
+//! detected if at least five of the seven points are on it, and only rarely otherwise.
 TEST(Usac_Degensac, detectsFiveOfSeven)
 {
     SceneOptions options;
@@ -204,8 +205,8 @@ TEST(Usac_Degensac, detectsFiveOfSeven)
         EXPECT_LE(found[planar], tried[planar] * 10 / 100) << planar << " on the plane";
 }
 
-//! A model without a sample (as after a local optimization) whose inliers are mostly on a plane
-//! must be corrected, too.
+//! A model whose inliers are mostly on a plane must be corrected, too, if there is no sample, as
+//! after a local optimization.
 TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
 {
     int mended = 0;
@@ -242,8 +243,8 @@ TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
     EXPECT_GE(mended, SCENES * 8 / 10);
 }
 
-//! Random matches with the model F, for which there is no plane. recover() with and without a
-//! sample must not change the model.
+//! Random matches and a model F that does not allow a plane to be detected. recover() with and
+//! without a sample must not change the model.
 void expectNoPlane(const Model& F, double threshold)
 {
     RNG rng(5);
@@ -281,7 +282,7 @@ TEST(Usac_Degensac, noEpipole)
 }
 
 //! The first match is at the epipole of image 2 and therefore on the plane of any two other
-//! matches. No plane may be detected.
+//! matches. recover() must not detect a plane.
 TEST(Usac_Degensac, matchOnTheEpipole)
 {
     expectNoPlane(Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-3);

@@ -19,7 +19,8 @@ Params paramsOf(const Params& preset)
     return params;
 }
 
-//! Sum over all matches of the squared ratio of the error to the threshold, truncated at 1.
+//! Sum over all matches of the squared ratio of the error to the threshold, where each term is at
+//! most 1.
 double costOf(const Scene& scene, const cv::Matx33d& F)
 {
     double cost = 0;
@@ -42,8 +43,8 @@ SceneOptions planarScene(int size, double plane, double inliers, uint64 seed,
     return options;
 }
 
-//! A scene, its points in the estimator's coordinates, the homography of the plane from its
-//! matches, the indices of all points off the plane, and the refined true model.
+//! A scene, its points in the estimator's coordinates, the homography fitted to the true matches on
+//! the plane, the indices of all other points (true and wrong), and the refined true model.
 struct Parallax
 {
     explicit Parallax(const SceneOptions& options)
@@ -96,8 +97,8 @@ struct Parallax
     Model truth;
 };
 
-//! Number of runs that fail: the cost of the model exceeds that of the refined true model by more
-//! than 1, the cost of one outlier.
+//! Number of runs that fail, that is, return no model or a model whose cost exceeds that of the
+//! refined true model by more than 1, the cost of one outlier.
 int searchFailures(const Params& preset, int size, double plane, double inliers, int scenes)
 {
     int failures = 0;
@@ -113,9 +114,10 @@ int searchFailures(const Params& preset, int size, double plane, double inliers,
     return failures;
 }
 
-//! A plane dominates the scenes. `cells` contains the fraction of true matches on the plane and the
-//! inlier ratio. For comparison: if the epipole came from 300 random pairs among 208 points off the
-//! plane, 0, 2, 2, 7, 15, 28 and 8 % of the runs would fail.
+//! A plane dominates the scenes. Each row of `cells` contains the fraction of the true matches that
+//! is on the plane, and the inlier ratio. In each loop, at most one run (with fast() two) is
+//! allowed to fail. If the epipole came from 300 random pairs among 208 points off the plane, 0, 2,
+//! 2, 7, 15, 28 and 8 % of the runs would fail.
 TEST(Usac_PlaneParallax, fewSearchFailures)
 {
     const double cells[][2] = {{0.6, 0.5},  {0.8, 0.5},  {0.9, 0.7}, {0.95, 0.9},
@@ -128,7 +130,8 @@ TEST(Usac_PlaneParallax, fewSearchFailures)
     EXPECT_LE(searchFailures(Params::fast(), 500, 0.95, 0.7, 40), 2);
 }
 
-//! The epipole is in the image, far away or at infinity. The search must find it for each motion.
+//! Depending on the motion, the epipole is in the image, far away or at infinity. The search must
+//! find it for each motion.
 TEST(Usac_PlaneParallax, allMotions)
 {
     const Motion motions[] = {MOTION_GENERAL, MOTION_FORWARD, MOTION_SIDEWAYS, MOTION_RECTIFIED,
@@ -156,8 +159,8 @@ TEST(Usac_PlaneParallax, allMotions)
 }
 
 //! Only outliers are off the plane. A match off the plane and the homography of the plane give two
-//! points of an image; the epipole is on the line through them. The search must be bounded: it
-//! tries each of these lines at most once.
+//! points of an image; the epipole is on the line through these points. The search must be bounded:
+//! it must try each of these lines at most once.
 TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
 {
     const int sizes[] = {20, 200, 1000, 6000};
@@ -199,7 +202,8 @@ TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
     EXPECT_LE(quality.cost, p.context.rate(p.truth).cost + 5);
 }
 
-//! More points are off the plane than can vote for an epipole (MAX_POINTS).
+//! More points are off the plane than can vote for an epipole (MAX_POINTS). The search must succeed
+//! nevertheless.
 TEST(Usac_PlaneParallax, manyPointsOffThePlane)
 {
     const Parallax p(planarScene(6000, 0.8, 0.5, 5));
@@ -213,8 +217,8 @@ TEST(Usac_PlaneParallax, manyPointsOffThePlane)
     EXPECT_LT(parallax.lines(), 300);
 }
 
-//! Neither a point with many matches nor a match that occurs several times may be taken for the
-//! epipole.
+//! The search must find the epipole even if many wrong matches share a point or all matches occur
+//! four times.
 TEST(Usac_PlaneParallax, repeatedPoints)
 {
     int found = 0;
@@ -238,7 +242,7 @@ TEST(Usac_PlaneParallax, repeatedPoints)
         found += quality.cost <= p.context.rate(p.truth).cost + 8;
     }
     EXPECT_GE(found, SCENES - 2);
-    // one match that occurs fifty times gives a single line and thus no epipole
+    // one match that occurs fifty times gives fifty equal lines and thus no epipole
     const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)),
         same2(50, cv::Point2d(-0.5, 0.25));
     const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);
@@ -258,7 +262,8 @@ TEST(Usac_PlaneParallax, repeatedPoints)
     EXPECT_EQ(0, parallax.fits());
 }
 
-//! With no point or a single one off the plane, the search must find nothing.
+//! With no point or a single one off the plane, the search must find nothing and leave the model as
+//! it is.
 TEST(Usac_PlaneParallax, fewPoints)
 {
     const Parallax p(planarScene(100, 1, 1, 6));

@@ -107,7 +107,7 @@ private:
         return motionFrom(1, A, t * options.unit + options.offset2 - A * options.offset1);
     }
 
-    //! A point of space 1.
+    //! A random point of space 1, before scaling and translation.
     Vec3d shapePoint()
     {
         const Vec3d cube = randomInCube(rng, 1);
@@ -179,7 +179,7 @@ private:
     RigidScene& scene;
     RNG rng;
     const Matx33d axes;         //!< axes of the plane or the line
-    Matx34d near, other;        //!< motions before scaling and translation
+    Matx34d near, other;        //!< true and second motion before scaling and translation
     Vec3d ball1, ball2;         //!< centers of the balls of RIGID_OUTLIERS_CLUSTERED
     std::vector<Vec3d> places;  //!< points of space 2 for RIGID_OUTLIERS_PLACE
 };
@@ -209,7 +209,7 @@ std::vector<double> distancesOf(const RigidScene& scene, const Matx34d& motion)
 
 double rotationError(const RigidScene& scene, const Matx34d& motion)
 {
-    // |R1 - R2| = 2 sqrt(2) sin(angle / 2)
+    // the Frobenius norm |R1 - R2| is 2 sqrt(2) sin(angle / 2)
     const Matx33d difference = linearPart(motion) * (1 / scaleOf(motion)) -
                                linearPart(scene.motion) * (1 / scaleOf(scene.motion));
     return 2 * std::asin(std::min(1., cv::norm(difference) / std::sqrt(8.))) * 180 / CV_PI;

@@ -11,7 +11,8 @@
 
 namespace opencv_test {
 
-//! Where the points of a RigidScene are in space 1, near the origin before scaling and translation.
+//! Positions of the points of a RigidScene in space 1, near the origin before scaling and
+//! translation.
 enum RigidShape {
     RIGID_CLOUD,       //!< anywhere in a cube of side 2
     RIGID_PLANE,       //!< in a square of side 2 on a random plane
@@ -25,13 +26,14 @@ enum RigidShape {
 enum RigidOutliers {
     RIGID_OUTLIERS_UNIFORM,  //!< in space 1 like the true matches; in space 2 anywhere in a cube of
                              //!< side 4, whose center is the moved origin of space 1
-    RIGID_OUTLIERS_CLUSTERED,      //!< from one ball of radius 0.3 in space 1 to one in space 2
+    RIGID_OUTLIERS_CLUSTERED,      //!< in each space within one ball of radius 0.3
     RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
-    RIGID_OUTLIERS_PLACE  //!< `structured` of them lead to a few points of space 2, with Gaussian
-                          //!< noise of a quarter of the threshold; the others are uniform
+    RIGID_OUTLIERS_PLACE  //!< `structured` wrong matches lead to a few points of space 2, with
+                          //!< Gaussian noise of a quarter of the threshold; the others are uniform
 };
 
-//! What a synthetic scene of two spaces looks like. Lengths are multiples of `unit`.
+//! What a synthetic scene of two spaces looks like. Lengths other than the offsets are multiples of
+//! `unit`.
 struct RigidSceneOptions
 {
     RigidSceneOptions()
@@ -66,7 +68,7 @@ uniform, those of true matches are 1 - u^((1 - q) / q) with u uniform and q the 
 struct RigidScene
 {
     std::vector<cv::Point3d> points1, points2,
-        clean2;  //!< clean2: points2 without noise where `truth` is 1, else as points2
+        clean2;  //!< clean2: points2 without noise; equal to points2 where `truth` is 0
     std::vector<float> scores;
     std::vector<uchar> truth;  //!< 1: a true match
     cv::Matx34d motion;        //!< [s R t]: point of space 2 = s R point of space 1 + t
@@ -88,8 +90,8 @@ std::vector<double> distancesOf(const RigidScene& scene, const cv::Matx34d& moti
 //! Angle in degrees between the rotation of a motion and the true one.
 double rotationError(const RigidScene& scene, const cv::Matx34d& motion);
 
-//! Root mean square distance over the true matches between the points to which the motion and the
-//! true motion map them, in units of the scene.
+//! Root mean square distance in space 2, over the true matches, between the points to which
+//! `motion` and the true motion map the same point, in units of the scene.
 double motionError(const RigidScene& scene, const cv::Matx34d& motion);
 
 //! The matrix [scale * R, t].

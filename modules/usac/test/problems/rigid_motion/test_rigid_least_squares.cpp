@@ -12,7 +12,8 @@
 
 #include <numeric>
 
-// Least squares for rigid motions in closed form, and their parameterization.
+// Tests of least squares in closed form for rigid motions and 3-D similarities, and of the
+// parameterization of these motions.
 
 namespace opencv_test {
 namespace {
@@ -69,8 +70,8 @@ double costOf(const RigidScene& scene, const std::vector<double>& weights, const
 const RigidShape SHAPES[] = {RIGID_CLOUD, RIGID_PLANE, RIGID_NEAR_PLANE, RIGID_NEAR_LINE,
                              RIGID_CLUSTER};
 
-/** The derivatives of the cost by the parameters, from finite differences, must be zero, and random
-other motions must have a higher cost. */
+/** The derivatives of the cost with respect to the parameters, from finite differences, must be
+zero, and random other motions must have a higher cost. */
 template <bool SCALED>
 void expectMinimum(const RigidScene& scene, const std::vector<double>& weights)
 {
@@ -139,8 +140,8 @@ TEST(Usac_RigidLeastSquares, sameAsOpenCV)
         }
 }
 
-//! The error of the problem in three components, as a residual written by a caller. For such a
-//! residual, fits use Gauss-Newton steps and not the closed form.
+//! The error of the problem in three components, as a residual that a caller might write. With such
+//! a residual, fits use Gauss-Newton steps and not the closed form.
 class OwnError : public Residual
 {
 public:
@@ -177,7 +178,8 @@ public:
     }
 };
 
-//! For a residual of the caller, Gauss-Newton steps must reach the minimum of the closed form.
+//! With a residual of the caller, Gauss-Newton steps must reach the minimum that the closed form
+//! finds.
 TEST(Usac_RigidLeastSquares, sameAsBySteps)
 {
     RNG rng(2);
@@ -208,8 +210,8 @@ TEST(Usac_RigidLeastSquares, sameAsBySteps)
     }
 }
 
-//! The points are a million times their extent away from the origin, where six of sixteen digits
-//! are lost.
+//! The distance of the points from the origin is a million times their extent, so that six of
+//! sixteen digits are lost. The fit must be as accurate as the other digits allow.
 TEST(Usac_RigidLeastSquares, farFromTheOrigin)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -230,7 +232,8 @@ TEST(Usac_RigidLeastSquares, farFromTheOrigin)
         }
 }
 
-//! Collinear points, too few points and weights of 0 must give no motion.
+//! Collinear points, points all at one place, points that are not finite, and fewer than three
+//! points or nonzero weights must give no motion.
 TEST(Usac_RigidLeastSquares, refused)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -259,8 +262,8 @@ TEST(Usac_RigidLeastSquares, refused)
         }
 }
 
-//! A mirror image is no rigid motion. The determinant of the best rotation must be 1, and no motion
-//! near it may be better.
+//! A reflection is not a rigid motion. The determinant of the best rotation must be 1, and no other
+//! tested motion must be better.
 TEST(Usac_RigidLeastSquares, mirrored)
 {
     for (int seed = 1; seed <= 20; ++seed)
@@ -281,7 +284,7 @@ TEST(Usac_RigidLeastSquares, mirrored)
     }
 }
 
-//! A matrix with entries that are not finite has no closest rotation; the result must not be
+//! A matrix with an entry that is not finite has no closest rotation; the result must not be
 //! finite.
 TEST(Usac_RigidLeastSquares, closestRotationOfNoNumbers)
 {

@@ -73,7 +73,7 @@ TEST_P(Usac_RigidMotion, every_shape_and_kind_of_outliers)
                 options.copies = copies;
                 options.seed = 10 + shape;
                 const RigidScene scene = makeRigidScene(options);
-                // points near a line hardly determine the rotation about it
+                // points near a line hardly determine the rotation about this line
                 const double degrees = shape == RIGID_NEAR_LINE ? 10 : 0.4;
                 expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, degrees,
                             0.005);
@@ -139,8 +139,8 @@ TEST_P(Usac_RigidMotion, a_hundred_thousand_points)
     expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 0.02, 0.001);
 }
 
-//! As many true matches as a sample, or a few more: the motion must be found. With fewer than three
-//! points there must be no model.
+//! There are only true matches: three, as many as in a sample, or a few more. The motion must be
+//! found. With fewer than three points there must be no model.
 TEST_P(Usac_RigidMotion, few_points)
 {
     for (int size : {3, 4, 5, 20})
@@ -216,9 +216,9 @@ TEST_P(Usac_RigidMotion, exact_points)
         }
 }
 
-/** The unit and the origin of the points change, and the threshold with the unit. The mask must be
-the same. Powers of two change no bit of the search; with other factors, only points at the
-threshold up to rounding could change sides. */
+/** The unit and the origin of the points change, and the threshold changes with the unit. The mask
+must be the same. Powers of two change no bit of the search; other factors could change the mask
+only where the error equals the threshold up to rounding. */
 TEST_P(Usac_RigidMotion, units_and_origins)
 {
     for (int seed = 1; seed <= 5; ++seed)
@@ -266,8 +266,8 @@ TEST_P(Usac_RigidMotion, threads_give_the_same_bits)
     }
 }
 
-//! Some rows are not finite, as happens where a depth camera measures no depth. They must not be
-//! inliers.
+//! Some rows are not finite, as happens where a depth camera measures no depth. These rows must not
+//! be inliers.
 TEST_P(Usac_RigidMotion, rows_of_no_numbers)
 {
     RigidScene scene = makeRigidScene(optionsOf(problem()));
@@ -286,7 +286,8 @@ TEST_P(Usac_RigidMotion, rows_of_no_numbers)
         EXPECT_EQ(0, found.mask.at<uchar>(i));
 }
 
-//! For equal, collinear or random points there must be no model, and a reason must be reported.
+//! For equal, collinear or random points there must be no model (except for random points with
+//! LMedS), and a reason must be reported.
 TEST_P(Usac_RigidMotion, impossible_points)
 {
     std::vector<Point3d> same(100, Point3d(3, 4, 5)), line, random1, random2;
@@ -314,7 +315,7 @@ TEST_P(Usac_RigidMotion, impossible_points)
             scene.points2 = *seconds[i];
             const Estimate found = estimate(problem(), scene, preset.params);
             if (random && preset.params.quality == QUALITY_LMEDS)
-                continue;  // LMedS may choose a large threshold
+                continue;  // LMedS can choose a large threshold
             EXPECT_TRUE(found.model.empty());
             EXPECT_EQ(0, countNonZero(found.mask));
             EXPECT_EQ(100, found.mask.rows);

@@ -5,8 +5,8 @@
 #include "contracts/rigid_contracts.hpp"
 #include "support/run_context.hpp"
 
-// Tests of the search for 3-D motions with each component, with an initial model and with residuals
-// of the caller.
+// Tests of the search for 3-D motions with each component, with an initial model and with a
+// residual of the caller.
 
 namespace opencv_test {
 namespace {
@@ -38,7 +38,7 @@ struct Option
     int first, last;
 };
 
-//! With each value of each option, the motion must be found accurately.
+//! With each of these values of each option, the motion must be found accurately.
 TEST_P(Usac_RigidOptions, every_component)
 {
     const Option options[] = {
@@ -95,8 +95,8 @@ TEST_P(Usac_RigidOptions, every_termination)
         if (flags[k] == TERMINATION_MAGSAC)
         {
             params.quality = QUALITY_MAGSAC;
-            params.threshold = 3 * scene.threshold;  // MAGSAC takes the threshold as an upper bound
-                                                     // of the noise
+            params.threshold = 3 * scene.threshold;  // MAGSAC treats the threshold as an upper
+                                                     // bound of the noise
         }
         const Estimate found = checkedMotion(problem(), scene, params);
         ASSERT_FALSE(found.model.empty());
@@ -162,7 +162,7 @@ TEST_P(Usac_RigidOptions, initial_model)
             EXPECT_GE(tracked.report.inliers, 0.98 * first.report.inliers);
         }
         RNG rng(3);
-        for (int trial = 0; trial < 10; ++trial)  // a wrong initial model does no harm
+        for (int trial = 0; trial < 10; ++trial)  // wrong initial models
         {
             Mat wrong(3, 4, CV_64F);
             rng.fill(wrong, RNG::NORMAL, 0, 1);
@@ -197,7 +197,7 @@ TEST_P(Usac_RigidOptions, widest_reach)
     EXPECT_LT(wide, narrow);
 }
 
-//! The distance in space 2 as a residual of the caller, in which errors along z have another
+//! The distance in space 2 as a residual of the caller, in which errors along z have a different
 //! weight.
 class OwnResidual : public Residual
 {
@@ -240,8 +240,8 @@ private:
     const double along;  //!< factor of errors along z; below 1 if depth is less accurate
 };
 
-//! A replaced residual must be used for scores, fits and the mask. If its errors are those of the
-//! built-in one, the motion must be nearly the same.
+//! A replaced residual must be used for scores, fits and the mask. If its errors equal those of the
+//! built-in residual, the motion must be nearly the same.
 TEST_P(Usac_RigidOptions, own_residual)
 {
     const RigidScene scene = makeRigidScene(optionsOf(problem(), 0.6));
@@ -278,7 +278,7 @@ TEST_P(Usac_RigidOptions, own_residual)
     }
 }
 
-//! An object that is run again with other points must give the results of a new object.
+//! A Usac object that is run again with other points must give the results of a new object.
 TEST_P(Usac_RigidOptions, run_again)
 {
     const Ptr<Usac> usac = Usac::create(problem(), makeRigidScene().points1,
@@ -287,7 +287,7 @@ TEST_P(Usac_RigidOptions, run_again)
     {
         RigidSceneOptions options = optionsOf(problem(), 0.5);
         options.size = size;
-        options.unit = 50;  // the noise, 0.5, suits the default threshold
+        options.unit = 50;  // the noise, 0.5 or 1.25, suits the default threshold
         const RigidScene scene = makeRigidScene(options);
         usac->setPoints(scene.points1, scene.points2);
         for (int run = 0; run < 2; ++run)
@@ -303,9 +303,9 @@ TEST_P(Usac_RigidOptions, run_again)
     }
 }
 
-//! The neighbors must be those with the smallest distances, found by exhaustive search. Distances
-//! are measured in both spaces for rigid motions, in space 2 for similarities, where space 1 may
-//! have another unit.
+//! The neighbors must be those with the smallest distances, found by exhaustive search. For rigid
+//! motions, distances are measured in both spaces; for similarities only in space 2, because space
+//! 1 can have another unit.
 TEST_P(Usac_RigidOptions, nearest_neighbors)
 {
     RigidSceneOptions options = optionsOf(problem(), 0.6);

@@ -222,7 +222,7 @@ TEST(Usac_RigidScenes, scoresAreAsInformativeAsAskedFor)
         for (int i = 0; i < scene.size(); ++i)
             for (int j = 0; j < scene.size(); ++j)
                 right += scene.truth[i] && !scene.truth[j] && scene.scores[i] < scene.scores[j];
-        // four standard deviations for an information of 0.5
+        // about four standard deviations for an information of 0.5
         EXPECT_NEAR(information, right / (800. * 1200.), 0.05);
     }
 }

@@ -14,7 +14,7 @@ namespace {
 
 typedef std::vector<Vec3d> Triangle;
 
-//! Returns false if the solver gives no model.
+//! Solves for the motion. @return false if the solver gives no model
 bool solve(bool scaled, const Triangle& from, const Triangle& to, Matx34d& motion)
 {
     const SpacePoints own(from, to);
@@ -94,8 +94,8 @@ Matx34d randomMotion(bool scaled, RNG& rng)
     return motionFrom(scale, R, scale * uniformVector(rng, -1., 1.));
 }
 
-//! Maximum of the difference of the linear parts, and of the difference of the mapped means divided
-//! by the size of the triangle; both relative to the scale.
+//! Maximum of two distances, both relative to the scale of `truth`: of the linear parts (Frobenius
+//! norm), and of the mapped means divided by the size of the triangle.
 double motionDistance(const Matx34d& a, const Matx34d& truth, const Triangle& from)
 {
     const double scale = cv::norm(truth.get_minor<3, 3>(0, 0)) / std::sqrt(3.);
@@ -113,7 +113,7 @@ double largestNumber(const Triangle& t)
     return largest;
 }
 
-/** The angle in radians by which rounding of the corners may rotate a triangle about its longest
+/** The angle in radians by which rounding of the corners can rotate a triangle about its longest
 side. No solver can be more accurate. */
 double indeterminacyOf(const Triangle& from, const Triangle& to)
 {
@@ -123,9 +123,10 @@ double indeterminacyOf(const Triangle& from, const Triangle& to)
     return result;
 }
 
-/** The true motion must be found within 1e-6, except for triangles so thin that rounding hides it:
-their smallest height is less than about 3e7 times the rounding error of their coordinates, or less
-than 2e-8 of their longest side. (The solver takes triangles below about 1.5e-8 as collinear.) */
+/** The true motion must be found within 1e-6, except for triangles so thin that rounding hides the
+rotation: their smallest height is less than about 3e7 times the rounding error of their
+coordinates, or less than 2e-8 of their longest side. (The solver treats triangles below about
+1.5e-8 as collinear.) */
 void expectTruth(int samples)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -193,8 +194,8 @@ double costOf(const Matx34d& motion, const Triangle& from, const Triangle& to)
     return sum;
 }
 
-//! For triangles that do not correspond to each other, the solver must return the motion of least
-//! squares.
+//! For triangles that do not correspond to each other, the solver must return the least-squares
+//! motion.
 TEST(Usac_TriangleSolver, leastSquaresOfAnyTriangles)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -286,8 +287,8 @@ TEST(Usac_TriangleSolver, degenerate)
     }
 }
 
-//! With small integers as coordinates many triangles are collinear. Exactly these must give no
-//! model.
+//! With small integers as coordinates, many triangles are collinear. Exactly the collinear ones
+//! must give no model.
 TEST(Usac_TriangleSolver, smallIntegers)
 {
     RNG rng(24);
@@ -304,7 +305,7 @@ TEST(Usac_TriangleSolver, smallIntegers)
                 const Point2d p = integerPoint(rng, -1, 2);
                 t[side][k] = Vec3d(p.x, p.y, z);
             }
-            // the thickness is exact here, and NaN for equal points
+            // a thickness of 0 is exact here; it is NaN if all three points are equal
             expected = expected && thicknessOf(t[side]) > 0;
         }
         Matx34d motion;

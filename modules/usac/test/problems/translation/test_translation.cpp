@@ -6,7 +6,7 @@
 #include "support/contracts.hpp"
 #include "problems/registry.hpp"
 
-// Tests of translations between two images beyond those for all problems.
+// Tests of translations between two images, in addition to the tests of all problems.
 
 namespace opencv_test {
 namespace {
@@ -46,7 +46,7 @@ struct Matches
                    : std::hypot(model.at<double>(0, 2) - truth.x, model.at<double>(1, 2) - truth.y);
     }
 
-    //! The error of the mean displacement of the true matches.
+    //! Error of the mean displacement of the true matches in pixels.
     double errorOfMean() const
     {
         Point2d sum;
@@ -89,7 +89,7 @@ TEST(Usac_Translation, minimalSolver)
 }
 
 //! A fit must be the weighted mean of the displacements up to rounding, even if the displacements
-//! are large.
+//! are large. Without points or with weights of 0 it must fail.
 TEST(Usac_Translation, leastSquares)
 {
     const Parts parts;
@@ -119,7 +119,7 @@ TEST(Usac_Translation, leastSquares)
     }
 }
 
-//! One exact match must suffice.
+//! One exact match must suffice to find the translation.
 TEST(Usac_Translation, fewExactPoints)
 {
     for (int count = 0; count <= 5; ++count)
@@ -140,7 +140,8 @@ TEST(Usac_Translation, fewExactPoints)
         }
 }
 
-//! The error must be nearly that of the mean of the true matches, which is the best possible one.
+//! The mean error must be nearly that of the mean displacement of the true matches, which is the
+//! best possible estimate.
 TEST(Usac_Translation, inlierRatios)
 {
     for (int percent : {5, 10, 20, 30, 50, 70, 90})
@@ -172,8 +173,8 @@ TEST(Usac_Translation, everyPreset)
                 Report report;
                 const Mat model = estimateTranslation2D(matches.points1, matches.points2, params,
                                                         noArray(), report);
-                // the points are not sorted: where all samples follow their order (orderedEvery is
-                // 1), PROSAC's criterion may end the search early, and a larger error is allowed
+                // the true matches come first: where all samples follow this order (orderedEvery is
+                // 1), PROSAC's criterion can end the search early, and a larger error is allowed
                 EXPECT_LE(matches.error(model), params.orderedEvery == 1 ? 0.6 : 0.3)
                     << preset.name << ", " << residual;
                 EXPECT_LE(report.chance, 1e-6);
@@ -194,8 +195,8 @@ TEST(Usac_Translation, twoMotions)
     }
 }
 
-//! An initial model that is no translation must be replaced by the translation that maps the center
-//! of the points in the same way.
+//! An initial model that is not a translation must be replaced by the translation that maps the
+//! center of the points in the same way.
 TEST(Usac_Translation, initialModelWithARotation)
 {
     const Matches matches(40, 1000, 0.5, 5);
@@ -224,8 +225,8 @@ TEST(Usac_Translation, repeatedMatches)
     }
 }
 
-//! The model must have the form that cv::warpAffine takes. (cv::estimateTranslation2D of OpenCV 5
-//! returns only its last column.)
+//! The model must have the form that cv::warpAffine accepts. (cv::estimateTranslation2D of OpenCV 5
+//! returns only the last column of this matrix.)
 TEST(Usac_Translation, form)
 {
     const Matches matches(50, 20, 0.2, 7);

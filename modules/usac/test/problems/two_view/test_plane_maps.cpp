@@ -58,8 +58,8 @@ struct MapScene
                                 : estimateSimilarity2D(points1, points2, params, mask, report);
     }
 
-    //! Root mean square distance over the true matches, in pixels, between the points to which a
-    //! map and the true map take them.
+    //! Root mean square distance in pixels, over the true matches, between the points to which
+    //! `map` and the true map take the same point.
     double error(const Mat& map) const
     {
         double sum = 0;
@@ -172,7 +172,8 @@ TEST(Usac_PlaneMaps, parameters)
     checkParameters<SimilarityParameterization>(SIMILARITY);
 }
 
-//! A fit must agree with linear least squares, which has the same minimum for these maps.
+//! A fit must agree with the solution of the linear equations, which has the same minimum for these
+//! maps.
 TEST(Usac_PlaneMaps, leastSquares)
 {
     for (int t = 0; t < 2; ++t)
@@ -218,8 +219,8 @@ TEST(Usac_PlaneMaps, everyPreset)
                 Report report;
                 const Mat map = scene.estimate(params, mask, report);
                 ASSERT_EQ(Size(3, 2), map.size()) << t << " " << presets[k].name;
-                // where all samples follow the order of the points (orderedEvery is 1), PROSAC's
-                // criterion may end the search of unsorted points early
+                // the true matches come first: where all samples follow this order (orderedEvery is
+                // 1), PROSAC's criterion can end the search early, and a larger error is allowed
                 EXPECT_LE(scene.error(map), params.orderedEvery == 1 ? 0.6 : 0.45)
                     << t << " " << presets[k].name;
                 EXPECT_EQ(report.inliers, countNonZero(mask));
@@ -260,7 +261,7 @@ TEST(Usac_PlaneMaps, mask)
         }
 }
 
-//! Summed over the scenes, errors must be at most 1.02 times those of OpenCV's RANSAC.
+//! The sum of the errors over the scenes must be at most 1.02 times that of OpenCV's RANSAC.
 TEST(Usac_PlaneMaps, besideOpenCV)
 {
     for (int t = 0; t < 2; ++t)

@@ -24,7 +24,8 @@ Scene sceneWith(int problem, OutlierModel outliers, uint64 seed)
 
 //! The scenes have 30 % inliers. In one kind, 35 % of the matches lead to each of two points of
 //! image 2; in the other, half of the outliers lead to points of a line. The true model must be
-//! found, which fails without DEGENERACY_REPEATED.
+//! found. Without DEGENERACY_REPEATED, the search must fail in at least five of six scenes of the
+//! first kind.
 TEST_P(Usac_SharedPoints, targetsDoNotWin)
 {
     int wrongWithout = 0;
@@ -48,9 +49,9 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
     EXPECT_GE(wrongWithout, 5);
 }
 
-//! Matches share a point if they are close together in one image and far apart in the other. x1 and
-//! x2 are the distances of two matches in image 1 and in image 2. With the threshold 1, matches
-//! share a point if they are closer than 2 in one image and farther apart than 20 in the other.
+//! x1 and x2 are the distances between two matches in image 1 and in image 2. With the threshold 1,
+//! the matches share a point if they are closer than 2 in one image and farther apart than 20 in
+//! the other.
 TEST(Usac_SharedPoints_Samples, shareATarget)
 {
     const struct
@@ -93,7 +94,7 @@ struct Checked
     Quality before, after;
 };
 
-//! Exact points in front of and behind the second camera, some of them near it. Returns E.
+//! Exact points in front of and behind the second camera, some of them near its center. Returns E.
 Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     Matx33d R;
@@ -108,8 +109,8 @@ Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector
     return Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
 }
 
-/** Near a camera, points that are close together in one image are far apart in the other. They must
-nevertheless count in full, because the epipolar constraint determines the positions in the other
+/** Points near a camera that are close together in one image are far apart in the other. They must
+nevertheless count in full, because the epipolar constraint determines their positions in the other
 image up to a few thresholds. */
 TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
 {
@@ -128,7 +129,7 @@ TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
 }
 
 //! Half of the matches lead to one point of an image, the target. An F whose epipole is the target
-//! has all these matches as inliers. They must count as one inlier.
+//! has all these matches as inliers. Together, they must count as about one inlier.
 TEST(Usac_SharedPoints_Models, targetsCountOnce)
 {
     RNG rng(5);
@@ -159,7 +160,7 @@ TEST(Usac_SharedPoints_Models, targetsCountOnce)
 }
 
 //! Correct models must keep their quality: with each motion, with epipoles among the points, with
-//! an image 2 that is four times as large, and with points one pixel apart.
+//! an image 2 that is four times as large (F only), and with points one pixel apart.
 TEST_P(Usac_SharedPoints, rightModelsCountInFull)
 {
     for (int motion = MOTION_GENERAL; motion <= MOTION_CAR; ++motion)
@@ -193,8 +194,9 @@ TEST_P(Usac_SharedPoints, rightModelsCountInFull)
         }
 }
 
-//! A check that drops each new best model, or (`kept` 1) makes its cost so high that every other
-//! model is better. In both cases, the search must go on and pass later models to the check.
+//! A check that drops each new best model or, if `kept` is 1, makes the cost of this model so high
+//! that every other model is better. In both cases, the search must go on and pass later models to
+//! the check.
 class DropsEach : public Degeneracy
 {
 public:
