@@ -11,7 +11,7 @@
 
 namespace opencv_test {
 
-//! The result for given points. Every other form of the same points must give the same bits.
+//! The result for given points. compare() expects the same bits for another form of these points.
 struct ExpectedAnswer
 {
     ExpectedAnswer(ProblemType problem_, const Mat& points1, const Mat& points2,
@@ -61,8 +61,8 @@ inline Mat solid(const Mat& points, bool across)
     return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);
 }
 
-//! Every depth of a matrix that can represent the integers 0 .. 127. OpenCV 5 has more such depths
-//! than OpenCV 4.
+//! All matrix depths that can represent the integers 0 .. 127. OpenCV 5 has more such depths than
+//! OpenCV 4.
 inline std::vector<int> depthsOfIntegers()
 {
     std::vector<int> depths = {CV_8U, CV_8S, CV_16U, CV_16S, CV_32S, CV_32F, CV_64F, CV_16F};
@@ -72,8 +72,8 @@ inline std::vector<int> depthsOfIntegers()
     return depths;
 }
 
-//! Makes the points of a scene, scaled and rounded to integers 0 .. 127, which every depth can
-//! represent. They are Nx2 matrices of type CV_64F, and K is scaled in the same way.
+//! Makes the points of a scene, scaled, rounded and clipped to integers 0 .. 127, which every depth
+//! can represent. They are Nx2 matrices of type CV_64F, and K is scaled in the same way.
 inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
 {
     const double scale = 0.19;

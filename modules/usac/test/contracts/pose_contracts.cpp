@@ -32,8 +32,8 @@ Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report&
 
 namespace {
 
-//! Runs cv::solvePnPRansac with the flag of a preset. Its result must equal `pose` and `mask`,
-//! which the preset has given.
+//! Runs cv::solvePnPRansac with the flag of a preset. Its result must agree with `pose` and `mask`,
+//! the result of the preset.
 void checkFlag(const PoseScene& scene, UsacV20Method flag, const Params& params, const Mat& pose,
                const Mat& mask)
 {

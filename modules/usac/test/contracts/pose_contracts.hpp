@@ -10,8 +10,7 @@
 
 namespace opencv_test {
 
-//! The scene and the parameters in the form that brokenResult() takes, the oracle that checks
-//! results.
+//! Packs the scene and the parameters for the oracle brokenResult().
 EstimatorCall callOf(const PoseScene& scene, const Params& params);
 
 //! Runs one estimation. The oracle brokenResult() must find no error, and the input must not
@@ -19,7 +18,7 @@ EstimatorCall callOf(const PoseScene& scene, const Params& params);
 Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report& report);
 
 /** Runs every preset and every flag on the scene. Expects no exception, a result that satisfies all
-contracts, the same bits when repeated and with every number of threads, and unchanged input.
+contracts, the same bits when repeated and with 1, 2 and 4 threads, and unchanged input.
 @return the poses of the presets */
 std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels = 2, int maxIterations = 100);
 

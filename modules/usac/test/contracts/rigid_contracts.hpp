@@ -19,13 +19,12 @@ struct Estimate
     Matx34d motion() const { return Matx34d(model); }
 };
 
-//! Calls the public function of the problem.
+//! Calls the estimate function of the problem.
 Mat estimateMotion(ProblemType type, InputArray points1, InputArray points2, const Params& params,
                    OutputArray mask, Report& report);
 Estimate estimate(ProblemType type, const RigidScene& scene, const Params& params);
 
-//! The scene and the parameters in the form that brokenResult() takes, the oracle that checks
-//! results.
+//! Packs the scene and the parameters for the oracle brokenResult().
 EstimatorCall callOf(ProblemType type, const RigidScene& scene, const Params& params);
 
 //! Runs one estimation. The oracle brokenResult() must find no error, and the input must not
@@ -33,7 +32,7 @@ EstimatorCall callOf(ProblemType type, const RigidScene& scene, const Params& pa
 Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& params);
 
 /** Runs every preset on the scene with the threshold `limit`. Expects no exception, a result that
-satisfies all contracts, the same bits when repeated and with every number of threads, and unchanged
+satisfies all contracts, the same bits when repeated and with 1, 2 and 4 threads, and unchanged
 input. @return the motions of the presets */
 std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit,
                                int maxIterations = 100);

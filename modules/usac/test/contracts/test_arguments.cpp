@@ -15,7 +15,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::ValuesIn(TWO_VIEW_PROBLEMS
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 const double INFINITE = std::numeric_limits<double>::infinity();
 
-//! The name that an argument has in calib3d's function for the problem.
+//! The name that an argument of the estimate function has in calib3d's function for the problem.
 std::string nameIn(ProblemType problem, const std::string& name)
 {
     const bool map = problem == AFFINITY || problem == SIMILARITY;
@@ -39,8 +39,8 @@ std::string inWordsOf(ProblemType problem, const std::string& words)
     return result;
 }
 
-//! A call with a wrong argument: of the estimate function, or (if `viaFlag`) of calib3d's function
-//! with a flag of this module.
+//! A call of the estimate function or, if `viaFlag`, of calib3d's function with a flag of this
+//! module. Tests make one of its arguments wrong.
 struct WrongCall
 {
     WrongCall(ProblemType problem_, const Mat& points1_, const Mat& points2_)
@@ -70,8 +70,9 @@ struct WrongCall
                              params.maxIterations, mask);
     }
 
-    //! Both functions must raise an exception whose message contains the words. In the messages of
-    //! calib3d's function, arguments have the names that calib3d uses.
+    //! The estimate function and, if the problem has flags, calib3d's function must raise an
+    //! exception whose message contains the words. In the messages of calib3d's function, arguments
+    //! have the names that calib3d uses.
     void expect(const std::string& words)
     {
         for (int i = 0; i < (hasFlags(problem) ? 2 : 1); ++i)
@@ -319,8 +320,8 @@ TEST(Usac_Arguments, arrays_of_three_dimensions)
 }
 
 //! Affinities and similarities have no check for a dominant plane, so that DEGENSAC must be
-//! refused. Of the sets with this flag only the default, all bits, is accepted. It means all checks
-//! that the problem has.
+//! refused. Of the sets that contain this flag, only the default (all bits) is accepted, because it
+//! means all checks that the problem has.
 TEST(Usac_Arguments, degeneracies_of_maps_of_points)
 {
     const int right[] = {0, DEGENERACY_ORIENTATION, DEGENERACY_REPEATED,
@@ -353,5 +354,5 @@ TEST(Usac_Arguments, problem)
                     "problem: one of ProblemType is expected");
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -4,13 +4,14 @@
 
 #include "support/contracts.hpp"
 
-// Tests of forms of cameras, distortion, homogeneous points and masks that are equivalent, and of
-// forms that look equivalent but have another meaning.
+// Tests of equivalent forms of cameras, distortion, homogeneous points and masks, and of forms that
+// look equivalent but have a different meaning.
 
 namespace opencv_test {
 namespace {
 
-//! An essential matrix of the scene, with the same camera matrix and distortion for both images.
+//! Estimates the essential matrix of the scene, with the same camera matrix and distortion for both
+//! images.
 Mat essentialOf(const Scene& scene, InputArray K, InputArray distortion, Mat& mask)
 {
     Report report;
@@ -33,8 +34,8 @@ TEST(Usac_Cameras, a_multiple_is_the_same_camera)
     }
 }
 
-//! The camera matrix of a convention with points as row vectors is the transpose. It must be
-//! refused, because with it almost every match would be an inlier.
+//! Where points are row vectors, the camera matrix is the transpose of that of OpenCV. The
+//! transpose must be refused, because with it almost every match would be an inlier.
 TEST(Usac_Cameras, transposed)
 {
     const Scene scene = makeScene(ESSENTIAL);
@@ -52,8 +53,8 @@ TEST(Usac_Cameras, transposed)
                     "cameraMatrix: ");
 }
 
-//! The rays of a scene are seen by a camera with skew, with and without distortion. The distortion
-//! is so weak that both results must nearly agree.
+//! A camera with skew sees the rays of a scene, once without distortion, once with distortion so
+//! weak that both results must nearly agree.
 TEST(Usac_Cameras, skew_and_distortion)
 {
     const Scene scene = makeScene(ESSENTIAL);
@@ -100,7 +101,7 @@ TEST(Usac_Cameras, every_form_of_distortion)
     expectException([&]() { essentialOf(scene, scene.K, channels, other); }, "distCoeffs1");
 }
 
-//! The points of a scene as a lens with these coefficients shows them.
+//! The points as a lens with these coefficients shows them.
 std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
                            const Mat& distortion)
 {
@@ -115,8 +116,8 @@ std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
     return result;
 }
 
-//! Exact matches must be inliers with a threshold of 1e-4 pixels, also in the corners of the image.
-//! The five iterations of cv::undistortPoints would leave larger errors there.
+//! Exact matches must be inliers with a threshold of 1e-4 pixels, also in the corners of the image,
+//! where the five iterations of cv::undistortPoints would leave larger errors.
 TEST(Usac_Cameras, distortion_is_removed_exactly)
 {
     SceneOptions options;
@@ -140,8 +141,8 @@ TEST(Usac_Cameras, distortion_is_removed_exactly)
     }
 }
 
-//! r (1 - 0.25 r^2) is at most 0.77, so that no point is mapped to a larger radius. A match with an
-//! image point at a larger radius must never be an inlier.
+//! The distorted radius r (1 - 0.25 r^2) is at most 0.77, so that the lens shows no point at a
+//! larger radius. A match with an image point at a larger radius must never be an inlier.
 TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
 {
     Scene scene = makeScene(ESSENTIAL);
@@ -227,5 +228,5 @@ TEST_P(UsacForms, mask_in_a_part_of_a_matrix)
     EXPECT_EQ(2 * scene.size(), countNonZero(whole.col(0) == 9) + countNonZero(whole.col(2) == 9));
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -50,8 +50,8 @@ TEST_P(UsacContracts, true_matches_are_found)
         Mat mask;
         const Mat model = estimate(scene, Params(), mask);
         EXPECT_LT(modelError(scene, model), 0.6) << "seed " << seed;
-        // numbers of true matches: those in the mask, and those whose error under the true model is
-        // at most the threshold
+        // numbers of true matches that are in the mask (found), and whose error under the true
+        // model is at most the threshold (within)
         int found = 0, within = 0;
         for (int i = 0; i < scene.size(); ++i)
         {
@@ -79,7 +79,7 @@ TEST_P(UsacContracts, input_is_not_modified)
 
 TEST(Usac_Contracts, homography_with_h33_zero)
 {
-    // x1 = 0, y1 = 0 is mapped to infinity: a valid homography whose h33 is 0
+    // the point (0, 0) of image 1 is mapped to infinity: a valid homography whose h33 is 0
     const Matx33d H(200, 30, 1e5, -20, 250, 8e4, 1, 0.2, 0);
     RNG rng(3);
     std::vector<Point2d> points1, points2;
@@ -139,5 +139,5 @@ TEST(Usac_Contracts, report_with_an_unknown_reason)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -4,7 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// Parameters at the limits of their ranges must not break any preset or flag.
+// Parameters at the limits of their ranges must not cause exceptions or wrong results, with any
+// preset or flag.
 
 namespace opencv_test {
 namespace {
@@ -12,8 +13,8 @@ namespace {
 typedef UsacProblem UsacExtremes;
 INSTANTIATE_TEST_CASE_P(/**/, UsacExtremes, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! The squares of the smallest and largest thresholds leave the range of float, and some of them
-//! also that of double.
+//! The squares of most of these thresholds are out of the range of float, some also out of the
+//! range of double.
 TEST_P(UsacExtremes, thresholds)
 {
     const double thresholds[] = {1e-320, 1e-300, 1e-160, 1e-25, 1e-9,
@@ -30,8 +31,8 @@ TEST_P(UsacExtremes, thresholds)
             Matx33d K = scene.K;
             if (exact)
             {
-                // focal lengths below 1 make the threshold in normalized coordinates larger than
-                // the given threshold
+                // with focal lengths below 1, the threshold in normalized coordinates (for E) is
+                // larger than the given threshold
                 const double scale = 1e-3;
                 K = Matx33d(scale * K(0, 0), 0, scale * K(0, 2), 0, scale * K(1, 1),
                             scale * K(1, 2), 0, 0, 1);
@@ -64,7 +65,7 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
             Report report;
             const Mat model = estimate(scene, params, mask, &report);
             checkResult(scene, report.threshold, model, mask, report);
-            // if the threshold is estimated, there is an initial model, and 0 iterations are
+            // with THRESHOLD_ESTIMATED, the search starts from a model, so that 0 iterations are
             // possible
             EXPECT_TRUE(report.iterations >= (findsThreshold(params) ? 0 : 1) &&
                         report.iterations <= 100)
@@ -98,5 +99,5 @@ TEST_P(UsacExtremes, all_iterations_without_a_model)
     EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -4,7 +4,7 @@
 
 #include "support/contracts.hpp"
 
-// Tests of difficult points, few or many of them: far away, tiny, on a line, or all with the same
+// Tests with few or many difficult points: far away, tiny, on a line, or all with the same
 // corresponding point.
 
 namespace opencv_test {
@@ -73,7 +73,8 @@ TEST_P(UsacHostile, denormals)
     checkEveryWay(problem(), tiny1, clean.points2);
 }
 
-//! Points and threshold are scaled by the same factor; a model must be found at every scale.
+//! Points, threshold and camera matrix are scaled by the same factor. A model must be found at
+//! every scale.
 TEST_P(UsacHostile, scales)
 {
     const double scales[] = {1e-75, 1e-30, 1e-10, 1e10, 1e30, 1e75};
@@ -101,8 +102,8 @@ TEST_P(UsacHostile, scales)
     }
 }
 
-//! The singular values of the model in the normalized coordinates, in which the points have unit
-//! scale.
+//! The singular values of the model in normalized coordinates, in which the points have unit scale;
+//! the model has unit norm.
 Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
                      const std::vector<Point2d>& points2, const Mat& model)
 {
@@ -113,8 +114,9 @@ Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
     return w;
 }
 
-//! The matrix l2 l1^T of rank 1 is consistent with all points on the line l1, but is no fundamental
-//! matrix. Here most points are on such a line, but no returned F may have rank 1.
+//! The matrix l2 l1^T of rank 1 is consistent with all points on the line l1, but is not a
+//! fundamental matrix. Although most points are on such a line here, no returned F must have rank
+//! 1.
 TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
 {
     const double lines[] = {0, 300, 1e6};
@@ -139,8 +141,8 @@ TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
     }
 }
 
-//! Here the singular matrix that maps the whole plane to one point has the most inliers, but it is
-//! no homography and must not be returned.
+//! The singular matrix that maps the whole plane to one point has the most inliers here, but it is
+//! not a homography and must not be returned.
 TEST(Usac_Hostile, most_matches_share_one_target)
 {
     Scene scene = makeScene(HOMOGRAPHY);
@@ -164,8 +166,9 @@ TEST(Usac_Hostile, most_matches_share_one_target)
         EXPECT_TRUE(none[i].empty()) << allPresets()[i].name;
 }
 
-//! Both epipoles are at the origin and the coordinates are large. In pixel units the smallest
-//! entries of F matter most, so that rounding could give F rank 3.
+//! Both epipoles are at the origin, and coordinates are large (for larger scales). In pixel units,
+//! the smallest entries of F then matter most, so that rounding could give F rank 3. The returned F
+//! must have rank 2.
 TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
 {
     const double scales[] = {1, 1e3, 1e6};
@@ -207,7 +210,7 @@ TEST(Usac_Hostile, rank_of_a_minimal_model)
 }
 
 //! Whether H is scaled to h33 = 1 must depend on the projective weights of the points, not on the
-//! other entries of H, which depend on the scale of the points.
+//! other entries of H, which depend on the scale of the points. Here h33 must be 1 at every scale.
 TEST(Usac_Hostile, h33_is_one_at_any_scale)
 {
     const double scales[] = {1e-14, 1e-3, 1, 1e6, 1e14};
@@ -229,8 +232,8 @@ TEST(Usac_Hostile, h33_is_one_at_any_scale)
     }
 }
 
-//! The squares of the coordinates leave the range of double. A call may find no model. If it finds
-//! one, mask and report must be correct.
+//! The squares of the coordinates are out of the range of double. A call is allowed to find no
+//! model. If it finds one, mask and report must be correct.
 TEST_P(UsacHostile, scales_near_the_ends_of_the_range)
 {
     const Scene scene = makeScene(problem());
@@ -249,5 +252,5 @@ TEST_P(UsacHostile, scales_near_the_ends_of_the_range)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -253,7 +253,7 @@ TEST(Usac_Input, every_length_of_distortion)
     }
 }
 
-//! The neighborhood graph must have at most 16 edges per point.
+//! The neighborhood graph must have at most 16 edges per point, so that its memory is bounded.
 void expectSparseGraph(Usac& usac)
 {
     const Params params;
@@ -279,8 +279,8 @@ TEST_P(UsacInput, hundred_thousand_points)
 
 TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
 {
-    // 60 000 matches are within one pixel of each image and 600 are elsewhere, so that nearly all
-    // pairs of matches are neighbors
+    // 60 000 matches are within a square of side 1 in each image and 600 are elsewhere, so that
+    // nearly all pairs of matches are neighbors
     SceneOptions options;
     options.inliers = 500;
     Scene scene = makeScene(problem(), options);
@@ -298,5 +298,5 @@ TEST_P(UsacInput, crowded_points_have_a_sparse_graph)
     checkResult(problem(), scene.points1, scene.points2, Params().threshold, model, mask, report);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -4,8 +4,8 @@
 
 #include "contracts/expected_answer.hpp"
 
-// Everything that OpenCV's functions accept as a list of points, with any of their flags, must be
-// accepted and read in the same way.
+// Every layout that OpenCV's functions accept for a list of points must be accepted and read in the
+// same way. The one exception is described at whatever_opencv_takes.
 
 namespace opencv_test {
 namespace {
@@ -28,7 +28,7 @@ Mat homogeneous(const Mat& points, int weights)
     return result;
 }
 
-//! The points with two additional columns, which must be ignored.
+//! The points with two additional columns, which estimators must ignore.
 Mat withMore(const Mat& points)
 {
     Mat result, more(points.rows, 2, points.type());
@@ -133,8 +133,9 @@ TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
     expected.compare("6xN", withMore(more1).t(), more2);
 }
 
-//! The arrays are so small that either the rows or the columns could be the points. The number of
-//! points must be the fourth number of `shapes`. In a square array, each row must be a point.
+//! The arrays are so small that either the rows or the columns could be the points. The fourth
+//! number in a row of `shapes` is the expected number of points. In a square array, each row must
+//! be a point.
 TEST_P(UsacLayouts, both_readings_possible)
 {
     const int shapes[][4] = {{1, 2, 1, 1}, {1, 3, 1, 1}, {2, 1, 1, 1}, {3, 1, 1, 1}, {2, 2, 1, 2},
@@ -180,7 +181,7 @@ TEST_P(UsacLayouts, both_readings_possible)
 }
 
 //! Calls OpenCV's function for the problem. @return the number of rows of its mask; 0 if it found
-//! no model, so that this number is unknown; -1 if it raised an exception
+//! no model, because its mask then does not tell the number of points; -1 if it raised an exception
 int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int flag)
 {
     Mat model, mask;
@@ -204,8 +205,9 @@ int openCvTakes(ProblemType problem, const Mat& points1, const Mat& points2, int
     return model.empty() ? 0 : mask.rows;
 }
 
-/** Arrays of every small shape. If OpenCV's function raises no exception, this module must not
-either. If OpenCV's function finds a model, the number of points must be the same. */
+/** Arrays of many small shapes. If OpenCV's function raises no exception, this module must not
+raise one either. If OpenCV's function finds a model, the number of points must be the same. Arrays
+with more channels than elements are skipped: OpenCV reads each of their coordinates as a point. */
 TEST_P(UsacLayouts, whatever_opencv_takes)
 {
     if (!hasFlags(problem()))
@@ -225,8 +227,7 @@ TEST_P(UsacLayouts, whatever_opencv_takes)
         rng.fill(points1, RNG::UNIFORM, 1., 400.);
         rng.fill(points2, RNG::UNIFORM, 1., 400.);
         const int count = openCvTakes(problem(), points1, points2, flag);
-        if (count < 0 || (channels > 1 &&
-                          rows * cols < channels))  // here OpenCV reads each coordinate as a point
+        if (count < 0 || (channels > 1 && rows * cols < channels))
             continue;
         ++taken;
         SCOPED_TRACE(cv::format("%dx%d with %d channels, flag %d", rows, cols, channels, flag));
@@ -242,5 +243,5 @@ TEST_P(UsacLayouts, whatever_opencv_takes)
     EXPECT_GT(seen, 20);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

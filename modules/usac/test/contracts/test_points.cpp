@@ -5,7 +5,7 @@
 #include "support/contracts.hpp"
 
 // Difficult points are not an error: there must be no exception and no endless loop, and every
-// result must satisfy all contracts.
+// result must satisfy all contracts (checkResult).
 
 namespace opencv_test {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 typedef UsacProblem UsacPoints;
 INSTANTIATE_TEST_CASE_P(/**/, UsacPoints, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Checks every preset and flag. @return the model of Params::usacV20
+//! Checks every preset and flag with these points. @return the model of Params::usacV20
 Mat tryPoints(ProblemType problem, const std::vector<Point2d>& points1,
               const std::vector<Point2d>& points2, double pixels = 1.5)
 {
@@ -250,8 +250,9 @@ TEST_P(UsacPoints, extreme_coordinates)
     EXPECT_LT(modelError(clean, model), 0.8);
 }
 
-/** Points, threshold and (for E) camera matrix are shifted and scaled. The inliers must be the
-same, except for a match whose error is so close to the threshold that rounding decides. */
+/** Points and (for E) the camera matrix are shifted and scaled, and the threshold is scaled. The
+inliers must be the same, except for at most one match whose error is so close to the threshold that
+rounding decides. */
 TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
 {
     const Scene scene = makeScene(problem());
@@ -286,5 +287,5 @@ TEST_P(UsacPoints, offset_and_scale_keep_the_inliers)
         }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

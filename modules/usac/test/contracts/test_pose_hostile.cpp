@@ -102,7 +102,7 @@ TEST(Usac_PoseHostile, object_of_any_size)
         }
 }
 
-//! Image coordinates, camera matrix and threshold are given in another unit than pixels. The pose
+//! Image coordinates, camera matrix and threshold are given in a unit other than pixels. The pose
 //! must be found nevertheless.
 TEST(Usac_PoseHostile, image_of_any_size)
 {
@@ -120,8 +120,8 @@ TEST(Usac_PoseHostile, image_of_any_size)
         }
 }
 
-//! The object is so far from the origin that coordinates lose digits. Up to a distance of 1e9 units
-//! the pose must be found; beyond it, the result must only be consistent.
+//! The object is so far from the origin that coordinates lose digits. With an offset of up to 1e9,
+//! the default preset must find the pose; all results must satisfy all contracts.
 TEST(Usac_PoseHostile, object_far_from_its_origin)
 {
     for (double offset : {1e3, 1e6, 1e9, 1e12, 1e15})
@@ -150,7 +150,8 @@ TEST(Usac_PoseHostile, every_shape_with_every_preset)
         }
 }
 
-//! Numbers of points from none to more than a minimal sample.
+//! Numbers of points from none to more than a minimal sample. All results must satisfy all
+//! contracts.
 TEST(Usac_PoseHostile, few_points)
 {
     for (int size = 0; size <= 8; ++size)
@@ -164,9 +165,9 @@ TEST(Usac_PoseHostile, few_points)
         }
 }
 
-//! Lenses that fold the image, have poles or show no point. For odd `i`, half of the image points
-//! are random and the others are those of a camera without distortion; for even `i`, all are made
-//! with the lens. The result must be consistent with the lens.
+//! Random lenses, many of which fold the image, have poles or show no point. For odd `i`, half of
+//! the image points are random and the others are those of a camera without distortion; for even
+//! `i`, all are made with the lens. The result must be consistent with the lens.
 TEST(Usac_PoseHostile, wild_lenses)
 {
     const int lengths[] = {4, 5, 8, 12, 14};
@@ -191,8 +192,9 @@ TEST(Usac_PoseHostile, wild_lenses)
     EXPECT_GT(found, 50);
 }
 
-//! All pairs of values of two options, with the default values of the other options. Combinations
-//! that Params::check() refuses are skipped.
+//! All pairs of values of two of the listed options, with the default values of the other options.
+//! Each accepted combination must find a pose that satisfies all contracts. Combinations that
+//! Params::check() refuses are skipped.
 TEST(Usac_PoseHostile, every_option)
 {
     const struct
@@ -240,8 +242,8 @@ TEST(Usac_PoseHostile, every_option)
     EXPECT_GT(tried, 800);
 }
 
-//! The oracle brokenResult must detect a wrong row of the mask and a wrong pose, because the tests
-//! that use this oracle would otherwise be worthless.
+//! The oracle brokenResult() must detect a wrong row of the mask and a wrong pose, because the
+//! tests that use this oracle would otherwise be worthless.
 TEST(Usac_PoseHostile, oracle_sees_what_is_wrong)
 {
     for (int coefficients : {0, 4, 8, 14})

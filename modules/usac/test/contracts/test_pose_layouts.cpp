@@ -5,18 +5,18 @@
 #include "contracts/expected_answer.hpp"
 #include "contracts/pose_contracts.hpp"
 
-// Every layout and element type of object and image points must give the same result, bit by bit.
+// Every layout and depth of object and image points must give the same result, bit by bit.
 
 namespace opencv_test {
 namespace {
 
-//! Points as Nx3 and Nx2 matrices of type CV_64F.
+//! Object points as an Nx3 and image points as an Nx2 matrix of type CV_64F.
 struct PoseArrays
 {
     Mat object, image;
 };
 
-//! The result for given points. Every other form of the same points must give the same bits.
+//! The result for given points. compare() expects the same bits for another form of these points.
 class ExpectedPose
 {
 public:

@@ -91,7 +91,7 @@ TEST_P(Usac_RigidHostile, all_rows_of_one_number)
 }
 
 //! The unit of space 1, of space 2 or of both spaces changes. If both units change, or the scale of
-//! the motion is free, the motion must be found as long as squares stay in the range of double.
+//! the motion is free, the motion must be found as long as squares are in the range of double.
 TEST_P(Usac_RigidHostile, any_unit)
 {
     for (double unit : {1e-290, 1e-150, 1e-75, 1e-30, 1e-10, 1e10, 1e30, 1e75, 1e150, 1e290})
@@ -113,8 +113,8 @@ TEST_P(Usac_RigidHostile, any_unit)
         }
 }
 
-//! The points are so far from the origin that coordinates lose digits. Up to a distance of 1e9
-//! units the motion must be found; beyond it, the result must only be consistent.
+//! The points are so far from the origin that coordinates lose digits. With offsets of up to 1e9,
+//! the default preset must find the motion; all results must satisfy all contracts.
 TEST_P(Usac_RigidHostile, far_from_the_origin)
 {
     for (double offset : {1e3, 1e6, 1e9, 1e12, 1e15})
@@ -145,7 +145,8 @@ TEST_P(Usac_RigidHostile, every_shape_with_every_preset)
         }
 }
 
-//! Numbers of points from none to more than a minimal sample.
+//! Numbers of points from none to more than a minimal sample. All results must satisfy all
+//! contracts.
 TEST_P(Usac_RigidHostile, few_points)
 {
     for (int size = 0; size <= 8; ++size)
@@ -161,7 +162,8 @@ TEST_P(Usac_RigidHostile, few_points)
         }
 }
 
-//! Thresholds from far below the noise to far above the size of the scene.
+//! Thresholds from far below the noise to far above the size of the scene. All results must satisfy
+//! all contracts.
 TEST_P(Usac_RigidHostile, any_threshold)
 {
     const RigidScene scene = makeRigidScene(optionsOf(problem()));
@@ -172,8 +174,9 @@ TEST_P(Usac_RigidHostile, any_threshold)
     }
 }
 
-//! All pairs of values of two options, with the default values of the other options. Combinations
-//! that Params::check() refuses are skipped.
+//! All pairs of values of two of the listed options, with the default values of the other options.
+//! Each accepted combination must find a motion that satisfies all contracts. Combinations that
+//! Params::check() refuses are skipped.
 TEST_P(Usac_RigidHostile, every_option)
 {
     const struct
@@ -218,7 +221,7 @@ TEST_P(Usac_RigidHostile, every_option)
     EXPECT_GT(tried, 400);
 }
 
-//! The oracle brokenResult must detect a wrong row of the mask and a wrong motion, because the
+//! The oracle brokenResult() must detect a wrong row of the mask and a wrong motion, because the
 //! tests that use this oracle would otherwise be worthless.
 TEST_P(Usac_RigidHostile, oracle_sees_what_is_wrong)
 {
@@ -252,5 +255,5 @@ TEST_P(Usac_RigidHostile, oracle_sees_what_is_wrong)
               brokenResult(rigid, found.model, found.mask, found.report).empty());
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

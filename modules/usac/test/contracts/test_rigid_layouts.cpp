@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! Points as Nx3 matrices of type CV_64F.
+//! Points as Nx3 matrices of type CV_64F, one for each space.
 struct SpaceArrays
 {
     Mat points1, points2;
@@ -24,7 +24,7 @@ SpaceArrays arraysOf(const RigidScene& scene)
     return arrays;
 }
 
-//! The result for given points. Every other form of the same points must give the same bits.
+//! The result for given points. compare() expects the same bits for another form of these points.
 class ExpectedMotion
 {
 public:
@@ -206,5 +206,5 @@ TEST_P(Usac_RigidLayouts, wrong_arguments_are_named)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

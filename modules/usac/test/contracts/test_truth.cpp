@@ -13,7 +13,8 @@ namespace {
 typedef UsacProblem UsacTruth;
 INSTANTIATE_TEST_CASE_P(/**/, UsacTruth, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! The scene with shuffled rows; row i of the result is row order[i] of `scene`.
+//! The scene with shuffled points and scores: row i of the result is row order[i] of `scene`. The
+//! other members are not shuffled.
 Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
 {
     Scene result = scene;
@@ -32,11 +33,11 @@ Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
     return result;
 }
 
-/** Samples are drawn by position in a pseudo-random order that depends only on the number of
-points. After a permutation, the samples therefore consist of other points. With noise, the model
-then differs within the noise, and the mask may differ where an error is near the threshold. With
-exact points, all all-inlier samples give the same model, so that the mask must be permuted like the
-points. @return number of matches whose mask differs */
+/** Runs the scene and a permutation of it. Samples are drawn by position in a pseudo-random order
+that depends only on the number of points. After a permutation, the samples therefore consist of
+other points. With noise, the model then differs within the noise, and the mask can differ where an
+error is near the threshold. With exact points, every all-inlier sample gives the same model, so
+that the mask must be permuted like the points. @return number of matches whose mask differs */
 int rowsThatDiffer(const Scene& scene, Params params, uint64 seed)
 {
     std::vector<int> order;
@@ -67,9 +68,8 @@ TEST_P(UsacTruth, permuting_exact_points_permutes_the_mask)
     {
         Params params = presets[i].params;
         params.threshold = 0.5;
-        if (params.ordering ==
-            // the order of the rows has a meaning, which scores preserve under permutations
-            ORDERING_INPUT_ORDER)
+        // instead of the order of the rows, which a permutation changes, use that of the scores
+        if (params.ordering == ORDERING_INPUT_ORDER)
         {
             params.ordering = ORDERING_AUTO;
             params.scores = scene.scores;
@@ -87,8 +87,8 @@ TEST_P(UsacTruth, permuting_noisy_points_changes_few_rows)
         EXPECT_LE(rowsThatDiffer(scene, Params(), seed), 0.04 * scene.size()) << "seed " << seed;
 }
 
-//! Whether a row is an inlier must depend only on the model and on the coordinates of the row, not
-//! on its position.
+//! Each match occurs twice. Whether a row is an inlier must depend only on the model and on the
+//! row's coordinates, not on its position.
 TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
 {
     const Scene scene = makeScene(problem());
@@ -168,5 +168,5 @@ TEST_P(UsacTruth, all_input_is_unchanged_to_the_bit)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

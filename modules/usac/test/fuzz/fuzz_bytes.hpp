@@ -13,7 +13,7 @@
 
 namespace opencv_test {
 
-//! Reads the bytes one after the other. After the last byte, it reads zeros.
+//! Reads the bytes one after another, and zeros after the last byte.
 class Bytes
 {
 public:
@@ -90,8 +90,8 @@ public:
                             : value<int>();
     }
 
-    //! A coordinate of a point. There are six kinds, from small integers (0) to number() (5 or
-    //! more).
+    //! A coordinate of a point. There are six kinds, from small integers (kind 0) to number() (kind
+    //! 5 or more).
     double coordinate(int kind)
     {
         switch (kind)

@@ -26,7 +26,7 @@ struct Answer
     std::string exception;
 };
 
-//! Calls the public function of the problem.
+//! Calls the estimate function of the problem.
 Mat callOf(const FuzzInput& input, const Params& params, Mat& mask, Report& report)
 {
 #define USACV20_IMAGES(NAME) estimate##NAME(input.points1, input.points2, params, mask, report)
@@ -49,7 +49,7 @@ Answer run(const FuzzInput& input, int threads)
 {
     Answer answer;
     Params params = input.params;
-    if (params.threads == 1)  // another number of the input is used unchanged
+    if (params.threads == 1)  // any other number is kept
         params.threads = threads;
     try
     {
@@ -62,8 +62,9 @@ Answer run(const FuzzInput& input, int threads)
     return answer;
 }
 
-//! Returns 1 if the camera matrix is invalid, 0 if it is valid, and -1 if it is nearly singular, so
-//! that the call may raise an exception or not.
+//! Returns 1 if the camera matrix is invalid, 0 if it is valid or empty, and -1 if it is nearly
+//! singular or its determinant is too large. With -1, the call is allowed to raise an exception or
+//! not.
 int wrongCamera(const Mat& K)
 {
     if (K.empty())
@@ -77,7 +78,7 @@ int wrongCamera(const Mat& K)
 
 bool wrongDistortion(const Mat& d)
 {
-    return d.total() == 3 || !cv::checkRange(d);  // the only wrong length of a FuzzInput is 3
+    return d.total() == 3 || !cv::checkRange(d);  // 3 is the only wrong length of a FuzzInput
 }
 
 bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIMILARITY_3D; }

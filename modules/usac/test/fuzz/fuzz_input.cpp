@@ -29,8 +29,8 @@ Params preset(int number)
     return presets[number % 16]();
 }
 
-//! Reduces a valid value, from `low` to `high`, to less than `low` + `most`. An invalid value does
-//! not change.
+//! Reduces a valid value (from `low` to `high`) that exceeds `most` to less than `low` + `most`. An
+//! invalid value does not change.
 void reduce(int& value, int low, int high, int most)
 {
     if (value >= low && value <= high && value > most)
@@ -94,7 +94,7 @@ Mat readDistortion(Bytes& bytes)
     return coefficients;
 }
 
-//! Reads options and makes a scene with true and wrong matches from them.
+//! Reads options and makes from them a scene with true and wrong matches.
 void readScene(Bytes& bytes, FuzzInput& input)
 {
     SceneOptions options;
@@ -110,7 +110,7 @@ void readScene(Bytes& bytes, FuzzInput& input)
     input.points2 = scene.points2;
 }
 
-//! Makes one change: of one row, of all rows, or of the number of rows.
+//! Makes at most one change: of one or two rows, of all rows, or of the number of rows.
 void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     if (points1.empty() || points2.empty())

@@ -16,8 +16,8 @@ struct FuzzInput : EstimatorCall
 
 /** Makes a call from arbitrary bytes. A small change of the bytes mostly makes a small change of
 the call: the bytes give first the problem, the preset and the changed fields, then the cameras, the
-points, changes of the points, and the scores. Valid numbers of iterations and threads are reduced,
-because large ones only cost time. Everything else is arbitrary. */
+points, changes of the points, and the scores. Valid numbers of iterations, samples and threads are
+reduced, because large ones only cost time. Everything else is arbitrary. */
 FuzzInput readFuzzInput(const uchar* data, size_t size);
 
 }  // namespace opencv_test

@@ -14,7 +14,7 @@ namespace opencv_test {
 
 namespace {
 
-//! Reads options and makes a scene without lens distortion, with true and wrong matches, from them.
+//! Reads options and makes from them a scene without lens distortion, with true and wrong matches.
 void readPoseScene(Bytes& bytes, FuzzInput& input)
 {
     PoseSceneOptions options;
@@ -33,7 +33,7 @@ void readPoseScene(Bytes& bytes, FuzzInput& input)
     input.points2 = scene.image;
 }
 
-//! Makes one change: of one row, of all rows, or of the number of rows.
+//! Makes at most one change: of one or two rows, of all rows, or of the number of rows.
 void edit(Bytes& bytes, std::vector<Point3d>& object, std::vector<Point2d>& image)
 {
     if (object.empty() || image.empty())

@@ -10,8 +10,8 @@
 
 namespace opencv_test {
 
-//! Reads points of space and of the image. Some of them are those of a scene, whose camera differs
-//! from that of the input.
+//! Reads 3-D points and image points. In most inputs, some of them are those of a scene, whose
+//! camera differs from that of the input.
 void readPosePoints(Bytes& bytes, FuzzInput& input);
 
 }  // namespace opencv_test

@@ -31,7 +31,7 @@ void readRigidScene(Bytes& bytes, FuzzInput& input)
     input.space2 = scene.points2;
 }
 
-//! Makes one change: of one row, of all rows, or of the number of rows.
+//! Makes at most one change: of one or two rows, of all rows, or of the number of rows.
 void edit(Bytes& bytes, std::vector<Point3d>& points1, std::vector<Point3d>& points2)
 {
     if (points1.empty() || points2.empty())

@@ -11,8 +11,8 @@
 namespace opencv_test {
 namespace {
 
-//! The stored inputs are those for which the fuzzer has found errors, and those that reach the most
-//! code. None of them may break a contract.
+//! The stored inputs are those with which the fuzzer has found errors, and those that reach the
+//! most code. All contracts must hold for each of them.
 TEST(Usac_Fuzz, kept_inputs)
 {
     std::vector<cv::String> files;
@@ -29,8 +29,8 @@ TEST(Usac_Fuzz, kept_inputs)
     }
 }
 
-//! Random bytes, which need no fuzzer. Most of the calls made from them are senseless, but some
-//! give a model.
+//! Random bytes, which need no fuzzer. All contracts must hold. Most of the calls made from these
+//! bytes are senseless, but some must give a model.
 TEST(Usac_Fuzz, random_bytes)
 {
     RNG rng(1);
@@ -56,8 +56,8 @@ TEST(Usac_Fuzz, random_bytes)
     EXPECT_GT(refused, 10);
 }
 
-//! The oracle brokenResult must detect a wrong row of the mask, because the tests that use this
-//! oracle would otherwise be worthless.
+//! The oracle brokenResult() must detect a wrong row of the mask and a model of wrong norm or rank,
+//! because the tests that use this oracle would otherwise be worthless.
 TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
 {
     FuzzInput input = readFuzzInput(0, 0);
@@ -83,5 +83,5 @@ TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
         << "no F has rank 3";
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -119,5 +119,5 @@ TEST(Usac_Parameterization_Fundamental, isRegularForAllSingularValues)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

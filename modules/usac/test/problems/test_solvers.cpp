@@ -407,5 +407,5 @@ TEST(Usac_Solvers, homographyOfTinySquares)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -207,5 +207,5 @@ TEST(Usac_Scenes, uniformOutliersFillBothImages)
         EXPECT_NEAR(options.outliers / 16., cells[k], 50);  // about five standard deviations
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -110,8 +110,8 @@ TEST(Usac_Distortion, of_any_depth_and_shape)
     EXPECT_LE(cv::norm(a - c), 1e-7);
 }
 
-//! Checks a residual with a lens: its derivatives, the agreement of its two forms, and that points
-//! behind the camera have infinite errors.
+//! Checks a residual with a lens: its derivatives, the agreement of linearize() and
+//! squaredErrors(), and that points behind the camera have infinite errors.
 void checkResidual(const Residual& residual, const Matx33d& camera)
 {
     RNG rng(7);

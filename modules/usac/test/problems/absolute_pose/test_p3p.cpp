@@ -402,5 +402,5 @@ TEST(Usac_P3P, smallIntegers)
     tally.expectSound("small integers");
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -312,5 +312,5 @@ TEST(Usac_PoseScenes, optionsThatMakeNoSense)
         EXPECT_THROW(makePoseScene(wrong), cv::Exception);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -103,5 +103,5 @@ TEST(Usac_TriangleDepths, bothConicsDegenerate)
     EXPECT_GT(total, 200);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -241,5 +241,5 @@ TEST_P(Usac_Essential5, finds_all_solutions_of_noisy_points)
 
 INSTANTIATE_TEST_CASE_P(Motions, Usac_Essential5, testing::ValuesIn(CASES));
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -289,5 +289,5 @@ TEST(Usac_Degensac, matchOnTheEpipole)
     expectNoPlane(Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0), 1e-9);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

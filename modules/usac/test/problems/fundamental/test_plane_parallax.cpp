@@ -281,5 +281,5 @@ TEST(Usac_PlaneParallax, fewPoints)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

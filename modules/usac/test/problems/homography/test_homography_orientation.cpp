@@ -37,5 +37,5 @@ TEST(Usac_Orientation, homographySamples)
     EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 2, 3, 4, 5, 6, 7, 8, 9)));
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

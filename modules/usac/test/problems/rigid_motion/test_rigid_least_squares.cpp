@@ -354,5 +354,5 @@ TEST(Usac_RigidParameterization, tangentsAndSteps)
     EXPECT_FALSE(RigidParameterization<true>(Model(Matx34d::zeros())).hasFullRank());
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

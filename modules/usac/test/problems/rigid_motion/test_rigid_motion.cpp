@@ -328,5 +328,5 @@ TEST_P(Usac_RigidMotion, impossible_points)
     EXPECT_GE(notSignificant, 10);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

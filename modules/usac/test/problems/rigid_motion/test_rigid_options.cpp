@@ -335,5 +335,5 @@ TEST_P(Usac_RigidOptions, nearest_neighbors)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

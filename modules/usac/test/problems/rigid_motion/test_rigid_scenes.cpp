@@ -240,5 +240,5 @@ TEST(Usac_RigidScenes, optionsThatMakeNoSense)
         EXPECT_THROW(makeRigidScene(wrong), cv::Exception);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -338,5 +338,5 @@ TEST(Usac_TriangleSolver, notFinite)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -239,5 +239,5 @@ TEST(Usac_Translation, form)
     EXPECT_EQ(CV_64F, model.type());
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

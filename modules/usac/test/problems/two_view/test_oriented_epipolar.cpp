@@ -67,5 +67,5 @@ TEST(Usac_Orientation, wrongModelsAreRefused)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

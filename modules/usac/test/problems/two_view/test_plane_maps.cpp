@@ -334,5 +334,5 @@ TEST(Usac_PlaneMaps, impossiblePoints)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

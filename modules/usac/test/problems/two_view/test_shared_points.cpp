@@ -231,5 +231,5 @@ TEST_P(Usac_SharedPoints, modelsThatAreRefusedDoNotStandInTheWay)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test
