@@ -115,8 +115,8 @@ Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
 }
 
 //! The matrix l2 l1^T of rank 1 is consistent with all points on the line l1, but is not a
-//! fundamental matrix. Although most points are on such a line here, no returned F must have rank
-//! 1.
+//! fundamental matrix. Although most points are on such a line here, an F of rank 1 must not be
+//! returned.
 TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
 {
     const double lines[] = {0, 300, 1e6};

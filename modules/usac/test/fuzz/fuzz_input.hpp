@@ -11,7 +11,7 @@ namespace opencv_test {
 
 struct FuzzInput : EstimatorCall
 {
-    int otherThreads;  //!< number of threads of the second run, which must give the same bits
+    int otherThreads;  //!< number of threads of the second run if Params::threads is 1
 };
 
 /** Makes a call from arbitrary bytes. A small change of the bytes mostly makes a small change of

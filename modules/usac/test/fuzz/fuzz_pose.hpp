@@ -10,7 +10,7 @@
 
 namespace opencv_test {
 
-//! Reads 3-D points and image points. In most inputs, some of them are those of a scene, whose
+//! Reads 3-D points and image points. In most inputs, some of the points come from a scene, whose
 //! camera differs from that of the input.
 void readPosePoints(Bytes& bytes, FuzzInput& input);
 

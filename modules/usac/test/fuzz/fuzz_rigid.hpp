@@ -10,7 +10,7 @@
 
 namespace opencv_test {
 
-//! Reads pairs of 3-D points. In most inputs, some of them are those of a scene.
+//! Reads pairs of 3-D points. In most inputs, some of the pairs come from a scene.
 void readSpacePoints(Bytes& bytes, FuzzInput& input);
 
 }  // namespace opencv_test

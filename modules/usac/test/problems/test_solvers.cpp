@@ -54,7 +54,7 @@ double constraintError(const Correspondences& p, const int* sample, int count, c
 }
 
 //! How far a model of unit norm violates the constraints that the determinant is 0 (F, E) and that
-//! the two nonzero singular values are equal (E).
+//! the two nonzero singular values are equal (E). 0 for H.
 double manifoldError(ProblemType problem, const Matx33d& M)
 {
     if (problem == HOMOGRAPHY)
@@ -359,7 +359,7 @@ TEST(Usac_Solvers, fundamentalOfALineInEachImage)
 }
 
 //! Points on a coarse grid are degenerate in many ways. All returned models must be finite and
-//! fulfill the constraints.
+//! satisfy the equations of the sample.
 TEST_P(Usac_Solvers_Problem, gridPointsAreSafe)
 {
     const ProblemType problem = (ProblemType)GetParam();

@@ -13,8 +13,8 @@ namespace opencv_test {
 
 /** A number with a bound of its error due to rounding to double. The bound is several times the
 rounding error of the operations below, so that it holds for sums and products in any order, and
-tests need no tolerance. It is infinite if an intermediate result is too large for double, or if a
-divisor could be 0. */
+tests need no tolerance. The bound is infinite if an intermediate result is too large for double, or
+if a divisor could be 0. */
 struct Bounded
 {
     Bounded(long double v = 0, long double e = 0) : value(v), error(e)

@@ -28,7 +28,7 @@ const double CLUSTER = 80, PATCH = 160;
 const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20,
              HALF_WITHIN = 20, WINDOW = 60;
 
-//! A wrong match as from nearby repeated texture: a true match with a displacement in image 2.
+//! A wrong match as from repeated texture nearby: a true match with a displacement in image 2.
 void shiftedPoint(const Geometry& g, RNG& rng, Point2d& p1, Point2d& p2)
 {
     do

@@ -100,7 +100,8 @@ struct SceneOptions
     double baseline;  //!< distance between the cameras, in the unit of the depths
     OutlierModel outlierModel;
     //! Probability that a true match has a better score than a wrong one, in (0, 1]. 0.5: the
-    //! scores are not informative; 1: they separate perfectly; near 0: they are reversed.
+    //! scores are not informative; 1: all true matches have better scores; near 0: all have worse
+    //! scores.
     double scoreInformation;
     int second;  //!< OUTLIERS_UNIFORM: number of wrong matches that are nevertheless made as
                  //!< with OUTLIERS_SECOND_MODEL

@@ -314,7 +314,7 @@ std::vector<double> pixelErrors(const PoseScene& scene, const Matx34d& pose)
 
 double rotationError(const PoseScene& scene, const Matx34d& pose)
 {
-    // |R1 - R2| = 2 sqrt(2) sin(angle / 2)
+    // the Frobenius norm |R1 - R2| is 2 sqrt(2) sin(angle / 2)
     const double sine = cv::norm(rotationOf(pose) - rotationOf(scene.pose)) / std::sqrt(8.);
     return 2 * std::asin(std::min(1., sine)) * 180 / CV_PI;
 }

@@ -57,7 +57,8 @@ struct PoseSceneOptions
                    //!< points anywhere
     int copies;    //!< number of times that each match occurs
     //! Probability that a true match has a better score than a wrong one, in (0, 1]. 0.5: the
-    //! scores are not informative; 1: they separate perfectly; near 0: they are reversed.
+    //! scores are not informative; 1: all true matches have better scores; near 0: all have worse
+    //! scores.
     double scoreInformation;
     double scale;      //!< factor on all lengths of the object
     cv::Vec3d offset;  //!< translation of the object points after scaling

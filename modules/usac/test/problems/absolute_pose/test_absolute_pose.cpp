@@ -196,7 +196,7 @@ TEST(Usac_AbsolutePose, degenerate_points)
             SCOPED_TRACE(cv::format("scene %d, %s", (int)s, preset.name));
             preset.params.maxIterations = 300;
             const Estimate found = estimate(scenes[s], preset.params);
-            if (s != 0)  // rounding can make three points of the line solvable
+            if (s != 0)  // scene 0, the line: rounding can make it solvable
             {
                 EXPECT_TRUE(found.model.empty());
             }

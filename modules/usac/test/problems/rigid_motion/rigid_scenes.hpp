@@ -50,7 +50,8 @@ struct RigidSceneOptions
     RigidOutliers outliers;
     int copies;  //!< number of times that each match occurs
     //! Probability that a true match has a better score than a wrong one, in (0, 1]. 0.5: the
-    //! scores are not informative; 1: they separate perfectly; near 0: they are reversed.
+    //! scores are not informative; 1: all true matches have better scores; near 0: all have worse
+    //! scores.
     double scoreInformation;
     double modelScale;           //!< scale of the motion; 1: a rigid motion
     double unit;                 //!< factor on all coordinates
