@@ -63,7 +63,7 @@ public:
         //! Opens a scope that takes its memory from this arena.
         explicit Scope(Arena& arena);
         ~Scope();
-        //! Like Arena::take, but only until the scope ends.
+        //! Like Arena::take, but the memory is valid only until the scope ends.
         template <class T>
         T* take(size_t count)
         {
@@ -101,8 +101,8 @@ private:
     Arena& operator=(const Arena&);
 };
 
-//! A growing list whose elements are in an arena and valid as long as memory from Arena::take.
-//! Copies of a list share the elements.
+//! A growing list whose elements are stored in an arena. They stay valid as long as memory from
+//! Arena::take. Copies of a list share the elements.
 template <class T>
 class ArenaList
 {

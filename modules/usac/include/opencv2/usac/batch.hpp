@@ -21,7 +21,7 @@ namespace usacv20 {
 struct CV_EXPORTS Task
 {
     Task() : problem(HOMOGRAPHY) {}
-    //! Sets all members except camera matrices and distortions, which may be set afterwards.
+    //! Sets all members except camera matrices and distortions, which can be set afterward.
     Task(ProblemType problem_, const Mat& points1_, const Mat& points2_,
          const Params& params_ = Params())
         : problem(problem_), points1(points1_), points2(points2_), params(params_)
@@ -30,7 +30,7 @@ struct CV_EXPORTS Task
     ProblemType problem;  //!< what is estimated
     Mat points1;          //!< points of image 1; #ABSOLUTE_POSE: object points
     Mat points2;          //!< their counterparts; #ABSOLUTE_POSE: image points
-    Params params;        //!< options; Params::scores, if any, are those of these points
+    Params params;        //!< options; Params::scores, if any, belong to these points
     Mat cameraMatrix1;    //!< for #ESSENTIAL and #ABSOLUTE_POSE
     Mat cameraMatrix2;    //!< for #ESSENTIAL; empty: the same as `cameraMatrix1`
     Mat distCoeffs1;      //!< distortion of camera 1; empty: none
@@ -53,11 +53,11 @@ struct CV_EXPORTS Estimate
 @param threads how many tasks run at once, at most cv::getNumThreads(); 0: cv::getNumThreads()
 @return an Estimate for each task, in the order of the tasks.
 
-Each result is bit-identical to that of the same estimation alone, whatever `threads` is. The
-threads are those of cv::parallel_for_; each takes the next task when it has finished one, so that
-tasks of different sizes keep all threads busy. When several tasks run at once, each has one thread,
-whatever Params::threads says. An error in a task ends only that task and is described in its
-`error`. Raises cv::Exception if `threads` is negative. */
+Each result, except for the times in the report, is bit-identical to that of the same estimation
+alone, whatever `threads` is. The threads are those of cv::parallel_for_; each thread takes the next
+task when it has finished one, so that tasks of different sizes keep all threads busy. When several
+tasks run at once, each has one thread, whatever Params::threads says. An error in a task ends only
+that task and is described in its `error`. Raises cv::Exception if `threads` is negative. */
 CV_EXPORTS std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads = 0);
 
 //! Options of a batch: one Params for all tasks, or one for each.
@@ -87,7 +87,8 @@ points of #estimateHomography and similar functions
 because each task has its own match scores
 @param threads as in #estimateBatch
 @return one Estimate for each task, in the same order. An error in the arguments of one task is
-reported in its Estimate::error. Raises cv::Exception for lists of different lengths.
+reported in its Estimate::error. Raises cv::Exception for lists of different lengths, and if
+`threads` is negative.
 @{ */
 //! Batch version of #estimateHomography.
 CV_EXPORTS std::vector<Estimate> estimateHomographies(InputArrayOfArrays points1,

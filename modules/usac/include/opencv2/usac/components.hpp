@@ -21,14 +21,14 @@ namespace usacv20 {
 //! @{
 
 /** @name Components
-The parts of Algorithm 1 of @cite ivashechkin2021usacv20. Each is a small abstract class;
-Usac::create makes the default set, and any of them can be replaced before Usac::run. A virtual call
-covers a sample, a model or a block of points, never a single point.
+The parts of Algorithm 1 of @cite ivashechkin2021usacv20. Each part is a small abstract class;
+Usac::create makes the default set, and any part can be replaced before Usac::run. Nearly all
+virtual calls cover a sample, a model or a block of points, not a single point.
 
-If Params::threads is not 1, several threads may call the following methods at the same time: all of
-Residual and MinimalSolver, Score::accumulate, fused and wholeModel, Verifier::preTest, nextBlock
-and proceed, and Degeneracy::validSample, mayBeGood and validModel. They are `const` and must not
-take memory from Context::arena. All other methods are called by one thread.
+If Params::threads is not 1, several threads can call the following methods at the same time: all
+`const` methods of Residual and MinimalSolver, Score::accumulate, fused, wholeModel and inlierPart,
+Verifier::preTest, nextBlock and proceed, and Degeneracy::validSample, mayBeGood and validModel.
+These methods must not take memory from Context::arena. All other methods are called by one thread.
 @{ */
 
 //! Parameters of one design of the sequential probability ratio test (SPRT), and the number of
@@ -60,8 +60,8 @@ struct CV_EXPORTS State
           degenerate(false)
     {}
 
-    //! The indices of the points in the sequence given by the Ordering, best point first. They are
-    //! sorted at the first call.
+    //! The indices of the points in the sequence given by the Ordering, best point first. The first
+    //! call sorts them.
     const int* bestFirst(const Context& context)
     {
         if (!order)
@@ -126,8 +126,8 @@ struct CV_EXPORTS Context
     //! Components::nonMinimalSolver; raises cv::Exception if there is none.
     const NonMinimalSolver& nonMinimalSolver() const;
 
-    //! Error, not squared, up to which Quality::inliers counts a point. If there is no score
-    //! component: the threshold of the points.
+    //! Error, not squared, up to which Quality::inliers counts a point (unless Score::usesThreshold
+    //! is false). If there is no score component: the threshold of the points.
     double inlierThreshold() const;
     //! Probability that a point is an inlier by chance, see Problem::randomInlierRatio.
     double randomInlierRatio() const;
@@ -148,7 +148,7 @@ struct CV_EXPORTS Context
     const Components& components;   //!< all parts of the estimator
     const Params& params;           //!< options
     Arena& arena;                   //!< memory of the run
-    Watch* const watch;             //!< stops the run early; null: only its criteria end it
+    Watch* const watch;             //!< stops the run early; null: nothing stops it early
 
 private:
     bool mustStop() const;
@@ -161,14 +161,15 @@ class CV_EXPORTS Component
 {
 public:
     virtual ~Component();
-    /** @brief Begins a run. Called once per run, before anything else, even if there are too few
-    points for a model. If there are more than 32768 points, the search uses only a random part;
-    after the search, start() is called again with all points.
+    /** @brief Begins a run. Called before the run uses the component (except for constants such as
+    MinimalSolver::sampleSize), even if there are too few points for a model. Called again in the
+    same run if the points or the threshold change: if there are more than 32768 points, the search
+    uses only a random part of them, and polishing uses all; #THRESHOLD_ESTIMATED changes both.
 
     A component that stores data about a run (for example its points or learned values) resets them
     here: the same object is used for the next run, whose points and number of points may differ.
-    Memory from Context::arena of the previous run is no longer valid. Other components may not have
-    been started yet. Default: does nothing. */
+    Memory from Context::arena of the previous run is no longer valid. Other components might not
+    have been started yet. Default: does nothing. */
     virtual void start(const Context& context);
 };
 
@@ -180,12 +181,12 @@ public:
     //! Writes a permutation of 0 .. size-1 to `order`, where `size` is the number of points.
     virtual void sort(const Context& context, int* order) = 0;
     //! True if the order comes from knowledge about the matches, such as their scores. False if the
-    //! order is guessed from the points themselves; samplers rely less on such an order. May be
+    //! order is guessed from the points themselves; samplers rely less on such an order. Can be
     //! called before sort(). Default: true.
     virtual bool informative(const Context& context) const;
 };
 
-//! Sparse neighborhood graph of the points with O(N) memory, built at first use.
+//! Sparse graph that links neighboring points. It needs O(N) memory and is built at its first use.
 class CV_EXPORTS Neighborhood : public Component
 {
 public:
@@ -211,7 +212,7 @@ public:
     /** @brief Draws the next sample with `state.rng`.
 
     Sets `state.counts` to false if the termination criteria must not treat the sample like one
-    drawn uniformly from all points. For example, samples from a subset of the points may never
+    drawn uniformly from all points. For example, samples from a subset of the points might never
     consist of inliers of the best model.
     @param context, state the fixed and the changing data of the run
     @param sample output, as many distinct point indices as the minimal solver needs */
@@ -258,7 +259,7 @@ public:
     @param count number of indices
     @param weights weight of the squared error of each of these points; null: all are 1
     @param model input: initial model; output: the fit
-    @param iterations an iterative solver may stop after this many steps; >= 1
+    @param iterations an iterative solver is allowed to stop after this many steps; >= 1
     @return false if the points do not determine a model; `model` is then unchanged. */
     virtual bool fit(const Correspondences& points, const int* indices, int count,
                      const double* weights, Model& model, int iterations = 10) const = 0;
@@ -273,11 +274,12 @@ public:
     enum { MAX_COMPONENTS = 4 /*!< most components of an error */ };
 
     virtual ~Residual();
-    //! Squared errors of the points begin .. end-1; NaN or infinite where the error is not defined.
+    //! Writes the squared errors of the points begin .. end-1 to errors[0 .. end-begin-1]; NaN or
+    //! infinite where the error is not defined.
     virtual void squaredErrors(const Correspondences& points, const Model& model, int begin,
                                int end, float* errors) const = 0;
-    //! The same in double precision, for `count` points that are given as columns. The points need
-    //! not be those of the run.
+    //! The same in double precision, for `count` points that are given as columns. They can be
+    //! other points than those of the run.
     virtual void squaredErrors(const Model& model, const double* const* columns, int count,
                                double* errors) const = 0;
     /** @brief The error of one datum as a vector whose squared length is the squared error.
@@ -285,12 +287,11 @@ public:
     @param datum one number of each column
     @param error output, at most #MAX_COMPONENTS numbers
     @return the number of components. Default: one component, the square root of the squared error,
-    which suits distances to a curve. For an error with two or three components, override this
-    method, because the root has no derivative where the error is 0.
-    */
+    which suits distances to a curve. For an error with more components, override this method,
+    because the root has no derivative where the error is 0. */
     virtual int error(const Model& model, const double* datum, double* error) const;
-    /** @brief The same, with the derivative with respect to the entries of the model, for
-    least-squares fits.
+    /** @brief The same, with the derivative of the error with respect to the entries of the model,
+    for least-squares fits.
     @param model, datum, error as above
     @param derivative output, a row of Model::size() numbers for each component
 
@@ -319,7 +320,8 @@ public:
     virtual ~Score();
     /** @brief Adds the costs and inliers of a block of points to `sum`; the cost of a point lies
     between 0 (no error) and 1 (outlier). A point whose error is NaN is an outlier.
-    `squaredThreshold` has the unit of the squared errors. The array of errors may be modified. */
+    `squaredThreshold` has the unit of the squared errors. The method is allowed to modify the array
+    of errors. */
     virtual void accumulate(float* squaredErrors, int count, float squaredThreshold,
                             Quality& sum) const = 0;
     //! A kernel that computes errors and score in one pass, without an array of errors. Default:
@@ -348,7 +350,7 @@ public:
     virtual ~Verifier();
     /** @brief Tests single points before blocks of points are tested. Default: tests none.
     @param context, model the data of the run and the model to test
-    @param rng the sample's random number generator
+    @param rng random number generator of the sample
     @param inliers, tested output: the number of inliers among the tested points, and the number of
     tested points
     @return false: the model is rejected. */
@@ -374,20 +376,23 @@ public:
 };
 
 //! Checks for degenerate configurations (paper, section "Degeneracy"). The members of
-//! Components::degeneracies are called in turn until one returns false.
+//! Components::degeneracies are asked in turn until one rejects the sample or model.
 class CV_EXPORTS Degeneracy : public Component
 {
 public:
     virtual ~Degeneracy();
     //! False: the sample is rejected, no model is computed from it. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
-    //! Called for a sample that validSample() has rejected. True: its points may all be inliers
-    //! (two of them repeat one match), so it is not counted as a failed sample. Default: false.
+    //! Called for a sample that validSample() has rejected. True: its points might all be inliers
+    //! (two of them repeat one match), so that the sample is not counted as a failed one. Default:
+    //! false.
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model is rejected and not scored. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
-    /** @brief Examines a model that is better than all before and may replace it by a better one.
-    @param sample the sample that the model was computed from; null after the local optimization
+    /** @brief Examines a model that is better than all before, or a runner-up, and can replace it
+    by a better one.
+    @param sample the sample that the model was computed from; null for a model of another origin,
+    such as an optimized or initial model
     @param context, state the fixed and the changing data of the run
     @param model, quality the model and its score
     @return false: the model is degenerate and cannot be corrected; it is rejected. Default: true
@@ -404,7 +409,8 @@ public:
                                       const Model& model);
 };
 
-//! Improves each model that is better than all before (paper, section "Local optimization").
+//! Improves each model that is better than all before, and runners-up (paper, section "Local
+//! optimization").
 class CV_EXPORTS LocalOptimizer : public Component
 {
 public:
@@ -421,16 +427,17 @@ public:
     virtual ~Termination();
     //! Number of samples after which the run can stop, given the best model so far; countsAll()
     //! says which samples are counted. INT_MAX: the number is not yet known. Called when the best
-    //! model changes, and when the verifier adds a design to `state.tests`.
+    //! model changes, and when other data of the criteria have changed, for example `state.tests`.
     virtual int iterations(const Context& context, const State& state) const = 0;
     //! True (default): iterations() is a number of samples of any kind. False: only samples with
     //! State::counts are counted; all samples are counted nevertheless if more than half of the
     //! points outside the sample of the best model are its inliers, unless State::degenerate is
     //! true or State::successProbability is below 1.
     virtual bool countsAll() const;
-    /** @brief Called between batches of samples: may set State::wanted, so that the sampler draws
+    /** @brief Called between batches of samples: can set State::wanted, so that the sampler draws
     what the criterion needs. Default: does nothing.
-    @return true if iterations() may have changed; all criteria are then evaluated again. */
+    @return true if the result of iterations() might have changed; all criteria are then evaluated
+    again. */
     virtual bool adapt(const Context& context, State& state);
     //! The @ref StopReason that is reported. Default: #STOP_CUSTOM.
     virtual int reason() const;
@@ -465,14 +472,14 @@ struct CV_EXPORTS Components
     Ptr<Residual> residual;                      //!< required
     Ptr<Score> score;                            //!< required
     Ptr<Ordering> ordering;                      //!< empty: State::order is 0, 1, 2, ...
-    Ptr<Neighborhood> neighborhood;              //!< required by P-NAPSAC and graph cut
+    Ptr<Neighborhood> neighborhood;              //!< required by NAPSAC, P-NAPSAC and graph cuts
     Ptr<Sampler> sampler;                        //!< required
     Ptr<MinimalSolver> minimalSolver;            //!< required
-    Ptr<NonMinimalSolver> nonMinimalSolver;      //!< required by graph cut and least squares
+    Ptr<NonMinimalSolver> nonMinimalSolver;      //!< required by local optimization, polishing
     std::vector<Ptr<Degeneracy>> degeneracies;   //!< called in this order
     Ptr<Verifier> verifier;                      //!< empty: none
     Ptr<LocalOptimizer> localOptimizer;          //!< empty: none
-    std::vector<Ptr<Termination>> terminations;  //!< the first to fire ends the run
+    std::vector<Ptr<Termination>> terminations;  //!< the first to fire ends the search
     Ptr<Polisher> polisher;                      //!< empty: none
 };
 

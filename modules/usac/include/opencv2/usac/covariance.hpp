@@ -15,11 +15,12 @@ namespace usacv20 {
 //! @{
 
 /** @name Uncertainty of a model
-These functions propagate the covariance of a model, Report::covariance, to its entries, to the
-motion between two cameras, and to single points, to first order @cite hartley2003multiple (result
-5.6). The errors must be so small that the propagated function is nearly linear over their range.
-All functions raise cv::Exception for a model that is not one of the given problem and for a
-covariance that is not d x d. If the covariance has NaN entries, so has the result.
+These functions propagate the covariance of a model, Report::covariance, to first order
+@cite hartley2003multiple (result 5.6): to the entries of the model, to the motion between two
+cameras, and to single points. The errors must be so small that the propagated function is nearly
+linear over their range. All functions raise cv::Exception for a model that is not a model of the
+given problem, and for a covariance that is not d x d, where d is the number of parameters. If the
+covariance has NaN entries, so has the result.
 @{ */
 
 /** @brief Derivatives of the entries of a model by the parameters of Report::covariance.
@@ -31,8 +32,8 @@ of the d parameters of Report::covariance. H, F and E are first brought to the s
 which the estimation returns them.
 
 The parameters of H, F and E are coordinates in an orthonormal basis of the tangent space of the
-matrices of unit norm; for H, which is returned with h33 = 1, the derivatives are those of the
-entries divided by h33. */
+matrices of unit norm; as H is returned with h33 = 1, its derivatives are those of the entries
+divided by h33. */
 CV_EXPORTS_W Mat tangentOfModel(ProblemType problem, InputArray model);
 
 /** @brief Covariance of the entries of a model, T C T^T with T of #tangentOfModel.
@@ -52,8 +53,8 @@ of an essential matrix.
 @param t 3 numbers: its translation, of any length
 @return 6 x 6, CV_64F, rank 5: the covariance of the rotation vector w in radians, where exp(w) R is
 the rotation with its error, and of the vector t / |t|, whose errors are perpendicular to t. Raises
-cv::Exception if R is no rotation or [t]x R no multiple of the essential matrix, up to 1e-6 of its
-norm. */
+cv::Exception if R is not a rotation, or if [t]x R is not a multiple of the essential matrix (both
+up to deviations of 1e-6 relative to the norm). */
 CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R,
                                   InputArray t);
 
@@ -62,19 +63,19 @@ CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, I
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth
 @param covariance Report::covariance, d x d, any depth
-@param points1 N points of image 1; absolute pose and rigid motions: points of space. Layouts as in
-#estimateHomography
+@param points1 N points of image 1; absolute pose and 3-D motions: points of space. Layouts as in
+#estimateHomography and #estimateRigid3D
 @param points2 F and E: their N counterparts in image 2; not used for other problems
 @param cameraMatrix1 3x3, for #ABSOLUTE_POSE and #ESSENTIAL
 @param cameraMatrix2 3x3, for #ESSENTIAL; empty: the same as `cameraMatrix1`
-@return CV_64F, a row for each point, in squared units of `points2` (pixels): homography, affinity
-and similarity: N x 4, the 2x2 covariance (row by row) of the point that `points1` is mapped to;
-absolute pose: N x 4, that of the projected point (without distortion); rigid motions: N x 9, the
-3x3 covariance of the moved point; F and E: N x 1, the variance of the signed distance of the point
-of image 2 from its epipolar line. NaN where the result is not finite.
+@return CV_64F, a row for each point, in squared units of the second array (pixels): homography and
+affine maps: N x 4, the 2x2 covariance (row by row) of the mapped point; absolute pose: N x 4, that
+of the projected point (without distortion); 3-D motions: N x 9, the 3x3 covariance of the moved
+point; F and E: N x 1, the variance of the signed distance of the point of image 2 from its epipolar
+line. NaN where the result is not finite.
 
 The result covers the error of the model alone, not the noise of a measured point. Points for E are
-in pixels without distortion: use cv::undistortPoints with P = the camera matrix. */
+in pixels without distortion, as #removeDistortion returns them. */
 CV_EXPORTS_W Mat pointCovariance(ProblemType problem, InputArray model, InputArray covariance,
                                  InputArray points1, InputArray points2 = noArray(),
                                  InputArray cameraMatrix1 = noArray(),

@@ -25,7 +25,8 @@ enum {
     MAX_SAMPLE_SIZE = 8,  //!< maximum number of points in a minimal sample
     MAX_MODELS = 10,      //!< maximum number of models from one minimal sample
     MAX_MODEL_SIZE = 12,  //!< maximum number of entries of a model
-    MAX_COLUMNS = 7       //!< maximum number of numbers in a datum (one correspondence)
+    MAX_COLUMNS = 7       //!< maximum number of columns of Correspondences: six coordinates and a
+                          //!< factor
 };
 //! Columns of Correspondences for problems of two views.
 enum TwoViewColumn {
@@ -102,9 +103,9 @@ structure of arrays.
 A datum (one correspondence) has coordinates[0] numbers from the caller's first array and
 coordinates[1] from the second. Each of these numbers has a column of `size` elements: #X1, #Y1,
 #X2, #Y2 for two views. For H and F, the points of each image are translated and scaled to about
-unit size (for F with the same scale in both images, so that errors are scaled by this factor, too).
-For E, they are on the normalized image plane. The order is pseudo-random and fixed, so that
-consecutive points are always a random sample.
+unit size (for F and for symmetric errors of H with the same scale in both images, so that errors
+are scaled by this factor, too). For E, they are on the normalized image plane. The order is
+pseudo-random and fixed, so that consecutive points are always a random sample.
 
 If there are Params::sigmas, another column follows, with the factor by which the residual
 multiplies the error of the point: `meanSigma` divided by the sigma of the point. */
@@ -137,10 +138,11 @@ struct Correspondences
         scores;   //!< Params::scores in the order of the points, lower is better; null: no scores
     double unit;  //!< length of one unit of Params::threshold (meanSigma pixels) in the columns of
                   //!< the last array
-    double threshold;  //!< Params::threshold times Params::reach, in the same coordinates, not
-                       //!< squared
-    Frame frame[2];  //!< normalization of each array: from the caller's coordinates (for E from the
-                     //!< normalized image plane) to the columns; both equal if there is one array
+    double threshold;  //!< threshold of the search, not squared, in the columns of the last array;
+                       //!< at first Params::threshold times Params::reach
+    Frame frame[2];    //!< normalization of each array: from the coordinates of
+                       //!< Problem::toModelCoordinates to the columns; if there is only one array,
+                       //!< both are equal
     float lower[MAX_COLUMNS];  //!< nearly all values of each column are above this bound
     float upper[MAX_COLUMNS];  //!< nearly all values of each column are below this bound
 };
@@ -155,7 +157,8 @@ struct Quality
     bool betterThan(const Quality& other) const { return cost < other.cost; }
 
     double cost;  //!< sum of a cost between 0 and 1 for each point; infinite: there is no model
-    int inliers;  //!< number of points with errors of at most Context::inlierThreshold
+    int inliers;  //!< number of points with errors of at most Context::inlierThreshold (LMedS: at
+                  //!< most the median)
 };
 
 //! @}

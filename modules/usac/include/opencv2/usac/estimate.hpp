@@ -23,9 +23,9 @@ matrix with 2 channels (Nx1, 1xN or any other shape), or with 1 channel, Nx2 or 
 vector<Point2f>, vector<Point2d> etc. With 3 coordinates instead of 2 (vector<Point3f>, Nx3, 3xN)
 the points are homogeneous; a point whose third coordinate is 0 is at infinity and never an inlier.
 Rows (x, y, size) or (x, y, confidence) cannot be distinguished from homogeneous points and are
-divided by the third number, too. With 4 or more numbers, the first two are used. With 1 channel,
-the longer side is the number of points; if both sides are equal, it is the number of rows; a single
-row or column is one point.
+divided by the third number, too. Of 4 or more numbers per point, the first two are used. With 1
+channel, the longer side is the number of points; if both sides are equal, it is the number of rows;
+a single row or column is one point.
 @param points2 their N counterparts in image 2; layout and depth may differ.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the
@@ -140,9 +140,9 @@ reprojection error, distortion included, is at most the threshold, else 0.
 into a vector.
 
 Minimal samples have three points @cite persson2018lambda @cite ding2023revisiting. Correspondences
-that share a 3-D point or an image point are never in the same sample. Coplanar points are not a
-special case. The search uses undistorted points; the final polishing and the mask use the points of
-the original image. */
+that share a 3-D point or an image point are never in the same sample (#DEGENERACY_REPEATED).
+Coplanar points are not a special case. The search uses undistorted points; the final polishing and
+the mask use the points of the original image. */
 CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints,
                                     InputArray cameraMatrix, InputArray distCoeffs,
                                     const Params& params, OutputArray mask, Report& report);
@@ -215,8 +215,8 @@ CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2,
 program that knows the problem only at run time.
 
 @param problem what to estimate
-@param points1 N points, in the layouts that the function of the problem takes; #ABSOLUTE_POSE: 3-D
-points
+@param points1 N points, in the layouts that the function of the problem accepts; #ABSOLUTE_POSE:
+3-D points
 @param points2 their N counterparts; #ABSOLUTE_POSE: image points
 @param params options
 @param mask output, N x 1, CV_8U: 1 exactly where the error of a point under the returned model is

@@ -30,13 +30,14 @@ public:
 
     /** @brief Reads the points and builds the components that `params` names.
     @param problem what to estimate
-    @param points1 N points of image 1, as in #estimateHomography
+    @param points1 N points of image 1 (#ABSOLUTE_POSE, 3-D motions: of space), as in
+    #estimateHomography and similar functions
     @param points2 their N counterparts in image 2
     @param params options
-    @param cameraMatrix1 for #ESSENTIAL: 3x3 camera matrix of image 1
-    @param cameraMatrix2 the same for image 2; empty: the same camera as for image 1
-    @param distCoeffs1 distortion of camera 1; empty: none
-    @param distCoeffs2 distortion of camera 2; empty: none
+    @param cameraMatrix1 for #ESSENTIAL and #ABSOLUTE_POSE: 3x3 camera matrix of image 1
+    @param cameraMatrix2 for #ESSENTIAL: 3x3 camera matrix of image 2; empty: that of image 1
+    @param distCoeffs1 for #ESSENTIAL and #ABSOLUTE_POSE: distortion of camera 1; empty: none
+    @param distCoeffs2 for #ESSENTIAL: distortion of camera 2; empty: none
 
     Raises cv::Exception for invalid arguments. */
     static Ptr<Usac> create(ProblemType problem, InputArray points1, InputArray points2,
@@ -46,26 +47,26 @@ public:
 
     /** @brief The same for a problem of your own; the object keeps the pointer. The number of
     coordinates per point is Problem::coordinates; `points2` is noArray() if there is only one
-    array. Points with 1 or 3 coordinates: N rows or N columns of a matrix with 1 channel, or a
-    matrix with 1 or 3 channels, any depth. */
+    array. Points with 2 coordinates: as in #estimateHomography; with 1 or 3: N rows or N columns of
+    a matrix with 1 channel, or a matrix with as many channels as coordinates, any depth. */
     static Ptr<Usac> create(const Ptr<Problem>& problem, InputArray points1, InputArray points2,
                             const Params& params = Params());
 
-    /** The components, which may be replaced before #run. The remaining default components adapt to
-    a replaced one: for example, fits minimize the new residual. In #run, a missing component, a
-    sampler that draws invalid samples, or a score that does not count points without error as
-    inliers raises a cv::Exception that names the component. */
+    /** The components, which can be replaced before #run. The remaining default components adapt to
+    a replaced one: for example, fits minimize the new residual. In #run, a missing required
+    component, a sampler that draws invalid samples, or a score that does not count points without
+    error as inliers raises a cv::Exception that names the component. */
     virtual Components& components() = 0;
     //! The points as the components see them.
     virtual const Correspondences& points() const = 0;
     /** @brief Replaces the points of #create for the next #run; their number may differ.
-    @param points1, points2 as in #create. Params::scores, if any, are used for the new points,
-    whose number must then be the same.
+    @param points1, points2 as in #create. Params::scores and Params::sigmas, if any, are used for
+    the new points, whose number must then be the same.
 
     The object keeps the memory that its largest run so far needed, so that a tracker allocates only
     once. After a cv::Exception the object has no points. */
     virtual void setPoints(InputArray points1, InputArray points2) = 0;
-    /** @brief Runs the estimation. May be called repeatedly, with the same result for the same
+    /** @brief Runs the estimation. Can be called repeatedly, with the same result for the same
     points: each run begins with Component::start of all components, including replaced ones. From
     the second run of the same size on, this module allocates memory only for its results (OpenCV
     allocates some for kd-trees, graph cuts and distortion).
@@ -77,7 +78,7 @@ public:
 
     /** @brief Least-squares fit to all points, or to a subset, without a search, as with the flag 0
     of calib3d.
-    @param weights N weights of the squared errors, at least 0, any depth; empty: all 1
+    @param weights N finite weights of the squared errors, at least 0, any depth; empty: all 1
     @param chosen mask of the points to fit, N numbers, 0 for points that are left out; empty: all
     points
     @param mask output, N x 1, CV_8U, for all points, as in #run

@@ -18,7 +18,7 @@ namespace cv {
 There is an overload for every signature of cv::findHomography, cv::findFundamentalMat and
 cv::findEssentialMat, with the same meaning, order and defaults of the arguments. Overload
 resolution picks these functions for a #UsacV20Method, and those of calib3d for an `int`. If an
-`int` may hold a flag of this module, call usacv20::findHomography, usacv20::findFundamentalMat and
+`int` can hold a flag of this module, call usacv20::findHomography, usacv20::findFundamentalMat and
 usacv20::findEssentialMat instead. The results are those of usacv20::estimateHomography,
 usacv20::estimateFundamental and usacv20::estimateEssential. Functions with a flag do not tell
 whether `maxIters` ended the search; to find out, call an `estimate` function with the flag's
@@ -111,8 +111,8 @@ There is a function for every signature of cv::findHomography, cv::findFundament
 cv::findEssentialMat that has an `int method`, with the same meaning, order and defaults of the
 arguments, except that an omitted `method` is UsacV20Method::USACV20. If `method` is the value of a
 #UsacV20Method, the result is that of cv::findHomography and similar functions with this flag; if it
-is one of OpenCV's own flags, the call is passed on to calib3d unchanged. A number that is neither
-(OpenCV's flags are among 0 .. 63) raises a cv::Exception that names `method`.
+is one of OpenCV's own flags, the call is passed on to calib3d unchanged. Any other number outside
+0..63, the range of OpenCV's flags, raises a cv::Exception that names `method`.
 
 After both `using namespace cv` and `using namespace cv::usacv20`, a call with an `int` must name
 the namespace, `usacv20::findHomography(...)`, because calib3d's function matches equally well.

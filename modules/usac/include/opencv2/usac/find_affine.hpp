@@ -15,18 +15,18 @@ namespace cv {
 //! @{
 
 /** @name Maps of the plane by calib3d's functions with a flag of this module
-These overloads of cv::estimateAffine2D and cv::estimateAffinePartial2D take a #UsacV20Method; the
-meaning, order and defaults of the other arguments are the same. (OpenCV itself has no
-cv::estimateAffinePartial2D with all options in one argument.) If the flag is stored in an `int`,
-call usacv20::estimateAffine2D and usacv20::estimateAffinePartial2D instead. The results are those
-of usacv20::estimateAffinity2D and usacv20::estimateSimilarity2D.
+These overloads of cv::estimateAffine2D and cv::estimateAffinePartial2D accept a #UsacV20Method or a
+usacv20::Params; the meaning, order and defaults of the other arguments are the same. (OpenCV itself
+has no cv::estimateAffinePartial2D with all options in one object.) If the flag is stored in an
+`int`, call usacv20::estimateAffine2D and usacv20::estimateAffinePartial2D instead. The results are
+those of usacv20::estimateAffinity2D and usacv20::estimateSimilarity2D.
 
 `refineIters` is the maximum number of steps of the final polishing
 (usacv20::Params::polishingSteps); a preset with fewer steps keeps its own number. 0 turns polishing
 off (usacv20::POLISHING_NONE): the model is then the result of the search, which local optimization
-has already fitted to its inliers. (With OpenCV's flags and 0, it is the model of the minimal
-sample.) A negative number, which is converted to a very large `size_t`, raises cv::Exception for
-`refineIters` and `maxIters`.
+has already fitted to its inliers. (With OpenCV's flags, 0 gives the model of the minimal sample.) A
+negative number, which is converted to a very large `size_t`, raises cv::Exception for `refineIters`
+and `maxIters`.
 @{ */
 //! An affine map; arguments and result as in usacv20::estimateAffine2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers,
@@ -65,7 +65,7 @@ namespace usacv20 {
 These functions have the signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D with an
 `int method`, except that an omitted `method` is UsacV20Method::USACV20. As for
 usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d unchanged, a
-number that is no flag raises a cv::Exception that names `method`, and after `using namespace cv`
+number that is not a flag raises a cv::Exception that names `method`, and after `using namespace cv`
 and `using namespace cv::usacv20` the call must name the namespace.
 @{ */
 /** @brief cv::estimateAffine2D with a flag of this module or of OpenCV.

@@ -15,7 +15,7 @@ namespace cv {
 //! @{
 
 /** @name The pose of a camera by cv::solvePnPRansac with a flag of this module
-These overloads of cv::solvePnPRansac take a #UsacV20Method or a usacv20::Params; the meaning and
+These overloads of cv::solvePnPRansac accept a #UsacV20Method or a usacv20::Params; the meaning and
 order of the other arguments are the same. If the flag is stored in an `int`, call
 usacv20::solvePnPRansac instead. The results are those of usacv20::estimateAbsolutePose: the
 reprojection error is measured in the original image, distortion included, and points behind the
@@ -29,13 +29,13 @@ camera are not inliers.
 @param rvec output, 3x1, CV_64F, the rotation as a vector (cv::Rodrigues); with `useExtrinsicGuess`
 also input, 3 numbers
 @param tvec output, 3x1, CV_64F, the translation; with `useExtrinsicGuess` also input
-@param useExtrinsicGuess `rvec` and `tvec` hold an initial pose, which is scored and optimized
+@param useExtrinsicGuess true: `rvec` and `tvec` hold an initial pose, which is scored and optimized
 before the first sample
 @param iterationsCount maximum number of samples
 @param reprojectionError inlier threshold in pixels
 @param confidence confidence of the search, see usacv20::Params::confidence
-@param inliers output, Mx1, CV_32S, the indices of the inliers in ascending order; empty if there is
-no pose
+@param inliers output, Mx1, CV_32S, the indices of the M inliers in ascending order; empty if there
+are none
 @param flags a #UsacV20Method
 @return false if there is no pose; `rvec` and `tvec` are then unchanged. */
 CV_EXPORTS bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
@@ -55,9 +55,9 @@ namespace usacv20 {
 /** @brief cv::solvePnPRansac with a flag of this module or of OpenCV, known only at run time.
 
 As for usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d
-unchanged, a number that is no flag raises a cv::Exception that names `flags`, and after `using
+unchanged, a number that is not a flag raises a cv::Exception that names `flags`, and after `using
 namespace cv` and `using namespace cv::usacv20` the call must name the namespace. The defaults are
-those of calib3d, except for the flag.
+those of calib3d, except that an omitted `flags` is UsacV20Method::USACV20.
 @param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix

@@ -5,9 +5,9 @@
 #ifndef OPENCV_USACV20_GEOMETRY_HPP
 #define OPENCV_USACV20_GEOMETRY_HPP
 
-// Includes the OpenCV module that has findHomography and similar functions, including
-// solvePnPRansac: `calib3d` of OpenCV 4, `geometry` of OpenCV 5. All files of this module use this
-// header.
+// Includes the header of the OpenCV module that has findHomography, solvePnPRansac and similar
+// functions: `calib3d` of OpenCV 4, `geometry` of OpenCV 5. Files of this module include it only
+// through this header.
 
 #include "opencv2/core/version.hpp"
 

@@ -23,14 +23,14 @@ Usac::refine and Usac::errors.)
 /** @brief Least-squares fit to all points, or to a subset, as with the flag 0 of calib3d.
 
 @param problem what to fit
-@param points1 N points, in the layouts that #estimateHomography and similar functions take;
+@param points1 N points, in the layouts that #estimateHomography and similar functions accept;
 #ABSOLUTE_POSE: 3-D points
 @param points2 their N counterparts; #ABSOLUTE_POSE: image points
 @param params `threshold` is the threshold of the mask, `residual` the error that is minimized
 @param mask output, N x 1, CV_8U: 1 exactly where the error of a point under the returned model is
 at most the threshold
 @param report output; `stop` is #STOP_NO_SEARCH, or says why there is no model
-@param weights N weights of the squared errors, at least 0, any depth; empty: all 1
+@param weights N finite weights of the squared errors, at least 0, any depth; empty: all 1
 @param chosen mask of the points to fit (for example the inliers), N numbers, 0 for points that are
 left out; empty: all points
 @param cameraMatrix1 3x3, for #ESSENTIAL and #ABSOLUTE_POSE
@@ -54,8 +54,8 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
-@param params options; `threshold`, `residual`, `polishing`, `polishingSteps` and, without a mask of
-the inliers, `covariance` are used
+@param params options; those of the search (samples, local optimization, termination, time) have no
+effect; with a mask of the inliers, those of the polishing and `covariance` have none, either
 @param mask, report as in #fitModel
 @param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares fit
 to these inliers is made, starting from the model. Empty: the model is polished as at the end of an
@@ -75,10 +75,10 @@ CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray p
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
-@param params options; `residual` is used
+@param params options; `residual` and `sigmas` are used
 @param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel
 @return N x 1, CV_64F, not squared, in the unit of Params::threshold (pixels; 3-D motions: the unit
-of `points2`): the mask of an estimation is 1 exactly where this is at most Report::threshold.
+of `points2`): the mask of an estimation is 1 exactly where this error is at most Report::threshold.
 Infinite or NaN where the error is not defined: for points that are not finite, behind a camera, or
 outside the field of view of its lens. */
 CV_EXPORTS_W Mat modelErrors(ProblemType problem, InputArray model, InputArray points1,

@@ -16,12 +16,12 @@ namespace usacv20 {
 //! @{
 
 /** @brief How least squares varies the models of a problem: a parameterization of all valid models
-near a given one by as many numbers as they have degrees of freedom.
+near a given one, with as many parameters as these models have degrees of freedom.
 
 A model usually has more entries than degrees of freedom, because the entries fulfill constraints
 (an essential matrix has 9 entries and 5 degrees of freedom). Implementations must fulfill these
-laws for every valid model M, where 0 stands for a vector of `dimension()` zeros;
-#checkParameterization tests them:
+laws for every valid model M, where 0 is a vector of `dimension()` zeros; #checkParameterization
+tests most of them:
 
 1. plus(M, 0) is M itself (for homogeneous models up to a scale that the implementation chooses),
    and plus(plus(M, 0), 0) equals plus(M, 0).
@@ -29,8 +29,8 @@ laws for every valid model M, where 0 stands for a vector of `dimension()` zeros
 3. The columns of tangent(M) are the derivatives of plus(M, x) with respect to x at 0. They are
    linearly independent.
 
-If a model violates the constraints slightly, as models of solvers do, both methods use a valid
-model near it. All methods are `const` and may be called by several threads. */
+If a model violates the constraints slightly, as models of solvers do, tangent() and plus() use a
+valid model near it. All methods are `const` and can be called by several threads. */
 class CV_EXPORTS Parameterization
 {
 public:
@@ -46,9 +46,9 @@ public:
     @param model the model that has the parameters 0
     @param x dimension() parameters */
     virtual Model plus(const Model& model, const double* x) const = 0;
-    //! True (default): tangent() changes little if the model changes little. False: it may change
-    //! to another basis of the same space, because it depends on singular vectors.
-    //! Report::covariance then refers to another basis without this dependence, see
+    //! True (default): tangent() changes little if the model changes little. False: the columns of
+    //! tangent() depend on singular vectors and might change to another basis of the same space.
+    //! Report::covariance then refers to a basis that does not depend on these vectors, see
     //! #tangentOfModel.
     virtual bool smooth() const;
 };
@@ -68,9 +68,10 @@ CV_EXPORTS Ptr<NonMinimalSolver> createLeastSquares(const Ptr<Residual>& residua
                                                     const Ptr<Parameterization>& parameterization);
 
 /** @brief Tests whether a parameterization fulfills its laws around a model; derivatives are
-compared with central differences. For tests of a program that implements a parameterization.
+compared with central differences. Not tested: that plus(M, 0) is M, and that plus() is continuous.
+For tests of a program that implements a parameterization.
 @param parameterization the parameterization to test
-@param model any valid model; test several
+@param model any valid model; call the function for several models
 @return empty if all laws hold, otherwise a description of the first violated law, with the
 deviation. A deviation of 1e-9 (law 1 and 2) or 1e-5 (derivatives), relative to the largest entry of
 the model or of the column, is permitted. */

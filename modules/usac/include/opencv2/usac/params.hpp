@@ -23,11 +23,10 @@ cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estim
 or as the argument `flags` of cv::solvePnPRansac.
 
 The values differ from all of OpenCV's own flags. The enumeration is scoped, so a flag is not
-silently converted to an `int` and passed to calib3d, which treats any number it does not know as
-LMedS (cv::findFundamentalMat, cv::findEssentialMat). If a program keeps its flag in an `int`, reads
-it from a file, or chooses between a flag of this module and a flag of OpenCV, it must call
-usacv20::findHomography, usacv20::findFundamentalMat and usacv20::findEssentialMat, which accept
-both kinds of flags as `int`:
+silently converted to an `int` and passed to calib3d, which for F and E treats any number it does
+not know as LMedS. If a program keeps its flag in an `int`, reads it from a file, or chooses between
+a flag of this module and a flag of OpenCV, it must call usacv20::findHomography,
+usacv20::findFundamentalMat and similar functions, which accept both kinds of flags as `int`:
 @code{.cpp}
     int method = (int)cv::USACV20;  // without the cast this does not compile
     // reads the flag from a cv::FileStorage: 16385 is USACV20_FAST, 8 is cv::RANSAC
@@ -91,14 +90,14 @@ enum ProblemType {
 enum ThresholdType {
     THRESHOLD_GIVEN = 0,  //!< the inlier threshold
     /** `threshold` is the largest plausible inlier threshold, for example three to ten times the
-    usual one. The inlier threshold, at least 1/1024 of it, is the error that 95 % of the inliers do
-    not exceed, see Report::threshold; it follows from their noise, see Report::sigma
-    @cite moisan2004probabilistic @cite torr2000mlesac. Before the search, up to 1000 uniform
-    samples (at most Params::maxIterations) are drawn, which Report does not count; the checks of
-    Params::degeneracy for orientation and repeated matches apply to them, also if a program has
-    replaced these checks. If no model is better than chance, or if the best one has fewer than ten
-    inliers beyond a sample, the threshold is a third of `threshold`. Only Usac::run and
-    Usac::refine without a mask estimate the threshold. Params::widestReach has no effect. */
+    usual one. The inlier threshold (Report::threshold) is the error that 95 % of the inliers do not
+    exceed, but at least 1/1024 of `threshold`; it follows from the noise of the inliers
+    (Report::sigma) @cite moisan2004probabilistic @cite torr2000mlesac. Before the search, up to
+    1000 uniform samples (at most Params::maxIterations) are drawn, which Report does not count. The
+    built-in checks for orientation and repeated matches apply to them, even if a program has
+    replaced these checks. If no model is better than chance, or if the best model has fewer than
+    ten inliers outside its sample, the inlier threshold is a third of `threshold`. Only Usac::run
+    and Usac::refine without a mask estimate the threshold. Params::widestReach has no effect. */
     THRESHOLD_ESTIMATED = 1
 };
 
@@ -109,11 +108,11 @@ enum SamplerType {
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
     //! P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
     //! @cite barath2019progressive. One in four of the non-uniform samples (Params::orderedEvery)
-    //! is drawn so, or one in two if the points are ordered by density, the others as in PROSAC;
-    //! the paper draws all so until the neighborhood contains all points. A neighborhood doubles
-    //! when its point is chosen again; in the paper it grows like PROSAC's set.
+    //! is drawn in this way (one in two if the order is only guessed), the others as in PROSAC; the
+    //! paper draws all in this way until the neighborhood contains all points. A neighborhood
+    //! doubles when its point is chosen again; in the paper it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
-    SAMPLER_NAPSAC = 3,     //!< a random point and neighbors of it @cite nasuto2002napsac
+    SAMPLER_NAPSAC = 3,     //!< a random point and some of its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
                             //!< example inlier probabilities
 };
@@ -209,8 +208,8 @@ enum TerminationFlags {
     TERMINATION_EXACT = 32,    //!< modifies the other criteria: with I inliers among N points, a
                              //!< sample of m points, drawn without replacement, is all-inlier with
                              //!< probability C(I, m) / C(N, m) instead of (I / N)^m
-    //! PROSAC's criterion, if the inliers of the best model come early in a known order, and if
-    //! samples of its outliers yield no better model; no effect if `runnersUp` is 0
+    //! PROSAC's criterion, if inliers of the best model come early in a known order and samples of
+    //! its outliers yield no better model; no effect if `runnersUp` is 0 or `orderedEvery` is 1
     TERMINATION_ORDER = 64
 };
 
@@ -231,8 +230,8 @@ enum DegeneracyFlags {
 //! How the best model is refined at the end (Algorithm 1, last line).
 enum PolishingType {
     POLISHING_NONE = 0,           //!< nothing
-    POLISHING_LEAST_SQUARES = 1,  //!< least squares of the geometric error over all inliers, until
-                                  //!< the inliers no longer change
+    POLISHING_LEAST_SQUARES = 1,  //!< least squares of the geometric error over all inliers,
+                                  //!< repeated while this improves the model
     POLISHING_REWEIGHTED = 2,     //!< iteratively re-weighted least squares with the weights of
                                   //!< MAGSAC++ @cite barath2020magsac
     POLISHING_ROBUST = 3  //!< least squares with a robust loss adapted to the noise of the inliers
@@ -282,20 +281,20 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! `runnersUp` they choose between models of nearly equal cost. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** Relative standard deviation of the error of each correspondence, such as the scale of its
-    key point; N values from 1e-6 to 1e6, or no sigmas; errors are divided by it in score, fits,
-    mask and covariance: `threshold`, Report::threshold, Report::sigma and Usac::errors are in this
-    unit. A replaced residual must do so itself (Correspondences). Default none: all are 1. */
+    keypoint; N values from 1e-6 to 1e6, or no sigmas; errors, `threshold`, Report::threshold,
+    Report::sigma and Usac::errors are in units of the sigmas. A residual of your own must divide
+    its errors itself, see Correspondences. Default none: all are 1. */
     CV_PROP_RW std::vector<float> sigmas;
     /** Entries, row by row, of an initial model as the estimator returns it (such as that of the
     previous frame), or no model; see setInitialModel(). It is scored and optimized before the first
-    sample, like a model of a sample. A wrong number raises cv::Exception. Default none. */
+    sample. A wrong number of entries raises cv::Exception. Default none. */
     CV_PROP_RW std::vector<double> initialModel;
     /** Entries, row by row, of the covariance of `initialModel`, or no covariance; d x d, symmetric
     and positive definite, for the parameters of Report::covariance. With it, the initial model is a
-    prior: the result is the mean of it and of the model of the points, weighted by their
+    prior: the result is the mean of the prior and the model of the points, weighted by inverse
     covariances @cite kalman1960filter, and Report::covariance is that of this mean. If the two
-    models contradict each other (Report::priorChance below 0.001), the result is that of the points
-    alone. Add what may have changed since to the covariance of a previous frame. Default none. */
+    models contradict each other (Report::priorChance below 0.001), the prior is not used. To the
+    covariance of a previous frame, add that of the motion since then. Default none. */
     CV_PROP_RW std::vector<double> initialCovariance;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;
@@ -315,9 +314,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     `threshold` itself; 1..10. Meant for scores and fits that are marginalized over the noise scale.
     Default 1; magsac() 3, magsacPlusPlus() 2.4. */
     CV_PROP_RW double reach;
-    /** Upper bound of the multiple of `threshold` to which `reach` grows if the errors of the best
-    model show that the noise is larger than `threshold`; 1..1e6; values up to `reach` have no
-    effect. The mask still uses `threshold` and may then be empty for a correct model. The noise
+    /** Upper bound to which `reach` grows during the search if the errors of the best model show
+    that `threshold` times `reach` is too small for the noise; 1..1e6; values up to `reach` have no
+    effect. The mask still uses `threshold` and can then be empty for a correct model. The noise
     scale is estimated as in @cite moisan2004probabilistic. Default 1; magsac() and magsacPlusPlus()
     1000. */
     CV_PROP_RW double widestReach;
@@ -333,8 +332,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Size of the inner samples of a local optimization, as a multiple of the minimal sample size;
     //! 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
-    //! Number of inner samples of a local optimization (graph cut: of each alternation); 0..1000.
-    //! Default 4.
+    //! Number of inner samples of a local optimization (with graph cuts: of each alternation);
+    //! 0..1000. Default 4.
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
@@ -344,13 +343,13 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some points (all except #SAMPLER_UNIFORM) draw one in this many samples
-    in their own way; the others are uniform among all points. Only the uniform samples count for
-    the termination criteria except #TERMINATION_PROSAC, because samples from a subset may never
-    consist of inliers of the best model, and `confidence` would not hold. But all samples count if
-    more than half of the points outside the sample of the best model are its inliers and no plane
-    dominates. If the order is known, the first 8 samples are uniform; with #TERMINATION_ORDER every
-    second sample then follows it at first, and every sample once it is confirmed. 1: all are drawn
-    in the sampler's way and count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
+    in their own way; the others are uniform. Only the uniform samples count for the termination
+    criteria except #TERMINATION_PROSAC and #TERMINATION_ORDER, because samples from a subset might
+    never be all-inlier. But all samples count if more than half of the points outside the sample of
+    the best model are its inliers and no plane dominates. If the order is known, the first 8
+    samples are uniform; with #TERMINATION_ORDER, every second sample then follows the order at
+    first, and every sample once the order is confirmed. 1: all samples are drawn in the sampler's
+    way and count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default
     //! #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT | #TERMINATION_ORDER.
@@ -368,7 +367,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper has #POLISHING_LEAST_SQUARES.
     CV_PROP_RW int polishing;
     //! Maximum number of fits of the polishing, each with the inliers or weights of the previous
-    //! one; fewer if these no longer change; 1..100. Default 6.
+    //! fit; six more for #POLISHING_ROBUST with more than 32768 points; 1..100. Default 6.
     CV_PROP_RW int polishingSteps;
     /** Largest Report::chance with which a model is returned, a probability; 0..1, after
     @cite moisan2004probabilistic. 1: a model is returned whatever its chance is. Default 0: the
@@ -378,7 +377,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! 1: Report::covariance and Report::sigma are computed (0.1 to 0.3 ms); 0..1. Default 0.
     CV_PROP_RW int covariance;
 
-    /** @brief The configuration recommended in the paper, with robust polishing, as Params(). */
+    /** @brief The paper's recommended configuration, with robust polishing; equal to Params(). */
     CV_WRAP static Params usacV20();
     /** @brief Preset of UsacV20Method::USACV20_FAST: like usacV20(), but the search ends when a
     model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
@@ -390,13 +389,13 @@ struct CV_EXPORTS_W_SIMPLE Params
     in the local optimization, 24 runners-up and 20 polishing steps. */
     CV_WRAP static Params accurate();
     /** @brief Like usacV20(), with PROSAC sampling of points that the caller has sorted, best first
-    (if `scores` are given, they determine the order, as in all presets for sorted points). One
-    sample in eight follows the order (`orderedEvery`), the others are uniform, so that `confidence`
+    (if `scores` are given, they determine the order, as in all presets for sorted points). Only
+    some samples follow the order (`orderedEvery`); the others are uniform, so that `confidence`
     holds even for a wrong order. Preset of UsacV20Method::USACV20_PROSAC. */
     CV_WRAP static Params sorted();
     /** @brief Like usacV20(), for an order that the caller trusts (`scores`, or
-    #ORDERING_INPUT_ORDER): all samples are drawn as in PROSAC, and PROSAC's criterion may end the
-    search @cite chum2005matching. If the order is wrong, the search may miss the model. */
+    #ORDERING_INPUT_ORDER): all samples are drawn as in PROSAC, and PROSAC's criterion can end the
+    search @cite chum2005matching. If the order is wrong, the search might miss the model. */
     CV_WRAP static Params trustedScores();
     /** @brief Like usacV20(), with all threads of OpenCV and the same result. Preset of
     UsacV20Method::USACV20_PARALLEL. */
@@ -429,14 +428,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     fewer than in the paper) and fits of bounded size @cite lebeda2012fixing. */
     CV_WRAP static Params floRansac();
     /** @brief GC-RANSAC: like msac(), but each new best model is refined alternately by graph cuts
-    and by inner samples of seven times the minimal size, as long as it improves, at most ten times
-    @cite barath2018graph; neighbors are the points within 20 pixels. The paper waits with the
+    and by inner samples of seven times the minimal size, as long as the model improves, at most ten
+    times @cite barath2018graph; neighbors are the points within 20 pixels. The paper waits with the
     refinement until enough samples have been drawn for it to pay off. */
     CV_WRAP static Params gcRansac();
     /** @brief USAC of 2013: PROSAC samples of sorted points (`orderedEvery` 1: all of them), SPRT,
-    LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC
-    replaces the paper's general test for degeneracy; H has only an orientation test, and E also a
-    test for planes. */
+    LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC (only
+    for F) replaces the paper's general test for degeneracy. H, F and E have the orientation test,
+    and E also has a test for planes. */
     CV_WRAP static Params usac2013();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
     @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`
@@ -460,8 +459,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     static Params fromUsacParams(const cv::UsacParams& params);
 
     /** @brief Sets `initialModel` and `initialCovariance`.
-    @param model 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for an absolute pose
-    and 3-D motions, any depth; empty: none
+    @param model 3x3 for H, F and E, 2x3 for affine maps, 3x4 for absolute poses and 3-D motions,
+    any depth; empty: none
     @param covariance d x d, any depth, such as Report::covariance; empty: none */
     CV_WRAP void setInitialModel(InputArray model, InputArray covariance = noArray());
 
@@ -476,7 +475,7 @@ struct CV_EXPORTS_W_SIMPLE Params
 };
 
 //! Another name of Params. After `using namespace cv`, prefer usacv20::Params, because the
-//! unqualified name UsacParams may mean the class of calib3d.
+//! unqualified name UsacParams can also mean the class of calib3d.
 typedef Params UsacParams;
 
 //! For `fs << "usac" << params`.

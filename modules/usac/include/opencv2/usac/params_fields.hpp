@@ -31,8 +31,8 @@ enum FieldKind {
     FIELD_COVARIANCE    //!< the numbers of the covariance of a model
 };
 
-//! Default and range of a field of Params. Integer fields, too, are stored as `double`, which is
-//! exact. The three numbers are not used for FIELD_SCORES and the kinds after it.
+//! Default and range of a field of Params. The numbers are `double` for integer fields, too, which
+//! represents them exactly. They are not used for FIELD_SCORES and the kinds after it.
 struct FieldValues
 {
     FieldKind kind;  //!< kind of value
@@ -40,8 +40,8 @@ struct FieldValues
     double low;      //!< lower bound; not itself valid for FIELD_PIXELS and FIELD_PROBABILITY
     double high;     //!< upper bound; not itself valid for FIELD_PROBABILITY
 
-    //! True if the value is in the range. Always true for FIELD_SCORES and the kinds after it,
-    //! whose valid values depend on other fields and on the points.
+    //! True if the value is in the range. Always true for FIELD_SCORES and the kinds after it:
+    //! which values are valid depends on other fields and on the points.
     bool contain(double value) const
     {
         if (kind >= FIELD_SCORES)

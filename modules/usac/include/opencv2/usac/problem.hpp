@@ -28,9 +28,9 @@ struct SampleCost
 
 /** @brief One kind of model: everything that is specific to it.
 
-The search, the samplers, the scores and the termination criteria know nothing else about what is
-estimated. A program can define its own problem, see Usac::create and samples/custom_problem.cpp.
-All methods are `const`; a run calls them from one thread at a time. */
+The search, the samplers, the scores and the termination criteria know nothing about the model
+except what this class tells them. A program can define its own problem, see Usac::create and
+samples/custom_problem.cpp. All methods are `const`; a run calls them from one thread at a time. */
 class CV_EXPORTS Problem
 {
 public:
@@ -75,13 +75,14 @@ public:
     pixels to the normalized image plane.
     @param columns columns of `count` numbers each
     @param count number of points
-    @return number of pixels per unit of the new coordinates. Default: 1, nothing is transformed. */
+    @return number of pixels (units of Params::threshold) per unit of the new coordinates. Default:
+    1, nothing is transformed. */
     virtual double toModelCoordinates(double* const* columns, int count) const;
     //! Transforms the points for createImageResidual(), in place: like toModelCoordinates(), but
     //! the points of the last array keep their original image coordinates. Default: nothing is
     //! transformed.
     virtual void toImageCoordinates(double* const* columns, int count) const;
-    /** @brief How the points may be normalized for the search.
+    /** @brief How the points are normalized for the search, a @ref Normalization.
     @param residual @ref ResidualType
 
     Default: #SCALE_NONE. */
@@ -98,30 +99,31 @@ public:
     virtual Mat toOutput(const Model& model) const;
     /** @brief The inverse of toOutput() and toInput(): converts a model of the caller to the
     coordinates of the search.
-    @param output as many finite numbers as toOutput() returns, row by row
+    @param output finite numbers, row by row; their count may be wrong
     @param points the points of the run, for their Correspondences::frame
     @param model output
-    @return false if `output` is not a valid model. Default: false, so that Params::initialModel
-    raises cv::Exception. */
+    @return false if `output` is not a valid model or has a wrong count. Default: false, so that
+    Params::initialModel raises cv::Exception. */
     virtual bool fromOutput(const std::vector<double>& output, const Correspondences& points,
                             Model& model) const;
     /** @brief Converts a model of the caller to the coordinates of toModelCoordinates() without
     changing its entries, for the mask and Usac::errors.
     @param output a matrix of the shape of toOutput(), CV_64F
 
-    Default: an empty model; then fromOutput() and toInput() are used instead, with the same result
+    Default: an empty model; fromOutput() and toInput() are then used instead, with the same result
     up to rounding. */
     virtual Model ofOutput(const Mat& output) const;
     //! The closest model that fulfills all constraints. Models of solvers and polishers may violate
     //! them slightly. Default: the model itself.
     virtual Model closest(const Model& model) const;
 
-    //! Creates the error for a @ref ResidualType.
+    //! Creates the residual for a @ref ResidualType.
     virtual Ptr<Residual> createResidual(int type) const = 0;
-    /** @brief Creates the error at the original image points, if the error of the search only
-    approximates it. Polishing and the mask use it with the points of toImageCoordinates().
-    @param residual the residual of the search, with the same unit and models
-    @return the error. Default: empty, which means that `residual` is exact. */
+    /** @brief Creates the residual for the original image points, if the error of the search only
+    approximates the error there. Polishing and the mask use it with the points of
+    toImageCoordinates().
+    @param residual the residual of the search; the new one has the same unit and the same models
+    @return the new residual. Default: empty, which means that `residual` is exact. */
     virtual Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const;
     //! Creates the minimal solver.
     virtual Ptr<MinimalSolver> createMinimalSolver() const = 0;
@@ -129,8 +131,8 @@ public:
     //! of Correspondences. Default: empty, there is none.
     virtual Ptr<Parameterization> createParameterization() const;
     //! Creates a solver that minimizes the sum of squares of a residual; empty if there is none.
-    //! Called again if the caller has replaced the residual. Default: #createLeastSquares with
-    //! createParameterization(), if there is one.
+    //! Called again if a program has replaced the residual, but not the solver. Default:
+    //! #createLeastSquares with createParameterization(), if there is one.
     virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const;
     /** @brief Appends the checks for a set of @ref DegeneracyFlags, in the order in which they are
     called. Default: none.
@@ -155,8 +157,8 @@ public:
 enum Normalization {
     SCALE_NONE,    //!< no normalization: the constraints of the model hold in the original
                    //!< coordinates only
-    SCALE_COMMON,  //!< each array is centered, and both are scaled by the same factor, by which all
-                   //!< errors are multiplied, too
+    SCALE_COMMON,  //!< each array is centered, and both are scaled by the same factor, which then
+                   //!< also multiplies all errors
     SCALE_EACH,    //!< each array is centered and scaled separately
     SCALE_FIRST    //!< array 0 is centered and scaled, array 1 is unchanged
 };

@@ -16,10 +16,10 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @brief Callback on the progress of a run. @return true: continue; false: stop, with the best
-model so far and #STOP_CANCELLED in the report. In `report`, `stop` is #STOP_NOT_RUN, `inliers` and
-`cost` are those of the best model before polishing (0 and 1 if there is none), and `searchMs` is
-the time since the run began. */
+/** @brief Function that estimations call to report their progress. @return true: continue; false:
+stop, with the best model so far and #STOP_CANCELLED in the report. In `report`, `stop` is
+#STOP_NOT_RUN, `inliers` and `cost` are those of the best model before polishing (0 and 1 if there
+is none), and `searchMs` is the time since the run began. */
 typedef std::function<bool(const Report& report)> Progress;
 
 /** @brief While an object exists, all estimations that its thread begins call a function every 5
@@ -28,20 +28,20 @@ milliseconds. The function decides whether to continue.
 This applies to all functions that estimate a model: those with a flag, #estimateHomography and
 similar functions, #estimateBatch, and Usac::run.
 @code
-    std::atomic<bool> cancelled(false);  // another thread may set it
-    const usacv20::ProgressScope scope([&](const usacv20::Report&) { return !cancelled; });
+    std::atomic<bool> canceled(false);  // another thread can set it
+    const usacv20::ProgressScope scope([&](const usacv20::Report&) { return !canceled; });
     Mat H = findHomography(points1, points2, USACV20, 3.0, mask);
 @endcode
 The function is called by the thread that began the estimation, even if other threads help
 (Params::threads, #estimateBatch), and not before 5 milliseconds have passed; #estimateBatch also
 calls it between two tasks, with a default-constructed Report. Between two calls there is at most
-one step over all points, which cannot be interrupted: 0.15 s for a million points, 0.4 s with a
-kd-tree (#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS). After the function has returned false, the
-estimation takes up to 0.1 s to return. If it always returns true, the result is bit-identical to
-that without a ProgressScope. An exception from the function ends the run and is passed on to the
-caller; a Usac can be run again afterwards. Scopes may be nested: their functions are called from
-the innermost outward until one returns false. Destroy them in reverse order, in the thread that
-created them. */
+one step over all points; such a step cannot be interrupted and takes up to 0.15 s for a million
+points, 0.4 s with a kd-tree (#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS). After the function has
+returned false, the estimation takes up to 0.1 s to return. If the function always returns true, the
+result is bit-identical to that without a ProgressScope. An exception from the function ends the run
+and is passed on to the caller; a Usac can be run again afterward. Scopes may be nested: their
+functions are called from the innermost outward until one returns false. Destroy them in reverse
+order, in the thread that created them. */
 class CV_EXPORTS ProgressScope
 {
 public:

@@ -25,10 +25,11 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     //! The essential matrix [t]x R, 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there
     //! is none.
     CV_PROP_RW Mat essential;
-    //! Number of inliers of the essential matrix that are triangulated behind a camera. They are 0
-    //! in the mask.
+    //! Number of inliers of the essential matrix whose triangulated points are behind a camera;
+    //! their rows of the mask are 0.
     CV_PROP_RW int behind;
-    //! Number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none.
+    //! Number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none,
+    //! or if the camera has only rotated.
     CV_PROP_RW int onPlane;
     //! If there is a dominant plane: rotation of the second motion that is compatible with the
     //! homography of the plane, 3x3, CV_64F. Empty if there is no such motion.
@@ -53,15 +54,17 @@ length of t.
 @param R output, 3x3, CV_64F, a rotation; empty if there is no model
 @param t output, 3x1, CV_64F, unit length: two views do not determine the scale
 @param mask output, N x 1, CV_8U: 1 where the Sampson distance is at most the threshold and the
-triangulated point is in front of both cameras; points at infinity count as in front
+triangulated point is in front of both cameras; a point that may be at infinity, up to noise, counts
+as in front
 @param pose output: the report, the essential matrix, and for a dominant plane the second motion
 @return true if there is a model.
 
 Of the four motions that are compatible with an essential matrix, the function returns the one with
 the most inliers in front of both cameras, at any distance (@cite nister2004efficient). A plane is
-compatible with two motions (@cite ma2004invitation). The motion with the smaller errors of the
-points off the plane is returned; the other motion is in `pose`. If there are no points off the
-plane, the two motions have about the same number of inliers. */
+compatible with two motions (@cite ma2004invitation). If there is a dominant plane, the motion with
+the smaller truncated squared errors over all points is returned, so that the points off the plane
+decide; the other motion is in `pose`. If there are no points off the plane, the two motions have
+about the same number of inliers. */
 CV_EXPORTS_W bool estimateRelativePose(InputArray points1, InputArray points2,
                                        InputArray cameraMatrix1, InputArray distCoeffs1,
                                        InputArray cameraMatrix2, InputArray distCoeffs2,

@@ -20,7 +20,8 @@ enum StopReason {
     STOP_TOO_FEW_POINTS = 1,  //!< fewer finite correspondences than a minimal sample: no model
     STOP_NO_MODEL = 2,        //!< no sample yielded a model with enough inliers (degenerate data)
     STOP_MAX_ITERATIONS = 3,  //!< Params::maxIterations was reached
-    STOP_STANDARD = 4,        //!< #TERMINATION_STANDARD fired
+    STOP_STANDARD = 4,        //!< #TERMINATION_STANDARD fired, or practically all samples have been
+                              //!< drawn
     STOP_SPRT = 5,            //!< #TERMINATION_SPRT fired
     STOP_P_NAPSAC = 6,        //!< #TERMINATION_P_NAPSAC fired
     STOP_CUSTOM = 7,          //!< a Termination component of the caller fired
@@ -31,7 +32,8 @@ enum StopReason {
     STOP_NOT_SIGNIFICANT = 10,
     STOP_ORDER = 11,      //!< #TERMINATION_ORDER fired
     STOP_TIME = 12,       //!< Params::maxTime was reached: the model, if any, is the best so far
-    STOP_CANCELLED = 13,  //!< a ProgressScope's function returned false: best model so far, if any
+    STOP_CANCELLED = 13,  //!< the function of a ProgressScope returned false: best model so far, if
+                          //!< any
     STOP_NO_SEARCH = 14   //!< result of Usac::fit or Usac::refine, which do not search
 };
 
@@ -56,14 +58,15 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int rejectedModels;
     //! Number of models rejected by the pre-emptive verification.
     CV_PROP_RW int refusedModels;
-    //! Number of models no better than the best one so far; up to Params::runnersUp of these are
-    //! optimized nevertheless.
+    //! Number of models that were not better than the best model of a sample so far; some of these
+    //! are optimized nevertheless, see Params::runnersUp.
     CV_PROP_RW int droppedModels;
     //! Number of local optimizations.
     CV_PROP_RW int localOptimizations;
-    //! Number of local optimizations that improved their model.
+    //! Number of local optimizations whose result was better than the best model so far.
     CV_PROP_RW int localImprovements;
-    //! True if, at any time of the search, the best F came from a sample dominated by a plane.
+    //! True if #DEGENERACY_DEGENSAC found a dominant plane, in the sample or among the inliers of
+    //! one of the best models (F only).
     CV_PROP_RW bool degenerate;
     //! Number of inliers: rows of the mask that are 1.
     CV_PROP_RW int inliers;
@@ -73,35 +76,36 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW std::vector<int> sample;
     //! `inliers` as a fraction of all rows of the mask, 0..1.
     CV_PROP_RW double inlierRatio;
-    //! Number of inliers without repetitions: in each image, inliers in the same square of a grid
-    //! with the threshold as side count once; the smaller number of both images is returned. 0 (not
-    //! computed) if the run was stopped (Params::maxTime, ProgressScope) and has more than 50 000
-    //! inliers.
+    //! Number of inliers without repetitions: in each array, inliers in the same cell of a grid
+    //! count once; the smaller of the two arrays' numbers is stored. The side of the cells is the
+    //! threshold; in an array in another unit, only equal points count once. 0 (not computed) if
+    //! there are more than 50 000 inliers and no time is left (Params::maxTime, ProgressScope).
     CV_PROP_RW int independentInliers;
     /** Upper bound of the probability that the same search finds a model with as many independent
     inliers (at the threshold, or at 4 or 16 times the threshold) in random matches of the same
     points, 0..1, after @cite moisan2004probabilistic. A value below 1e-6 and below a hundredth of
-    Params::significance may be computed from a subset of the points; if the run was stopped, any
-    value may be computed from 50 000 points only. Also set if the model was rejected because of
-    this value; 1 if no model was found. With #THRESHOLD_ESTIMATED, it is computed as if the
-    estimated threshold had been given. */
+    Params::significance can come from a subset of the points; if the run was stopped, any value can
+    come from only 50 000 points. Also set if the model was rejected because of this value; 1 if no
+    model was found. With #THRESHOLD_ESTIMATED, it is computed as if the estimated threshold had
+    been given. */
     CV_PROP_RW double chance;
-    //! Threshold of the mask in pixels: Params::threshold or, with #THRESHOLD_ESTIMATED or
-    //! #QUALITY_LMEDS, a threshold estimated from the data.
+    //! Threshold of the mask, in the unit of Params::threshold: Params::threshold itself or, with
+    //! #THRESHOLD_ESTIMATED or #QUALITY_LMEDS, a threshold estimated from the data.
     CV_PROP_RW double threshold;
     //! Standard deviation of each component of the inliers' errors, in the unit of
-    //! Params::threshold. For F and E it is about that of the points' coordinates; for maps it
-    //! combines the noise of both arrays. It is computed from the errors under the returned model
-    //! and corrected for the number of fitted parameters and for the cut-off at the threshold. With
-    //! #THRESHOLD_ESTIMATED it is the value from which the threshold was computed. 0 if it was not
-    //! estimated: there is no model, there are too few inliers, or the threshold was given and
-    //! Params::covariance is 0.
+    //! Params::threshold. For F and E it is about the standard deviation of the points'
+    //! coordinates; for maps it combines the noise of both arrays. It is computed from the errors
+    //! under the returned model and corrected for the number of fitted parameters and for the
+    //! cut-off at the threshold. With #THRESHOLD_ESTIMATED, the threshold was computed from it. 0
+    //! if it was not estimated: there is no model, there are too few inliers, the threshold was
+    //! given and Params::covariance is 0, or the model is a mere fit (see `covariance`).
     CV_PROP_RW double sigma;
     /** Covariance of the parameters of the returned model, d x d, CV_64F; empty if there is no
-    model, or if Params::covariance is 0. It describes the errors of the parameters that noise in
-    the coordinates of the inliers causes; this noise is estimated from the inliers' errors. With
-    few inliers the covariance is enlarged, because the estimate of the noise is uncertain: the mean
-    squared Mahalanobis distance of the errors is then still d.
+    model, if Params::covariance is 0, or if the model is a mere fit (Usac::fit, Usac::refine with a
+    mask). It describes the errors of the parameters that noise in the coordinates of the inliers
+    causes; this noise is estimated from the inliers' errors. With few inliers the covariance is
+    enlarged, because the estimate of the noise is uncertain: the mean squared Mahalanobis distance
+    of the errors is then still d.
 
     The parameters, in the units of the caller's points (translations: of `objectPoints`, of
     `points2`; angles in radians):
@@ -113,6 +117,7 @@ struct CV_EXPORTS_W_SIMPLE Report
     | 3-D similarity | 7 | the same, and relative change of the scale |
     | affinity | 6 | the entries, row by row |
     | similarity | 4 | a, b and the translation of [a -b tx; b a ty] |
+    | translation | 2 | the translation |
     | homography, F, E | 8, 7, 5 | directions of the tangent space, see #tangentOfModel |
 
     #tangentOfModel returns the derivatives of the entries of any of these models by its parameters,
@@ -120,20 +125,20 @@ struct CV_EXPORTS_W_SIMPLE Report
     the covariance of a motion and of points.
 
     All entries are NaN if the covariance is not determined: if the inliers leave some of the
-    parameters free (F of a plane, F and E without a translation, points of a line), if fewer than
-    three degrees of freedom are left, or if it is unknown what the model minimizes, because there
-    is no polishing (#POLISHING_NONE) or a Polisher of your own without Polisher::support. The
-    covariance does not cover a wrong model, wrong matches that agree with each other, errors of the
-    calibration, and matches that are not independent (each repetition counts as a measurement). For
+    parameters free (F of a plane, F and E without a translation, points of a line), if at most two
+    degrees of freedom are left, or if it is unknown what the model minimizes, because there is no
+    polishing (#POLISHING_NONE) or a Polisher of your own without Polisher::support. The covariance
+    does not cover a wrong model, wrong matches that agree with each other, errors of the
+    calibration, or matches that are not independent (each repetition counts as a measurement). For
     F and E it is too small if wrong matches are among the inliers (for example with a third of all
     matches wrong, forward motion or planes). For all models it is too small if there are few
     matches with noise as wide as the threshold. See doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
     //! Probability that the initial model and the model of the points differ by at least as much as
-    //! they do if Params::initialCovariance and `covariance` describe their errors, 0..1. Below
-    //! 0.001, the prior was not used. 0 also if there is no prior, or no covariance of the points.
-    //! With up to 20 matches and noise as wide as the threshold, `covariance` is too small: a fifth
-    //! to a half of correct priors are then not used.
+    //! they do if Params::initialCovariance and `covariance` describe their errors, 0..1. If it is
+    //! below 0.001, the prior was not used. 0 also if there is no prior, or no covariance of the
+    //! model of the points. With up to 20 matches and noise as wide as the threshold, `covariance`
+    //! is too small: a fifth to a half of correct priors are then not used.
     CV_PROP_RW double priorChance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array. A model that maps all points to a single point then has all points as
@@ -141,21 +146,21 @@ struct CV_EXPORTS_W_SIMPLE Report
     for example in pixels with points of the normalized image plane. */
     CV_PROP_RW bool wideThreshold;
     //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 /
-    //! threshold^2, 1).
+    //! threshold^2, 1), where the threshold is that of the search (Params::reach).
     CV_PROP_RW double cost;
-    //! Milliseconds before the search: reading and ordering the points, and the samples of
-    //! #THRESHOLD_ESTIMATED.
+    //! Milliseconds before the search: reading, shuffling and normalizing the points, and the
+    //! samples of #THRESHOLD_ESTIMATED.
     CV_PROP_RW double setupMs;
     //! Milliseconds in the hypothesize-and-verify loop without the local optimization.
     CV_PROP_RW double searchMs;
     //! Milliseconds in all local optimizations.
     CV_PROP_RW double localMs;
-    //! Milliseconds for the final polishing and the mask.
+    //! Milliseconds after the search: final polishing, mask, `chance` and `covariance`.
     CV_PROP_RW double polishMs;
 
     /** @brief One sentence for a log. It ends with "no better than chance" if `chance` is above
-    0.01 and a model is returned nevertheless, because there are few points or Params::significance
-    allows it. */
+    0.01 and a search returns a model nevertheless, because there are few points or
+    Params::significance allows it. */
     CV_WRAP String describe() const;
 };
 

@@ -18,9 +18,9 @@ namespace usacv20 {
 /** @brief Counter-based pseudo-random generator: the k-th number of a stream depends only on seed,
 stream and k.
 
-The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration has
-its own stream, so its sample does not depend on the number of threads or on other draws.
-*/
+The output function is the finalizer of SplitMix64 @cite steele2014splittable. Each iteration of a
+search has its own stream, so that its sample does not depend on the number of threads or on other
+draws. */
 class Rng
 {
 public:
@@ -31,7 +31,8 @@ public:
     unsigned next() { return (unsigned)(mix(key + 0x9e3779b97f4a7c15ULL * ++counter) >> 32); }
     //! Uniform in 0 .. n-1, n > 0.
     int uniform(int n) { return (int)(((uint64)next() * (unsigned)n) >> 32); }
-    //! Writes `count` distinct numbers in 0 .. n-1, where count <= min(n, MAX_SAMPLE_SIZE).
+    //! Writes `count` distinct numbers in 0 .. n-1, where count <= n. Compares all pairs, so that
+    //! `count` should be small, such as the size of a sample.
     void distinct(int n, int count, int* out)
     {
         for (int i = 0; i < count;)

@@ -18,13 +18,15 @@ namespace usacv20 {
 //! The relation between two images, with the names and numbers of COLMAP's table
 //! `two_view_geometries`.
 enum TwoViewConfiguration {
-    TWO_VIEW_UNDEFINED = 0,     //!< unknown: invalid arguments, or the estimation was cancelled
+    TWO_VIEW_UNDEFINED = 0,     //!< unknown: the estimation was canceled, or it raised an exception
+                                //!< (batches)
     TWO_VIEW_DEGENERATE = 1,    //!< no model is good enough, see TwoViewGeometry::reason
     TWO_VIEW_CALIBRATED = 2,    //!< essential matrix and relative pose
     TWO_VIEW_UNCALIBRATED = 3,  //!< fundamental matrix: the focal lengths are unknown or wrong
     TWO_VIEW_PLANAR = 4,        //!< plane seen by calibrated cameras with a baseline
     TWO_VIEW_PANORAMIC = 5,     //!< pure rotation of a calibrated camera
-    TWO_VIEW_PLANAR_OR_PANORAMIC = 6,  //!< plane or pure rotation, with unknown focal lengths
+    TWO_VIEW_PLANAR_OR_PANORAMIC = 6,  //!< plane or pure rotation; the focal lengths are unknown or
+                                       //!< wrong
     TWO_VIEW_WATERMARK = 7  //!< most inliers are at the borders of both images, with a common shift
 };
 
@@ -34,37 +36,40 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
 {
     CV_WRAP TwoViewRules();
 
-    //! Minimum number of inliers of an accepted model; >= 1. Default 15.
+    //! Minimum number of inliers of an accepted model; >= 1. Pairs with fewer than 8 matches are
+    //! rejected in any case. Default 15.
     CV_PROP_RW int minInliers;
     //! Smallest expected inlier ratio, 0..1. The maximum number of samples is chosen so that the
-    //! model of a pair with this ratio is found with probability Params::confidence. Models of
-    //! pairs with a smaller ratio may be found, too, but less reliably. Default 0.25.
+    //! model of a pair with this ratio is found with probability Params::confidence (unless
+    //! Params::maxIterations is smaller). Models of pairs with a smaller ratio can be found, too,
+    //! but less reliably. Default 0.25.
     CV_PROP_RW double inlierRatio;
     /** Inlier ratios of some image pairs of the same collection, each above 0 and at most 1.
     Params::confidence is then the average probability of success over the correct pairs of this
     collection, see #samples. Default none: the ratios are unknown. */
     CV_PROP_RW std::vector<double> ratios;
-    //! The pair is planar or panoramic if a homography has more than this fraction of the inliers;
-    //! 0..1. Default 0.8.
+    //! The pair is planar or panoramic if a homography explains more than this fraction of the
+    //! inliers; 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
-    //! The focal lengths are considered wrong if the number of inliers of E is less than this
-    //! fraction of the number of inliers of F; 0..1. Default 0.95.
+    //! The focal lengths are considered wrong if the number of inliers of E is clearly less than
+    //! this fraction of the number of inliers of F, see #estimateTwoViewGeometry; 0..1. Default
+    //! 0.95.
     CV_PROP_RW double calibrationRatio;
 
     /** @brief Number of samples needed to find the model of an acceptable pair, regardless of
     Params::maxIterations.
-    @param params options; only `confidence` is used, and whether the local optimization is that of
-    `USACV20`
+    @param params options; used are `confidence`, and whether sampler, quality, local optimization
+    and polishing are those of `USACV20`
     @param sampleSize number of points in a sample: 5 for E, 7 for F, 4 for H
     @param matches number of matches of the pair
     @return the number of samples, an integer of at least 500.
 
     Samples are drawn without replacement: with I inliers among N matches, a sample of m points
-    consists of inliers with probability C(I, m) / C(N, m). I is `inlierRatio` times N, but at least
-    `minInliers`. With `ratios`, the confidence is met on average over these k pairs and one more
-    pair, whose ratio is uniformly distributed between `inlierRatio` and the smallest of `ratios`.
-    The additional pair has the weight 1 / (k + 1), which is the probability that a new pair has a
-    smaller ratio than k others. For E and F with the local optimization of `USACV20`, a sample
+    consists of inliers with probability C(I, m) / C(N, m). I is `inlierRatio` times N, rounded up,
+    but at least `minInliers`. With `ratios`, the confidence is met on average over these k pairs
+    and one more pair, whose ratio is uniformly distributed between `inlierRatio` and the smallest
+    of `ratios`. The additional pair has the weight 1 / (k + 1), which is the probability that a new
+    pair has a smaller ratio than k others. For E and F with these options of `USACV20`, a sample
     counts as up to four samples, because models are also found from samples with an outlier. */
     CV_WRAP double samples(const Params& params, int sampleSize, int matches) const;
     //! Probability, 0..1, that a pair is found if its inlier ratio is `inlierRatio`. The number of
@@ -82,7 +87,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     TwoViewPair(const Mat& points1, const Mat& points2, const Mat& cameraMatrix1 = Mat(),
                 const Mat& cameraMatrix2 = Mat());
 
-    //! N points of image 1 in pixels; any layout and depth that #estimateHomography takes.
+    //! N points of image 1 in pixels; any layout and depth that #estimateHomography accepts.
     CV_PROP_RW Mat points1;
     //! Their N counterparts in image 2.
     CV_PROP_RW Mat points2;
@@ -97,7 +102,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     CV_PROP_RW Mat distCoeffs2;
     //! Size of image 1 in pixels. (0, 0): the size is unknown, and watermarks are not detected.
     CV_PROP_RW Size imageSize1;
-    //! Size of image 2 in pixels.
+    //! The same for image 2.
     CV_PROP_RW Size imageSize2;
     //! Original (distorted) points of image 1, if `points1` have been undistorted. They are used
     //! for the detection of watermarks; empty: `points1` are used.
@@ -109,7 +114,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     CV_PROP_RW std::vector<float> scores;
 };
 
-//! The result for a pair. Matrices except the mask are CV_64F, and empty if they were not
+//! The result for a pair. All matrices except the mask are CV_64F, and empty if they were not
 //! determined. F and H refer to undistorted pixels.
 struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 {
@@ -117,7 +122,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 
     //! @ref TwoViewConfiguration.
     CV_PROP_RW int configuration;
-    //! N x 1, CV_8U, 1 for inliers of the accepted model: E, F or H.
+    //! N x 1, CV_8U, 1 for inliers of the accepted model (E, F or H); all 0 if no model was
+    //! accepted.
     CV_PROP_RW Mat mask;
     //! Number of inliers in the mask.
     CV_PROP_RW int inliers;
@@ -126,26 +132,29 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     //! 3x3, for normalized image planes, singular values (1, 1, 0)/sqrt(2); set if `mask` marks the
     //! inliers of E.
     CV_PROP_RW Mat E;
-    //! 3x3, maps pixels of image 1 to image 2, h33 = 1; set if at least `minInliers` of the inliers
-    //! in `mask` are inliers of H.
+    //! 3x3, maps pixels of image 1 to image 2, h33 = 1; set if H has at least `minInliers` inliers
+    //! (among the inliers of E or F if one of them was accepted).
     CV_PROP_RW Mat H;
-    //! 3x3, X2 = R X1 + t; set if the configuration is #TWO_VIEW_CALIBRATED, #TWO_VIEW_PLANAR (one
-    //! of the two motions compatible with a plane, unless matches off the plane decide),
-    //! #TWO_VIEW_PANORAMIC, or a watermark with calibrated cameras.
+    //! 3x3, X2 = R X1 + t; set if `E` is set (planar pair: one of the two motions compatible with
+    //! the plane, unless matches off the plane decide), or if the camera only rotates
+    //! (#TWO_VIEW_PANORAMIC).
     CV_PROP_RW Mat R;
     //! 3x1, unit length; 0 for a pure rotation.
     CV_PROP_RW Mat t;
     //! 3k x 3: for cameras with known focal lengths, the k rotations compatible with the matches,
-    //! stacked; if the matches are correct, one of the rotations is the true one.
+    //! stacked; if the matches are correct, one of the rotations is the true one. Empty for a
+    //! watermark.
     CV_PROP_RW Mat rotations;
-    //! Report on the search for the model of the mask, or for the best rejected model.
+    //! Report on the search for the model of the mask or, if no model was accepted, for the
+    //! rejected model with the lowest Report::chance.
     CV_PROP_RW Report report;
     //! Number of samples drawn, not counting the samples from which H was estimated among the
     //! inliers of E or F.
     CV_PROP_RW int iterations;
     //! Elapsed time in milliseconds.
     CV_PROP_RW double milliseconds;
-    //! The reason why there are no inliers, one line without a period; empty if there are inliers.
+    //! The reason why there are no inliers, one line without a period; empty if there are inliers,
+    //! or if `error` is set.
     CV_PROP_RW String reason;
     //! Only from #estimateTwoViewGeometries: message of the cv::Exception that this pair raised,
     //! else empty.
@@ -157,21 +166,21 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 @param pair matches, cameras, image sizes
 @param params options of each search. `threshold` is the Sampson distance of E and F in undistorted
 pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
-to each model separately. `initialModel` and `sigmas` must be empty. With #THRESHOLD_ESTIMATED, the
-threshold of the pair is Report::threshold of the first accepted model (divided by 1.77 if this
-model is H)
+to each search separately. `initialModel` and `sigmas` must be empty. With #THRESHOLD_ESTIMATED, the
+threshold of the pair is estimated until a model is accepted; from then on it is Report::threshold
+of this model (divided by 1.77 if the model is H)
 @param rules rules by which models are accepted and the configuration is chosen
 @return the configuration with its models, inliers and pose.
 
 If both focal lengths are known, an essential matrix E is estimated, and then a fundamental matrix F
-starting from E; otherwise only F. If E is rejected, F is searched for with 500 samples and its
-Report::chance may be at most the square of `significance`. If F shows that the focal lengths are
-wrong, E is estimated once more, starting from F. H is estimated from the inliers of E or F or, if
-both were rejected, from all matches. The focal lengths are accepted if E has at least
-`calibrationRatio` of the inliers of F, not counting the inliers that F gains by chance, or if most
-inliers are on a plane. These are the rules of COLMAP, with differences listed in
-doc/collections.md. The threshold of H is larger than that of E because the error of H has two
-coordinates.
+starting from E; otherwise only F. If E is rejected, F is searched for with 500 samples and accepted
+only if its Report::chance is at most the square of `significance`. If F is accepted, and E is
+rejected or explains clearly fewer matches, E is estimated once more, starting from F. H is
+estimated from the inliers of E or F or, if both were rejected, from all matches. The focal lengths
+are accepted if E has at least `calibrationRatio` of the inliers of F, not counting the inliers that
+F gains by chance, or if most inliers of E are on a plane. These are the rules of COLMAP, with
+differences listed in doc/collections.md. The threshold of H is larger than that of E because the
+error of H has two coordinates.
 
 Raises cv::Exception for lists of different lengths, points of the wrong shape, invalid cameras,
 distortion without a camera, and invalid options. */
