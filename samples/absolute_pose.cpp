@@ -2,11 +2,12 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Finds the pose of a camera from images of a flat object. Points of the object's own image are
-// points of space (Z = 0), and their matches in the scene are the image points. cv::solvePnPRansac
-// finds the pose, and the axes of the object are drawn into the scene. The pose of the first scene
-// is the initial model of the second. Without images, a synthetic board and its photographs are
-// made, and the true poses are known.
+// Finds the pose of a camera from an image of a flat object and one or two scenes that contain the
+// object. Points of the object's image become points of space (Z = 0), and their matches in the
+// scene are the image points. cv::solvePnPRansac and usacv20::estimateAbsolutePose find the pose,
+// and the axes of the object are drawn into the scene. The pose in the first scene is the initial
+// model in the second. Without images, a synthetic board and two photographs of it are made, and
+// the true poses are known.
 
 #include <opencv2/usac/geometry.hpp>
 #include "tools.hpp"
@@ -18,14 +19,14 @@ struct Camera
     cv::Mat matrix, distortion;
 };
 
-//! An image with the object, and the true pose [R t], empty if unknown.
+//! An image that contains the object, and the true pose [R t], which is empty if it is unknown.
 struct Scene
 {
     cv::Mat image, truth;
 };
 
 //! Converts pixels of the object's image to points of space. The origin is the middle of the
-//! object, X points to the right, Y up, Z to the viewer; the width is 1.
+//! object, X points to the right, Y up, Z to the viewer; the object is 1 wide.
 std::vector<cv::Point3f> placesInSpace(const std::vector<cv::Point2f>& pixels, cv::Size object)
 {
     std::vector<cv::Point3f> places;
@@ -35,8 +36,8 @@ std::vector<cv::Point3f> placesInSpace(const std::vector<cv::Point2f>& pixels, c
     return places;
 }
 
-//! Reads a camera from a file of OpenCV's calibration sample; without a file, assumes a typical
-//! focal length and no distortion.
+//! Reads a camera from a file as OpenCV's calibration sample writes it. Without a file, assumes the
+//! focal length of the option `focal`, or a typical one if this is 0, and no distortion.
 Camera readCamera(const cv::CommandLineParser& parser, cv::Size size)
 {
     Camera camera;
@@ -122,7 +123,7 @@ Scene photograph(const cv::Mat& board, const cv::Vec3d& rvec, const cv::Vec3d& t
     return scene;
 }
 
-//! Angle of the rotation between two poses in degrees.
+//! Angle of the rotation between two poses, in degrees.
 double angleBetween(const cv::Mat& a, const cv::Mat& b)
 {
     cv::Mat between;
@@ -138,7 +139,8 @@ struct Input
     Camera camera;
 };
 
-//! Estimates the pose as a user does. `Flag` is the type of OpenCV's or this module's flags.
+//! Estimates the pose like a typical program. `Flag` is the type of the flag, which is one of
+//! OpenCV or of this module.
 template <class Flag>
 tools::Result estimate(const char* name, Flag flag, const Input& in, const tools::Settings& s)
 {
@@ -155,8 +157,8 @@ tools::Result estimate(const char* name, Flag flag, const Input& in, const tools
     });
 }
 
-//! Estimates the pose with options that a flag does not have: the scores of the matches and, unless
-//! it is empty, the pose of the previous scene.
+//! Estimates the pose with options that a flag does not have: the scores of the matches and, as
+//! initial model, the pose `before` in the previous scene, unless it is empty.
 tools::Result estimateWith(const char* name, const Input& in, const tools::Matches& matches,
                            const cv::Mat& before, const tools::Settings& s)
 {
@@ -187,7 +189,7 @@ tools::Result estimateWith(const char* name, const Input& in, const tools::Match
     return result;
 }
 
-//! Draws matches, axes and outline of the object.
+//! Draws the matches, and the axes and the outline of the object.
 cv::Mat draw(const cv::Mat& object, const Scene& scene, const tools::Matches& matches,
              const tools::Result& result, const Camera& camera)
 {
@@ -207,7 +209,9 @@ cv::Mat draw(const cv::Mat& object, const Scene& scene, const tools::Matches& ma
 }
 
 /** Prints the table of a scene and draws the scene.
-@param before input: pose in the previous scene, or empty; output: pose in this scene
+@param before input: pose in the previous scene, or empty; output: pose in this scene, empty if it
+is not found
+@param pictures output; the drawing is appended
 @return the exit code */
 int findPose(const cv::Mat& object, const Scene& scene, const cv::CommandLineParser& parser,
              cv::Mat& before, std::vector<cv::Mat>& pictures)

@@ -21,7 +21,7 @@ using cv::usacv20::X2;
 using cv::usacv20::Y1;
 using cv::usacv20::Y2;
 
-//! Distance in image 2 between A x1 and x2.
+//! Distance in image 2 between x2 and A x1, where A is the 2x3 matrix and x1 is homogeneous.
 class AffineError : public Residual
 {
 public:
@@ -50,7 +50,7 @@ private:
 };
 
 //! Fits the affine map with the least sum of squared errors, optionally weighted, to some matches.
-//! @return false if their points are on a line
+//! @return false if their points in image 1 are on a line
 inline bool fitAffine(const Correspondences& p, const int* indices, int count,
                       const double* weights, Model& A)
 {

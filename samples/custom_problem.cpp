@@ -2,10 +2,10 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A user-defined problem: the affine map between two images, from samples of three matches. It can
-// use all parts of the module: samplers, verification, graph cut, polishing, termination criteria,
-// threads, the report. The matches come from a text file with a row "x1 y1 x2 y2" for each match,
-// such as test_data/graf.txt.
+// A user-defined problem: the affine map between two images, from samples of three matches. Such a
+// problem can use all parts of the module: samplers, verification, graph cut, polishing,
+// termination criteria, threads, the report. The matches come from a text file with a row "x1 y1 x2
+// y2" for each match, such as test_data/graf.txt.
 
 #include <iostream>
 #include "affine_problem.hpp"

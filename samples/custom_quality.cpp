@@ -13,8 +13,8 @@
 
 namespace {
 
-//! Runs the estimator with the components of `params`; `score` replaces the quality function unless
-//! it is empty. @return the homography
+//! Runs the estimator with the default components for `params` and prints the report. `score`
+//! replaces the default quality function unless it is empty. @return the homography
 cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1,
             const std::vector<cv::Point2d>& points2, const cv::usacv20::Params& params,
             const cv::Ptr<cv::usacv20::Score>& score)

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// A user-defined component: another error of matches under a fundamental matrix replaces the
-// Sampson distance. It is used for the quality of models, for fitting, and for the mask. The
-// matches come from a text file with a row "x1 y1 x2 y2" for each match, such as
+// A user-defined component: a different error of matches under a fundamental matrix replaces the
+// Sampson distance. The new error is used for the quality of models, for fitting, and for the mask.
+// The matches come from a text file with a row "x1 y1 x2 y2" for each match, such as
 // test_data/office01_F.txt.
 
 #include <iostream>
@@ -13,8 +13,8 @@
 
 namespace {
 
-//! Runs the estimator with the components of `params`; `residual` replaces the error unless it is
-//! empty. @return the fundamental matrix
+//! Runs the estimator with the default components for `params` and prints the report. `residual`
+//! replaces the default residual unless it is empty. @return the fundamental matrix
 cv::Mat run(const char* name, const std::vector<cv::Point2d>& points1,
             const std::vector<cv::Point2d>& points2, const cv::usacv20::Params& params,
             const cv::Ptr<cv::usacv20::Residual>& residual)

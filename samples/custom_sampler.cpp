@@ -10,8 +10,8 @@
 
 namespace {
 
-//! Runs the estimator with the components of `params`; `sampler` replaces the sampler unless it is
-//! empty.
+//! Runs the estimator with the default components for `params` and prints the report. `sampler`
+//! replaces the default sampler unless it is empty.
 void run(const char* name, const tools::Matches& matches, const cv::usacv20::Params& params,
          const cv::Ptr<cv::usacv20::Sampler>& sampler)
 {

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Estimates the essential matrix and the pose from two images of calibrated cameras, and compares
-// flags of OpenCV with a flag of this module. OpenCV's chessboard images calibrate the two cameras
-// and give the true pose.
+// Estimates the essential matrix and the relative pose from two images of calibrated cameras, and
+// compares flags of OpenCV with a flag of this module. OpenCV's chessboard images are used to
+// calibrate the two cameras and to find the true pose.
 
 #include "opencv2/core/version.hpp"
 #include "tools.hpp"
@@ -18,7 +18,7 @@ namespace {
 struct Stereo
 {
     cv::Mat K1, dist1, K2, dist2;
-    cv::Mat R, t;  //!< the true pose
+    cv::Mat R, t;  //!< the true relative pose: X2 = R X1 + t
 };
 
 bool findCorners(const cv::Mat& image, cv::Size board, std::vector<cv::Point2f>& corners)
@@ -33,7 +33,7 @@ bool findCorners(const cv::Mat& image, cv::Size board, std::vector<cv::Point2f>&
 }
 
 //! Calibrates both cameras and their relative pose from pairs of chessboard images, whose names are
-//! in a file.
+//! in the file `list`. `board` is the number of inner corners in a row and in a column.
 Stereo calibrate(const std::string& list, cv::Size board)
 {
     const cv::FileStorage fs(tools::findFile(list), cv::FileStorage::READ);
@@ -68,8 +68,8 @@ Stereo calibrate(const std::string& list, cv::Size board)
     return s;
 }
 
-//! Estimates the essential matrix as a user does. `Method` is the type of OpenCV's or this module's
-//! flags.
+//! Estimates the essential matrix like a typical program. `Method` is the type of the flag, which
+//! is one of OpenCV or of this module.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const Stereo& stereo, const tools::Settings& s)
@@ -86,8 +86,8 @@ double degrees(double cosine)
     return std::acos(std::max(-1., std::min(1., cosine))) * 180 / CV_PI;
 }
 
-//! Computes the angles between the true and the estimated rotation, and between the directions of
-//! translation; `error` gets the larger one in degrees.
+//! Computes the angle between the true and the estimated rotation, and the angle between the true
+//! and the estimated direction of translation; Result::error becomes the larger angle, in degrees.
 void rate(tools::Result& result, const tools::Matches& matches, const Stereo& stereo)
 {
     std::vector<cv::Point2f> points1, points2;
@@ -101,7 +101,7 @@ void rate(tools::Result& result, const tools::Matches& matches, const Stereo& st
     result.errorText = cv::format("R %.2f, t %.2f deg", rotation, translation);
 }
 
-//! Draws inliers and epipolar lines in undistorted images, where epipolar lines are straight.
+//! Draws inliers and their epipolar lines in undistorted images, where these lines are straight.
 cv::Mat draw(const cv::Mat& image1, const cv::Mat& image2, const tools::Matches& matches,
              const Stereo& stereo, const tools::Result& result)
 {
@@ -134,7 +134,7 @@ int sample(const cv::CommandLineParser& parser)
         if (!results[i].model.empty())
             rate(results[i], matches, stereo);
 
-    // The same estimation again, for the report, which a call with a flag does not give.
+    // Repeats the estimation to get the report, which a call with a flag does not return.
     cv::usacv20::Report report;
     cv::usacv20::estimateEssential(matches.points1, matches.points2, stereo.K1, stereo.K2,
                                    stereo.dist1, stereo.dist2, settings.params(), cv::noArray(),

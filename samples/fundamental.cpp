@@ -10,8 +10,8 @@
 namespace {
 
 /** Reads true correspondences of a rectified stereo pair from its disparities: x2 = x1 - disparity,
-0 is unknown. Disparities are rounded to a pixel. This moves points along the epipolar lines, which
-are the rows, and does not change the distance from them. */
+where a disparity of 0 means unknown. Disparities are rounded to a pixel. The rounding moves points
+along the epipolar lines, which are the rows, and does not change the distance from these lines. */
 tools::Matches readTruth(const std::string& name)
 {
     tools::Matches truth;
@@ -29,7 +29,7 @@ tools::Matches readTruth(const std::string& name)
     return truth;
 }
 
-//! Mean Sampson distance of the true correspondences in pixels.
+//! Mean Sampson distance of the true correspondences under F, in pixels.
 double meanDistance(const cv::Matx33d& F, const tools::Matches& truth)
 {
     double sum = 0;
@@ -40,8 +40,8 @@ double meanDistance(const cv::Matx33d& F, const tools::Matches& truth)
     return sum / truth.points1.size();
 }
 
-//! Estimates the fundamental matrix as a user does. `Method` is the type of OpenCV's or this
-//! module's flags.
+//! Estimates the fundamental matrix like a typical program. `Method` is the type of the flag, which
+//! is one of OpenCV or of this module.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const tools::Settings& s)
@@ -71,7 +71,7 @@ int sample(const cv::CommandLineParser& parser)
             results[i].errorText = cv::format("%.3f px", results[i].error);
         }
 
-    // The same estimation again, for the report, which a call with a flag does not give.
+    // Repeats the estimation to get the report, which a call with a flag does not return.
     cv::usacv20::Report report;
     cv::usacv20::estimateFundamental(matches.points1, matches.points2, settings.params(),
                                      cv::noArray(), report);

@@ -9,8 +9,8 @@
 
 namespace {
 
-//! Mean distance in image 2, in pixels, between the points of a grid of image 1 mapped by both
-//! homographies.
+//! Maps the points of a grid in image 1 with both homographies. @return mean distance between the
+//! results in image 2, in pixels
 double meanDistance(const cv::Mat& H, const cv::Mat& truth, cv::Size size)
 {
     std::vector<cv::Point2d> grid, mapped, expected;
@@ -36,8 +36,8 @@ cv::Mat readTruth(const std::string& name)
     return truth;
 }
 
-//! Estimates the homography as a user does. `Method` is the type of OpenCV's or this module's
-//! flags.
+//! Estimates the homography like a typical program. `Method` is the type of the flag, which is one
+//! of OpenCV or of this module.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const tools::Settings& s)
@@ -54,8 +54,9 @@ std::vector<cv::Point2d> cornersOf(cv::Size size)
             cv::Point2d(0, size.height)};
 }
 
-/** Prints the corners of image 1 mapped to image 2 with their standard deviations, and draws their
-95 % confidence ellipses, ten times enlarged. */
+/** Maps the corners of image 1 to image 2, prints the results with their standard deviations, and
+draws their 95 % confidence ellipses, ten times enlarged. `canvas` shows both images side by side;
+`size` is that of image 1. */
 void drawCorners(cv::Mat canvas, const cv::Mat& H, const cv::Mat& covariance, cv::Size size)
 {
     std::vector<cv::Point2d> corners = cornersOf(size), mapped;
@@ -111,7 +112,8 @@ int sample(const cv::CommandLineParser& parser)
             results[i].errorText = cv::format("%.2f px", results[i].error);
         }
 
-    // The same estimation again, for the report, which a call with a flag does not give.
+    // Repeats the estimation to get the report and the covariance, which a call with a flag does
+    // not return.
     cv::usacv20::Report report;
     cv::usacv20::Params params = settings.params();
     params.covariance = 1;

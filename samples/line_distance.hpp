@@ -11,8 +11,8 @@
 
 namespace custom {
 
-/** The distance in image 2 of a point from the epipolar line of its match. It is suitable if the
-points of image 1 are exact, for example those of a map. */
+/** The distance of a point of image 2 from the epipolar line of its match in image 1. This error is
+suitable if the points of image 1 are exact, for example those of a map. */
 class LineDistance : public cv::usacv20::Residual
 {
 public:
@@ -44,8 +44,8 @@ public:
         return 1;
     }
 
-    //! The distance and its derivatives. Without this method, finite differences would need 19
-    //! calls of error().
+    //! The distance and its derivatives. Without this method, the default would compute finite
+    //! differences, with 19 calls of error() (one, and two for each of the nine entries).
     int linearize(const Model& F, const double* match, double* out,
                   double* derivative) const CV_OVERRIDE
     {

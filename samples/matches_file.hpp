@@ -11,7 +11,8 @@
 #include <vector>
 #include "opencv2/core.hpp"
 
-//! Reads a text file with a row "x1 y1 x2 y2" for each match; what follows in a row is ignored.
+//! Reads a text file with a row "x1 y1 x2 y2" for each match and appends the points to the lists.
+//! Further text in a row is ignored, and so are rows without four numbers.
 inline void readMatches(const std::string& file, std::vector<cv::Point2d>& points1,
                         std::vector<cv::Point2d>& points2)
 {

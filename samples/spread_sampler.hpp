@@ -11,14 +11,14 @@
 
 namespace custom {
 
-/** Draws the points of a sample from different cells of a grid over image 1, as long as enough
-cells contain points. A model from distant points is more stable outside of its sample, but local
-structures are found later. Its samples count for the termination criteria (State::counts stays
-true), since any point can be drawn. */
+/** Draws the points of a sample from different cells of a grid over image 1. If too few cells
+contain points, samples are uniform. A model from distant points is more accurate outside of its
+sample, but local structures are found later. The samples count for the termination criteria
+(State::counts stays true), because any point can be drawn. */
 class SpreadSampler : public cv::usacv20::Sampler
 {
 public:
-    //! Starts a run, whose points may differ from those of the last run.
+    //! Starts a run, whose points can differ from those of the last run.
     void start(const cv::usacv20::Context& context) CV_OVERRIDE { assign(context.points); }
 
     void sample(const cv::usacv20::Context& context, cv::usacv20::State& state,

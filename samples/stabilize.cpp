@@ -2,10 +2,11 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Stabilizes a sequence: estimates the similarity from each frame to the next by
-// cv::estimateAffinePartial2D, replaces the shaky path by a smooth one, and moves each frame onto
-// it. The frames are the images of a folder. Without a folder, they are windows of an image along a
-// shaky path, with an independently moving patch in front, and the true motions are known.
+// Stabilizes a sequence: estimates the similarity from each frame to the next with
+// cv::usacv20::estimateAffinePartial2D, replaces the shaky path of the camera by a smooth path, and
+// moves each frame onto the smooth path. The frames are the images of a folder. Without a folder,
+// they are windows of an image along a shaky path, with an independently moving patch in front, and
+// the true motions are known.
 
 #include "tools.hpp"
 
@@ -81,7 +82,8 @@ Sequence shaken(const cv::Mat& image, int count)
     return sequence;
 }
 
-//! Mean distance between the corners of a frame moved by two motions, in pixels.
+//! Mean distance, in pixels, between the corners of a frame moved by motion `a` and the same
+//! corners moved by motion `b`.
 double distance(const cv::Matx23d& a, const cv::Matx23d& b, cv::Size size)
 {
     double sum = 0;
@@ -90,8 +92,9 @@ double distance(const cv::Matx23d& a, const cv::Matx23d& b, cv::Size size)
     return sum;
 }
 
-//! Estimates the motions of all frames by one method and prints its line of the table. @return
-//! false if a motion was not found
+//! Estimates the motion from each frame to the next with one method and prints the line of this
+//! method in the table. A motion that is not found is replaced by the identity. @return false if
+//! there is such a motion
 bool estimate(const char* name, int method, const Sequence& sequence,
               const std::vector<tools::Matches>& matches, const tools::Settings& s,
               std::vector<cv::Matx23d>& motions, double& meanError)
@@ -127,9 +130,10 @@ bool estimate(const char* name, int method, const Sequence& sequence,
     return lost == 0;
 }
 
-/** Returns the transformations that move each frame onto the smooth path: moving averages of x, y,
-angle and log scale over `radius` frames before and after. The path is that of the frame's middle.
- */
+/** Returns the transformations that move each frame onto the smooth path. The path of the camera
+consists of the position of the frame's middle (x, y), the angle and the log scale; the smooth path
+consists of their moving averages, each over the frame itself and `radius` frames before and after
+it. */
 std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv::Size size,
                                      int radius)
 {
@@ -163,8 +167,9 @@ std::vector<cv::Matx23d> corrections(const std::vector<cv::Matx23d>& motions, cv
     return result;
 }
 
-//! Draws the mean of the original frames and the mean of the stabilized frames side by side. In the
-//! latter, static objects are sharp.
+//! Draws the mean of the original frames and the mean of the stabilized frames side by side; static
+//! objects are sharp in the second mean. Writes the stabilized frames to `folder` unless it is
+//! empty.
 cv::Mat meanFrames(const std::vector<cv::Mat>& frames, const std::vector<cv::Matx23d>& moves,
                    const std::string& folder)
 {

@@ -2,7 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Functions that the samples share: matches of two images, the table, the pictures.
+// Functions that the samples share: they match two images, print the table and draw pictures.
 
 #ifndef OPENCV_USACV20_SAMPLES_TOOLS_HPP
 #define OPENCV_USACV20_SAMPLES_TOOLS_HPP
@@ -27,7 +27,7 @@ namespace tools {
 struct Matches
 {
     std::vector<cv::Point2f> points1, points2;
-    std::vector<float> ratios;  //!< best / second best descriptor distance
+    std::vector<float> ratios;  //!< descriptor distance of the best match / that of the second best
 };
 
 //! The result of one method.
@@ -37,7 +37,7 @@ struct Result
     cv::Mat model, mask;
     double milliseconds;  //!< median of the runs
     int iterations;       //!< -1: unknown
-    double error;         //!< -1: unknown; the unit depends on the sample
+    double error;         //!< -1: unknown; the unit depends on the sample program
     std::string errorText;
 };
 
@@ -93,8 +93,8 @@ inline void detect(const cv::Mat& image, int features, std::vector<cv::KeyPoint>
     cv::sqrt(descriptors, descriptors);
 }
 
-//! Matches features. A match is accepted if its descriptor distance is below `ratio` times that of
-//! the second best match.
+//! Matches features. A match is accepted if its descriptor distance is below the option `ratio`
+//! times that of the second best match.
 inline Matches match(const cv::Mat& image1, const cv::Mat& image2,
                      const cv::CommandLineParser& parser)
 {
@@ -170,7 +170,8 @@ inline int exitCode(const Result& result, double limit)
     return 1;
 }
 
-//! The limit of the error in the paper: 1 % of the diagonal of the image, in pixels.
+//! Largest error, in pixels, of an estimation that the paper counts as successful: 1 % of the
+//! diagonal of the image.
 inline double failureLimit(const cv::Mat& image)
 {
     return 0.01 * std::sqrt((double)image.cols * image.cols + (double)image.rows * image.rows);
@@ -190,7 +191,8 @@ inline cv::Mat sideBySide(const cv::Mat& image1, const cv::Mat& image2)
     return canvas;
 }
 
-//! The k-th of a series of bright colors that are easy to distinguish.
+//! The k-th of a series of bright colors. Successive colors are easy to distinguish; color k + 8 is
+//! similar to color k.
 inline cv::Scalar color(int k)
 {
     cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(k * 67 % 180, 255, 220)), bgr;
@@ -212,8 +214,8 @@ inline std::vector<int> someInliers(const cv::Mat& mask, int count)
     return inliers;
 }
 
-//! Draws the images side by side with lines between some of the inliers. All points are dots, red
-//! for outliers.
+//! Draws the images side by side, all points as dots (green for inliers, red for outliers), and
+//! lines between the two points of some inliers, at most `lines`.
 inline cv::Mat drawInliers(const cv::Mat& image1, const cv::Mat& image2, const Matches& matches,
                            const cv::Mat& mask, int lines = 60)
 {
@@ -252,7 +254,8 @@ inline void drawLine(cv::Mat image, const cv::Vec3d& line, const cv::Scalar& ink
         cv::line(image, a, b, ink, std::max(1, image.cols / 600), cv::LINE_AA);
 }
 
-//! Draws the images side by side with some inliers and their epipolar lines under F.
+//! Draws the images side by side with some inliers, at most `lines`, and their epipolar lines under
+//! F.
 inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2,
                                  const Matches& matches, const cv::Mat& mask, const cv::Matx33d& F,
                                  int lines = 24)
@@ -278,7 +281,8 @@ inline cv::Mat drawEpipolarLines(const cv::Mat& image1, const cv::Mat& image2,
     return canvas;
 }
 
-//! Writes the picture, not wider than the option `width`, with a line of text below it.
+//! Writes the picture, reduced if it is wider than the option `width`, with a line of text below
+//! it.
 inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& picture,
                          const std::string& text)
 {
@@ -296,8 +300,8 @@ inline void writePicture(const cv::CommandLineParser& parser, const cv::Mat& pic
     std::cout << "picture: " << file << std::endl;
 }
 
-//! Command line options (cv::CommandLineParser) that the samples for homographies, fundamental and
-//! essential matrices share.
+//! Command line options (cv::CommandLineParser) that the samples for homographies, fundamental
+//! matrices and essential matrices share.
 inline std::string keys(const char* image1, const char* image2, const char* output)
 {
     return cv::format(
@@ -314,7 +318,8 @@ inline std::string keys(const char* image1, const char* image2, const char* outp
         image1, image2, output);
 }
 
-//! The body of main(): runs sample(parser). Exceptions become a message and an exit code.
+//! The body of main(): runs sample(parser), which returns the exit code. An exception is printed,
+//! and the exit code is then 1.
 template <class Sample>
 int runSample(int argc, char** argv, const std::string& keyList, const char* about, Sample sample)
 {

@@ -10,8 +10,8 @@
 namespace custom {
 
 /** Tukey's biweight: the cost of a point is 1 - (1 - e^2 / t^2)^3 for an error e within the
-threshold t, and 1 outside. It rises faster than MSAC's e^2 / t^2, so that a few accurate points
-outweigh many points just within the threshold. */
+threshold t, and 1 outside. For small errors it rises faster than MSAC's e^2 / t^2, so that a few
+accurate points outweigh many points just within the threshold. */
 class TukeyScore : public cv::usacv20::Score
 {
 public:
