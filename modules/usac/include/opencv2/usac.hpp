@@ -29,7 +29,7 @@ Three levels of use:
     @defgroup usacv20_extend Extension interface, not yet stable
 
     Classes that a program can replace or extend (components, problems, residuals,
-    parameterizations), and the data types that they use. A minor version may change these classes
+    parameterizations), and the data types that they use. A minor version can change these classes
     if the algorithms need it; the functions, usacv20::Params and usacv20::Report stay compatible.
 @}
 */

@@ -21,10 +21,10 @@ namespace usacv20 {
 needed), which the next run reuses.
 
 Memory from take() stays valid until the run ends, memory from a Scope until that scope ends. take()
-uses the low end of the block and a Scope the high end, so a component may call take() while a scope
-of its caller is open. When a block is full, another block is added; the next reset() merges all
-blocks into one of up to 31 MB. The memory is not initialized, and no constructors or destructors
-are called. Only one thread at a time may use an arena. */
+uses the low end of the block and a Scope the high end, so that a component can call take() while a
+scope of its caller is open. When a block is full, another block is added; the next reset() merges
+all blocks into one of up to 31 MB. The memory is not initialized, and no constructors or
+destructors are called. Only one thread at a time is allowed to use an arena. */
 class CV_EXPORTS Arena
 {
     struct Block;
@@ -44,7 +44,7 @@ public:
     //! Makes later calls of clear() leave everything taken so far valid.
     void keep();
     //! Starts a new run: frees what was taken since keep(), or everything if keep() was not called.
-    //! No Scope may be open.
+    //! All scopes must have ended.
     void clear();
     //! Frees everything. If the first block is smaller than the maximum of `bytes` and capacity()
     //! (but at most 31 MB), one block of at least this size replaces all blocks; otherwise the
@@ -112,7 +112,7 @@ public:
     //! Appends a copy of `item`. A full list is first moved to an array of twice the capacity.
     void push(Arena& arena, const T& item)
     {
-        const T copy = item;  // `item` may be an element of this list
+        const T copy = item;  // `item` can be an element of this list
         if (count == room)
         {
             room = room > 0 ? 2 * room : (int)FIRST;

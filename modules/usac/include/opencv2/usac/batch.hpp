@@ -49,7 +49,7 @@ struct CV_EXPORTS Estimate
 
 /** @brief Runs many estimations in parallel.
 
-@param tasks what to estimate; problems and sizes may be mixed
+@param tasks what to estimate; different problems and sizes can be mixed
 @param threads how many tasks run at once, at most cv::getNumThreads(); 0: cv::getNumThreads()
 @return an Estimate for each task, in the order of the tasks.
 

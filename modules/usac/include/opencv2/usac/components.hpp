@@ -71,8 +71,8 @@ struct CV_EXPORTS State
 
     Rng rng;        //!< generator of the current iteration
     int iteration;  //!< number of samples drawn so far
-    bool counts;    //!< the termination criteria count the current sample like one drawn uniformly
-                    //!< from all points; true unless the sampler sets it to false
+    bool counts;    //!< the termination criteria count the current sample like a sample drawn
+                    //!< uniformly from all points; true unless the sampler sets `counts` to false
     double successProbability;  //!< probability that an all-inlier sample leads to the best model,
                                 //!< see Degeneracy::successProbability()
     int countedSamples;   //!< number of samples so far for which `counts` was true; the confidence
@@ -83,14 +83,15 @@ struct CV_EXPORTS State
                           //!< order of the input)
     int wanted;           //!< @ref WantedSamples; used only by samplers that follow a known order
     //! Set by a criterion that ends the search with #STOP_ORDER: number of samples that are drawn
-    //! from the outliers of the best model before the search ends. The search continues if they
-    //! lead to a better model.
+    //! from the outliers of the best model before the search ends. The search continues if these
+    //! samples lead to a better model.
     int unexplainedSamples;
     const int* order;                 //!< result of bestFirst(); null before its first call
     Model best;                       //!< the best model so far
     Quality bestQuality;              //!< score of `best`
     Quality sampleQuality;            //!< the best score of a model of a sample before optimization
-    ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last one is in use
+    ArenaList<SequentialTest> tests;  //!< designs of the test of the verifier; the last design is
+                                      //!< in use
     bool degenerate;  //!< true if a sample or model was degenerate, for example dominated by a
                       //!< plane
     Report report;    //!< statistics of the run so far
@@ -115,10 +116,10 @@ struct CV_EXPORTS Context
 
     /** @brief The score of a model over all points.
     @param model the model to score
-    @param bound scoring stops when the cost reaches this value; the returned cost may then be
+    @param bound scoring stops when the cost reaches this value; the returned cost can then be
     incomplete, but is not lower than `bound`.
 
-    Only one thread at a time may call it, because it takes memory from the arena. */
+    Only one thread at a time is allowed to call rate(), because it takes memory from the arena. */
     Quality rate(const Model& model, double bound = std::numeric_limits<double>::infinity()) const;
 
     //! Components::neighborhood; raises cv::Exception if there is none.
@@ -137,7 +138,7 @@ struct CV_EXPORTS Context
     //! the thread that began the run.
     bool stop() const { return watch && mustStop(); }
     //! The same for loops with shorter iterations.
-    //! @param work work done since the last call, in units of one point test, 2 ns each
+    //! @param work work done since the last call, in point tests of 2 ns each, see SampleCost
     bool stop(double work) const { return watch && mustStop(work); }
     //! To be called before a step that cannot be interrupted: true if the run must end now or if
     //! this step would exceed Params::maxTime. The caller then skips the step, and the run ends.
@@ -167,7 +168,7 @@ public:
     uses only a random part of them, and polishing uses all; #THRESHOLD_ESTIMATED changes both.
 
     A component that stores data about a run (for example its points or learned values) resets them
-    here: the same object is used for the next run, whose points and number of points may differ.
+    here: the same object is used for the next run, whose points and number of points can differ.
     Memory from Context::arena of the previous run is no longer valid. Other components might not
     have been started yet. Default: does nothing. */
     virtual void start(const Context& context);
@@ -278,8 +279,8 @@ public:
     //! infinite where the error is not defined.
     virtual void squaredErrors(const Correspondences& points, const Model& model, int begin,
                                int end, float* errors) const = 0;
-    //! The same in double precision, for `count` points that are given as columns. They can be
-    //! other points than those of the run.
+    //! The same in double precision, for `count` points that are given as columns and can be other
+    //! points than those of the run.
     virtual void squaredErrors(const Model& model, const double* const* columns, int count,
                                double* errors) const = 0;
     /** @brief The error of one datum as a vector whose squared length is the squared error.
@@ -426,8 +427,9 @@ class CV_EXPORTS Termination : public Component
 public:
     virtual ~Termination();
     //! Number of samples after which the run can stop, given the best model so far; countsAll()
-    //! says which samples are counted. INT_MAX: the number is not yet known. Called when the best
-    //! model changes, and when other data of the criteria have changed, for example `state.tests`.
+    //! determines which samples are counted. INT_MAX: the number is not yet known. Called when the
+    //! best model changes, and when other data of the criteria have changed, for example
+    //! `state.tests`.
     virtual int iterations(const Context& context, const State& state) const = 0;
     //! True (default): iterations() is a number of samples of any kind. False: only samples with
     //! State::counts are counted; all samples are counted nevertheless if more than half of the
@@ -452,7 +454,7 @@ public:
     virtual void polish(const Context& context, Model& model) = 0;
     /** @brief The error up to which points influence a polished model, for Report::covariance. The
     polished model must be an M-estimate: the sum over these points of weight times error times the
-    derivative of the error by the parameters is 0.
+    derivative of the error with respect to the parameters is 0.
     @param context context of polish()
     @param squaredErrors squared errors of all points under the polished model
     @return an error in the coordinates of the points, not squared. Default: 0, which means that it

@@ -23,7 +23,8 @@ given problem, and for a covariance that is not d x d, where d is the number of 
 covariance has NaN entries, so has the result.
 @{ */
 
-/** @brief Derivatives of the entries of a model by the parameters of Report::covariance.
+/** @brief Derivatives of the entries of a model with respect to the parameters of
+Report::covariance.
 
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth

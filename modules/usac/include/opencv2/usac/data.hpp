@@ -138,8 +138,8 @@ struct Correspondences
         scores;   //!< Params::scores in the order of the points, lower is better; null: no scores
     double unit;  //!< length of one unit of Params::threshold (meanSigma pixels) in the columns of
                   //!< the last array
-    double threshold;  //!< threshold of the search, not squared, in the columns of the last array;
-                       //!< at first Params::threshold times Params::reach
+    double threshold;  //!< threshold of the search, not squared, in the unit of the columns of the
+                       //!< last array; at first Params::threshold times Params::reach
     Frame frame[2];    //!< normalization of each array: from the coordinates of
                        //!< Problem::toModelCoordinates to the columns; if there is only one array,
                        //!< both are equal

@@ -26,7 +26,7 @@ Rows (x, y, size) or (x, y, confidence) cannot be distinguished from homogeneous
 divided by the third number, too. Of 4 or more numbers per point, the first two are used. With 1
 channel, the longer side is the number of points; if both sides are equal, it is the number of rows;
 a single row or column is one point.
-@param points2 their N counterparts in image 2; layout and depth may differ.
+@param points2 their N counterparts in image 2; layout and depth can differ from those of `points1`.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the
 threshold, else 0.

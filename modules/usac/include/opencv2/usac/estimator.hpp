@@ -59,7 +59,7 @@ public:
     virtual Components& components() = 0;
     //! The points as the components see them.
     virtual const Correspondences& points() const = 0;
-    /** @brief Replaces the points of #create for the next #run; their number may differ.
+    /** @brief Replaces the points of #create for the next #run; their number can differ.
     @param points1, points2 as in #create. Params::scores and Params::sigmas, if any, are used for
     the new points, whose number must then be the same.
 
@@ -71,7 +71,7 @@ public:
     the second run of the same size on, this module allocates memory only for its results (OpenCV
     allocates some for kd-trees, graph cuts and distortion).
     @param mask output, N x 1, CV_8U
-    @param report output, may be null
+    @param report output, can be null
     @return the model in the form of #estimateHomography and similar functions; for other problems
     the matrix of Problem::toOutput, CV_64F; empty if there is none. */
     virtual Mat run(OutputArray mask = noArray(), Report* report = 0) = 0;
@@ -82,7 +82,8 @@ public:
     @param chosen mask of the points to fit, N numbers, 0 for points that are left out; empty: all
     points
     @param mask output, N x 1, CV_8U, for all points, as in #run
-    @param report output, may be null; `stop` is #STOP_NO_SEARCH, or says why there is no model
+    @param report output, can be null; `stop` is #STOP_NO_SEARCH, or the reason why there is no
+    model
     @return the model as #run returns it; empty if the points determine none. The fit starts from
     the best models of minimal samples and iterates the Gauss-Newton method until it converges. It
     is not robust: outliers affect it fully. */

@@ -29,7 +29,7 @@ Usac::refine and Usac::errors.)
 @param params `threshold` is the threshold of the mask, `residual` the error that is minimized
 @param mask output, N x 1, CV_8U: 1 exactly where the error of a point under the returned model is
 at most the threshold
-@param report output; `stop` is #STOP_NO_SEARCH, or says why there is no model
+@param report output; `stop` is #STOP_NO_SEARCH, or the reason why there is no model
 @param weights N finite weights of the squared errors, at least 0, any depth; empty: all 1
 @param chosen mask of the points to fit (for example the inliers), N numbers, 0 for points that are
 left out; empty: all points

@@ -59,7 +59,8 @@ steps that would not lower the cost are repeated with Levenberg-Marquardt dampin
 
 A Problem needs such a solver for local optimization and polishing. Problem::createNonMinimalSolver
 creates it by default if there is a Problem::createParameterization.
-@param residual its Residual::linearize gives the derivative of the error by the entries of a model
+@param residual the error to minimize; Residual::linearize returns its derivative with respect to
+the entries of a model
 @param errorDimension Problem::errorDimension: a fit needs at least
 Parameterization::dimension() / errorDimension points
 @param parameterization parameterization of the models */

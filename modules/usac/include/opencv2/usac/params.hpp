@@ -240,8 +240,8 @@ enum PolishingType {
 
 /** @brief All options of the estimator.
 
-A default-constructed object is Params::usacV20. Invalid values raise a cv::Exception that names the
-field when the estimator is created. */
+A default-constructed object equals Params::usacV20(). When an estimator is created, an invalid
+value raises a cv::Exception that names the field. */
 struct CV_EXPORTS_W_SIMPLE Params
 {
     CV_WRAP Params();
@@ -258,14 +258,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     Default 0.99. */
     CV_PROP_RW double confidence;
     /** Upper bound of the number of minimal samples; >= 1. Default 5000. Unless `termination` is 0,
-    a run also ends when all possible samples have been drawn, or when none of the first million
-    yielded a model. */
+    a run also ends when nearly all possible samples have been drawn, or when none of the first
+    million samples has yielded a model. */
     CV_PROP_RW int maxIterations;
     /** Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit. A run
     takes up to 5 ms longer with 10 000 points, 0.1 s longer with a million (reading a million
-    points takes 0.08 s, their mask 0.007 s). After such an end, some values of the Report are less
-    exact, see there. No other option makes the result depend on the machine, see Report::stop and
-    ProgressScope. Default 0. */
+    points takes 0.08 s, their mask 0.007 s). Some values of Report are then less exact, see
+    Report::chance. No other option makes the result depend on the machine (but a ProgressScope can
+    do so). Default 0. */
     CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; the same seed and input give equal results. Default 0.
     CV_PROP_RW int seed;
@@ -405,7 +405,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params automatic();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares
     @cite fischler1981random. The number of samples follows from the inlier ratio of the best model
-    so far, as has become customary; that paper derives it from a known inlier ratio. */
+    so far, as has become customary; the paper of 1981 derives it from a known inlier ratio. */
     CV_WRAP static Params ransac();
     /** @brief MSAC: like ransac(), with truncated squared errors @cite torr2000mlesac. */
     CV_WRAP static Params msac();

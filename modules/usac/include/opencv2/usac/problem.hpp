@@ -53,7 +53,7 @@ public:
     //! Name of array 0 or 1 in messages. Default: points1, points2.
     virtual String arrayName(int array) const;
     //! True (default): both arrays have the unit of the threshold; points of an array that are
-    //! closer to each other than the threshold are treated as repetitions of one point. False: in
+    //! within about one threshold of each other are treated as repetitions of one point. False: in
     //! array 0, only equal points are repetitions, and #NEIGHBORHOOD_KNN and #NEIGHBORHOOD_RADIUS
     //! use array 1 only.
     virtual bool commonUnit() const;
@@ -79,8 +79,8 @@ public:
     1, nothing is transformed. */
     virtual double toModelCoordinates(double* const* columns, int count) const;
     //! Transforms the points for createImageResidual(), in place: like toModelCoordinates(), but
-    //! the points of the last array keep their original image coordinates. Default: nothing is
-    //! transformed.
+    //! the points of the last array are only converted to the new unit; distortion is not removed.
+    //! Default: nothing is transformed.
     virtual void toImageCoordinates(double* const* columns, int count) const;
     /** @brief How the points are normalized for the search, a @ref Normalization.
     @param residual @ref ResidualType
@@ -99,7 +99,7 @@ public:
     virtual Mat toOutput(const Model& model) const;
     /** @brief The inverse of toOutput() and toInput(): converts a model of the caller to the
     coordinates of the search.
-    @param output finite numbers, row by row; their count may be wrong
+    @param output finite numbers, row by row; their count might be wrong
     @param points the points of the run, for their Correspondences::frame
     @param model output
     @return false if `output` is not a valid model or has a wrong count. Default: false, so that
@@ -113,8 +113,8 @@ public:
     Default: an empty model; fromOutput() and toInput() are then used instead, with the same result
     up to rounding. */
     virtual Model ofOutput(const Mat& output) const;
-    //! The closest model that fulfills all constraints. Models of solvers and polishers may violate
-    //! them slightly. Default: the model itself.
+    //! The closest model that fulfills all constraints. Models of solvers and polishers might
+    //! violate them slightly. Default: the model itself.
     virtual Model closest(const Model& model) const;
 
     //! Creates the residual for a @ref ResidualType.
@@ -132,12 +132,12 @@ public:
     virtual Ptr<Parameterization> createParameterization() const;
     //! Creates a solver that minimizes the sum of squares of a residual; empty if there is none.
     //! Called again if a program has replaced the residual, but not the solver. Default:
-    //! #createLeastSquares with createParameterization(), if there is one.
+    //! #createLeastSquares with createParameterization(); empty if there is no parameterization.
     virtual Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const;
     /** @brief Appends the checks for a set of @ref DegeneracyFlags, in the order in which they are
     called. Default: none.
     @param flags set of @ref DegeneracyFlags
-    @param degeneracies output, appended to */
+    @param degeneracies output; the checks are appended */
     virtual void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const;
 
     /** @brief Side of the cube in which the error vectors of outliers are assumed to be uniformly

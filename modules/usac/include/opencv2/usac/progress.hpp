@@ -39,7 +39,7 @@ one step over all points; such a step cannot be interrupted and takes up to 0.15
 points, 0.4 s with a kd-tree (#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS). After the function has
 returned false, the estimation takes up to 0.1 s to return. If the function always returns true, the
 result is bit-identical to that without a ProgressScope. An exception from the function ends the run
-and is passed on to the caller; a Usac can be run again afterward. Scopes may be nested: their
+and is passed on to the caller; a Usac can be run again afterward. Scopes can be nested: their
 functions are called from the innermost outward until one returns false. Destroy them in reverse
 order, in the thread that created them. */
 class CV_EXPORTS ProgressScope

@@ -32,7 +32,7 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     //! or if the camera has only rotated.
     CV_PROP_RW int onPlane;
     //! If there is a dominant plane: rotation of the second motion that is compatible with the
-    //! homography of the plane, 3x3, CV_64F. Empty if there is no such motion.
+    //! homography of the plane, 3x3, CV_64F. Empty if there is no second motion.
     CV_PROP_RW Mat otherR;
     //! Translation of the second motion, 3x1, CV_64F, unit length; empty if `otherR` is empty.
     CV_PROP_RW Mat otherT;
@@ -54,8 +54,8 @@ length of t.
 @param R output, 3x3, CV_64F, a rotation; empty if there is no model
 @param t output, 3x1, CV_64F, unit length: two views do not determine the scale
 @param mask output, N x 1, CV_8U: 1 where the Sampson distance is at most the threshold and the
-triangulated point is in front of both cameras; a point that may be at infinity, up to noise, counts
-as in front
+triangulated point is in front of both cameras; a point that could be at infinity within the noise
+counts as in front
 @param pose output: the report, the essential matrix, and for a dominant plane the second motion
 @return true if there is a model.
 

@@ -107,8 +107,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     enlarged, because the estimate of the noise is uncertain: the mean squared Mahalanobis distance
     of the errors is then still d.
 
-    The parameters, in the units of the caller's points (translations: of `objectPoints`, of
-    `points2`; angles in radians):
+    The parameters (translations in the unit of the caller's `objectPoints` or `points2`, angles in
+    radians):
 
     | problem | d | parameters |
     |---|---|---|
@@ -120,9 +120,9 @@ struct CV_EXPORTS_W_SIMPLE Report
     | translation | 2 | the translation |
     | homography, F, E | 8, 7, 5 | directions of the tangent space, see #tangentOfModel |
 
-    #tangentOfModel returns the derivatives of the entries of any of these models by its parameters,
-    #covarianceOfModel the covariance of the entries. #covarianceOfPose and #pointCovariance compute
-    the covariance of a motion and of points.
+    #tangentOfModel returns the derivatives of the entries of any of these models with respect to
+    its parameters, #covarianceOfModel the covariance of the entries. #covarianceOfPose and
+    #pointCovariance compute the covariance of a motion and of points.
 
     All entries are NaN if the covariance is not determined: if the inliers leave some of the
     parameters free (F of a plane, F and E without a translation, points of a line), if at most two

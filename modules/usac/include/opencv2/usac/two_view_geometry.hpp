@@ -201,7 +201,7 @@ CV_EXPORTS TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArra
 
 /** @brief Processes many pairs in parallel, with the same options.
 
-@param pairs the pairs; sizes may differ, and pairs with and without cameras may be mixed
+@param pairs the pairs; sizes can differ, and pairs with and without cameras can be mixed
 @param params, rules as in #estimateTwoViewGeometry; scores are taken from the pairs
 @param threads how many pairs run at once, at most cv::getNumThreads(); 0: cv::getNumThreads()
 @return one TwoViewGeometry for each pair, in the same order, bit-identical to that of
