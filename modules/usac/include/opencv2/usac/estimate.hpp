@@ -140,9 +140,9 @@ reprojection error, distortion included, is at most the threshold, else 0.
 into a vector.
 
 Minimal samples have three points @cite persson2018lambda @cite ding2023revisiting. Correspondences
-that share a 3-D point or an image point are never in the same sample (#DEGENERACY_REPEATED).
-Coplanar points are not a special case. The search uses undistorted points; the final polishing and
-the mask use the points of the original image. */
+that share a 3-D point or an image point are never in the same sample, unless Params::degeneracy
+lacks #DEGENERACY_REPEATED. Coplanar points are not a special case. The search uses undistorted
+points; the final polishing and the mask use the points of the original image. */
 CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints,
                                     InputArray cameraMatrix, InputArray distCoeffs,
                                     const Params& params, OutputArray mask, Report& report);
