@@ -14,12 +14,13 @@ namespace {
 //! Indices of the coefficients.
 enum { K1, K2, P1, P2, K3, K4, K5, K6, S1, S2, S3, S4, TAU_X, TAU_Y };
 
-//! Maximum number of steps of Newton's method; an ordinary lens takes 3 to 6.
+//! Maximum number of steps of Newton's method; an ordinary lens needs 3 to 6.
 constexpr int STEPS = 50;
-//! Number of bisections that reduce an interval of radii to rounding error.
+//! Number of bisections, which reduce an interval of radii to rounding error. It is also the
+//! maximum number of times that the upper end of this interval is doubled at first.
 constexpr int HALVES = 60;
 //! Newton's method ends when the distance between the distorted point and the wanted point is at
-//! most EXACT times (1 + the distorted radius), which is about the rounding error.
+//! most EXACT times (1 + the radius of the wanted point), which is about the rounding error.
 constexpr double EXACT = 1e-14;
 
 //! Homography of the projection onto a sensor that is tilted by the angles `x` and `y`, in radians,
@@ -50,8 +51,8 @@ Distortion::Distortion(const Mat& coefficients)
     limit = firstFold();
 }
 
-//! The factor by which the radial terms scale the radius, and its derivative with respect to the
-//! squared radius.
+//! Computes the factor by which the radial terms scale the radius, and the derivative of this
+//! factor with respect to the squared radius.
 double Distortion::radial(double squared, double* derivative) const
 {
     const double q = squared;
@@ -119,8 +120,9 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
     return true;
 }
 
-//! Finds a start for Newton's method: inverts the radial terms alone by bisection, since the
-//! distorted radius grows with the radius up to the first fold. False if no radius is found.
+//! Finds a starting point for Newton's method: inverts the radial terms alone by bisection, which
+//! is possible because the distorted radius grows with the radius up to the first fold. False if
+//! the radius found is 0 although `d` is not the center.
 bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
 {
     const double wanted = std::sqrt(d.dot(d));
@@ -141,8 +143,8 @@ bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
     return low > 0;
 }
 
-//! Newton's method starts from the distorted point, which suffices for an ordinary lens. If it
-//! fails, it starts again from the solution of the radial terms alone.
+//! Newton's method starts from the distorted point, which suffices for an ordinary lens. If the
+//! method fails, it starts again from the solution of the radial terms alone.
 bool Distortion::undistort(const Vec2d& d, Vec2d& p) const
 {
     p = d;
@@ -165,9 +167,9 @@ void Distortion::undistort(double* x, double* y, int count) const
     }
 }
 
-//! Newton's method, starting from `p`. A step that crosses the fold or does not decrease the error
-//! is halved. False if the error that remains exceeds the tolerance (see EXACT) by a factor of more
-//! than 1000.
+//! Newton's method, starting from `p`. A step that crosses the first fold or does not decrease the
+//! error is halved. False if `p` cannot be distorted, if the determinant of the derivative is not
+//! positive, or if the remaining error exceeds 1000 times the tolerance (see EXACT).
 bool Distortion::descend(const Vec2d& d, Vec2d& p) const
 {
     const double tolerance = EXACT * (1 + std::sqrt(d.dot(d)));

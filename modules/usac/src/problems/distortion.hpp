@@ -14,14 +14,14 @@ namespace usacv20 {
 
 The coefficients are k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y, in this order (see
 cv::projectPoints): rational radial terms k, tangential terms p, thin prism terms s, and the tilt of
-the sensor tau. Such a model is valid near the center of the image only: beyond a certain radius,
-the first fold, the distorted radius no longer grows with the radius. Points beyond the first fold
-are treated as not seen by the camera. */
+the sensor tau. Many such models are valid near the center of the image only: beyond a certain
+radius, the first fold, the distorted radius no longer grows with the radius. Points beyond the
+first fold are treated as not seen by the camera. */
 class Distortion
 {
 public:
-    //! @param coefficients the first few of the list above, of any depth, as readDistortion()
-    //! returns them; an empty matrix means that there is no distortion
+    //! @param coefficients a matrix, of any depth, of the first coefficients of the list above, as
+    //! returned by readDistortion(); an empty matrix means that there is no distortion
     explicit Distortion(const Mat& coefficients);
 
     bool none() const { return identity; }
@@ -29,12 +29,13 @@ public:
     @param p the point
     @param d output, distorted point
     @param derivative output, derivative of `d` with respect to `p`; may be null
-    @return false if `p` is not seen */
+    @return false if the camera does not see `p`, or if `p` is NaN */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
-    //! Finds the point `p` that distort() maps to `d`, to double precision. False if there is no
-    //! such point.
+    //! Finds a point `p` that distort() maps to `d`, usually up to rounding, and at most 1e-11 (1 +
+    //! |d|) away. False if no such point is found.
     bool undistort(const Vec2d& d, Vec2d& p) const;
-    //! Undistorts `count` points in place. A point that undistort() cannot solve becomes NaN.
+    //! Undistorts `count` points in place. A point for which no undistorted point is found becomes
+    //! NaN.
     void undistort(double* x, double* y, int count) const;
 
 private:
@@ -45,7 +46,7 @@ private:
     bool startOf(const Vec2d& d, Vec2d& p) const;
     bool descend(const Vec2d& d, Vec2d& p) const;
 
-    bool identity, straight;  //!< true: no distortion at all; true: the sensor is not tilted
+    bool identity, straight;  //!< there is no distortion at all; the sensor is not tilted
     double c[COEFFICIENTS];
     Matx33d tilt;
     double limit;  //!< squared radius of the first fold; INFINITY: there is no fold

@@ -12,7 +12,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! The loops over points of all problems, compiled once for each instruction set.
+//! The compiled loops over points for all problems. There is one such set for each instruction set.
 struct Kernels
 {
     ResidualKernels residuals[Errors::COUNT];  //!< in the order of the list #Errors
@@ -46,7 +46,8 @@ inline Ptr<Residual> createResidualOf()
     return makePtr<FormulaResidual<Error>>(kernelsOf<Error>());
 }
 
-//! True if `residual` uses the formula `Error`. Callers can then use a closed-form fit for it.
+//! True if `residual` uses the formula `Error`. The caller can then use a closed-form fit for this
+//! formula.
 template <class Error>
 inline bool hasFormula(const Residual& residual)
 {

@@ -46,7 +46,8 @@ void Prediction::linearize(const Model& model, const double* datum, double* deri
                 derivative[i * model.size() + 4 * i + k] = k < 3 ? datum[k] : 1;
 }
 
-//! The image point is K M x divided by its third component; M is the model and x is homogeneous.
+//! The image point is K M x divided by its third component. M is the model, and x is the datum in
+//! homogeneous coordinates.
 void Prediction::project(const Model& model, const double* datum, double* derivative) const
 {
     const int cols = model.cols, size = model.size();

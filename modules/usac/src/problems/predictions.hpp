@@ -26,10 +26,11 @@ public:
     int components() const { return kind == LINE ? 1 : kind == MOTION ? 3 : 2; }
     //! True if the prediction also depends on the point of array 2.
     bool needsBoth() const { return kind == LINE; }
-    /** @brief Derivatives of the components by the entries of the model.
-    @param model 3x3, or 3x4 for points of space, in the coordinates of Problem::ofOutput; absolute
-    pose: [R t]
-    @param datum coordinates of the point of array 1; for F and E, those of array 2 follow
+    /** @brief Computes the derivatives of the components with respect to the entries of the model.
+    @param model 3x3, or 3x4 for points of space; [R t] for an absolute pose, otherwise as returned
+    by Problem::ofOutput
+    @param datum coordinates of the point of array 1; for F and E, followed by those of the point of
+    array 2
     @param derivative output, components() rows of Model::size() numbers; not finite if the
     prediction is not finite */
     void linearize(const Model& model, const double* datum, double* derivative) const;

@@ -8,7 +8,7 @@
 namespace cv {
 namespace usacv20 {
 
-// The factories, which the folders of the problems define.
+// Declares the factories, which are defined in the folders of the problems.
 #define USACV20_IMAGES(NAME) Ptr<Problem> create##NAME##Problem();
 #define USACV20_SPACES(NAME) Ptr<Problem> create##NAME##Problem();
 #define USACV20_CAMERAS(NAME)                                                                      \

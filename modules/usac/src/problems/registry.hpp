@@ -15,8 +15,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Creates the problem of a type. Camera arguments as for Usac::create. Raises cv::Exception
-for a number that is no ProblemType. */
+/** @brief Creates the problem of a type. The camera arguments are those of Usac::create. Raises
+cv::Exception for a number that is not a ProblemType. */
 Ptr<Problem> createProblem(ProblemType type, InputArray cameraMatrix1, InputArray cameraMatrix2,
                            InputArray distCoeffs1, InputArray distCoeffs2);
 

@@ -7,13 +7,13 @@
 //
 //     USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS)
 //
-// and perhaps a macro USACV20_<ARGUMENTS> for each kind of arguments; all of these are undefined
-// here at the end.
+// and perhaps a macro USACV20_<ARGUMENTS> for each kind of arguments; all of these are undefined at
+// the end of this file.
 //
 // TYPE       the enumerator of ProblemType for this kind of model
 // NAME       estimate<NAME> is the public function, create<NAME>Problem() the factory
 // PLURAL     estimate<PLURAL> is the public function for many sets of points
-// ARGUMENTS  what these functions take besides options:
+// ARGUMENTS  what the public functions take besides options; the factory takes only the cameras:
 //            IMAGES   points1, points2: points of two images
 //            SPACES   points1, points2: points of two spaces
 //            CAMERAS  as IMAGES, and cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2

@@ -63,8 +63,8 @@ inline bool anyEqual(const float* column, const int* sample, Size m)
 }
 
 /** Fast preliminary test: false if no two matches of a sample have the same first coordinate in an
-array, so that they cannot share a point in this array. For nearly all samples this test suffices,
-and it has no data-dependent branches. */
+array, so that no two matches can share a point of this array. For nearly all samples this test
+suffices, and it has no data-dependent branches. */
 inline bool mayShareAPoint(const Correspondences& p, int array, const int* sample, int m)
 {
     const float* const column = p.column[array ? p.coordinates[0] : 0];
@@ -98,8 +98,8 @@ inline bool onlyRepeats(const Correspondences& p, const int* sample, int m)
 //! Largest plausible ratio between the sizes of a small surface in two images, relative to the
 //! ratio of the image sizes. A larger value rejects fewer pairs of matches. See doc/constants.md.
 constexpr int FAR_APART = 10;
-//! Two points may be the same up to noise if their distance is at most NEAR_THRESHOLDS thresholds
-//! and at most 1 / NEAR_PART of the image size.
+//! Two points are near, that is, possibly the same up to noise, if their distance is at most
+//! NEAR_THRESHOLDS thresholds and at most 1 / NEAR_PART of the image size.
 constexpr int NEAR_THRESHOLDS = 2, NEAR_PART = 50;
 
 template <class T>
@@ -108,12 +108,12 @@ T square(T x)
     return x * x;
 }
 
-//! Limits of squared distances in each of the two images: two points may be the same up to noise if
-//! their squared distance is at most `near`; they are far apart if it is above `far`.
+//! Limits of squared distances in each of the two images: two points are near, that is, possibly
+//! the same up to noise, if their squared distance is at most `near`, and far apart if it is above
+//! `far`.
 struct TargetLimits
 {
-    /** The limits depend on the threshold and on the image size, because a threshold may be as
-    large as an image.
+    /** The limits depend on the image sizes, too, because a threshold can be as large as an image.
     @param threshold threshold of the errors, in the coordinates of the points
     @param sizes extents of the points in the two images, above 0 */
     TargetLimits(double threshold, const float* sizes)

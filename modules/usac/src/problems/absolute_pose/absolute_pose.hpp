@@ -10,10 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Creates an AbsolutePoseProblem. The arguments are those of cv::solvePnP.
+//! Creates an AbsolutePoseProblem. The arguments are the camera arguments of cv::solvePnP.
 Ptr<Problem> createAbsolutePoseProblem(InputArray cameraMatrix, InputArray distCoeffs);
-/** @brief Creates the solver of poses from 3 points, see P3PSolver.
-@param camera camera matrix with the last row and column 0 0 1: models are `camera` [R t] */
+/** @brief Creates the 3-point solver of the pose, see P3PSolver.
+@param camera camera matrix whose last row and last column are 0 0 1; models are `camera` [R t] */
 Ptr<MinimalSolver> createP3PSolver(const Matx33d& camera = Matx33d::eye());
 //! Creates the least-squares fit of a pose; models are `camera` [R t].
 Ptr<NonMinimalSolver> createPoseFit(const Ptr<Residual>& residual, const Matx33d& camera);

@@ -13,27 +13,28 @@ namespace usacv20 {
 /** @brief The camera of an absolute pose.
 
 The search uses undistorted pixel coordinates relative to the principal point, divided by the mean
-focal length: errors are proportional to errors in pixels. Models are `matrix` [R t], with `matrix`
-being K in these units. */
+focal length, so that errors are proportional to errors in (undistorted) pixels. Models are `matrix`
+[R t], where `matrix` is the camera matrix K in these units. */
 class PoseCamera
 {
     const Matx33d K;
     const Distortion distortion;
 
 public:
-    //! Arguments as for cv::solvePnP. Raises cv::Exception if they do not describe a camera.
+    //! Arguments as for cv::solvePnP. Raises cv::Exception if the arguments do not describe a
+    //! camera.
     PoseCamera(InputArray cameraMatrix, InputArray distCoeffs);
 
-    //! Converts pixels to the coordinates of the search, in place; NaN for pixels at which the lens
-    //! images no point.
+    //! Converts pixels to the coordinates of the search, in place. Pixels at which the lens images
+    //! no point become NaN.
     void toSearch(double* u, double* v, int count) const;
-    //! The same, but does not remove the distortion.
+    //! Like toSearch(), but does not remove the distortion.
     void toSearchUnits(double* u, double* v, int count) const;
     //! Computes where the lens images a point of the normalized image plane, in the units of
     //! toSearchUnits(). False if the lens does not image the point.
     bool see(const Vec2d& point, Vec2d& seen, Matx22d* derivative = 0) const;
 
-    const Matx33d matrix, inverse;  //!< `matrix` has the last row and column 0 0 1
+    const Matx33d matrix, inverse;  //!< last row and column of `matrix`: 0 0 1
     const double focal;             //!< mean focal length in pixels
     const bool distorted;
 };

@@ -18,8 +18,9 @@ constexpr double UNSEEN = 1e100;
 
 }  // namespace
 
-//! Projects a datum's object point; false if the camera does not see the point. `derivative` is
-//! with respect to PoseCamera::matrix (R X + t), the point before the division by its depth.
+//! Projects the object point of a datum. False if the camera does not see the point. `derivative`,
+//! unless null, is the derivative with respect to PoseCamera::matrix (R X + t), the point before
+//! the division by its depth.
 bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
                            Matx<double, 2, 3>* derivative) const
 {

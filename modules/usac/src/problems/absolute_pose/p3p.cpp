@@ -12,11 +12,11 @@ namespace usacv20 {
 
 namespace {
 
-/** A triangle in its own coordinate frame: corner 2 is the origin, corner 3 lies at (length, 0),
-corner 1 at (along, height), height >= 0. */
+/** A triangle in its own coordinate frame: corner 2 is the origin, corner 3 is at (length, 0), and
+corner 1 is at (along, height) with height >= 0. */
 struct TriangleFrame
 {
-    //! @param side3, side1 vectors from corner 2 to the corners 3 and 1
+    //! @param side3, side1 vectors from corner 2 to corner 3 and to corner 1
     TriangleFrame(const Vec3d& side3, const Vec3d& side1)
     {
         length = std::sqrt(side3.dot(side3));
@@ -33,12 +33,13 @@ struct TriangleFrame
     Vec3d x, y, z;  //!< the axes
 };
 
-//! A triangle has no pose if its height is at most LEAST_HEIGHT times the longest side or at most
-//! LEAST_EXTENT times the largest coordinate: its corners are nearly collinear.
+//! There is no model if the height of the triangle is at most LEAST_HEIGHT times its longest side
+//! or at most LEAST_EXTENT times the largest coordinate: its corners are collinear up to rounding.
 constexpr double LEAST_HEIGHT = 1e-9, LEAST_EXTENT = 1e-13;
-//! Unit vectors of rays at a smaller distance are equal up to rounding.
+//! Unit vectors of two rays are equal up to rounding if their distance is at most this value.
 constexpr double LEAST_DISTANCE = 4e-15;
-//! Largest reprojection error that a point of the sample may have, on the image plane z = 1.
+//! Largest reprojection error of a point of the sample, on the plane z = 1, with which a pose is
+//! accepted. The error is estimated from rounding errors and from the misfit of the two triangles.
 constexpr double MISFIT = 1e-6;
 
 //! Three points, reordered so that the first one lies opposite the longest side.
@@ -83,8 +84,8 @@ struct PoseSample
 };
 
 //! Computes [R t] that maps the object's triangle to the triangle in camera coordinates. False if
-//! the two triangles are not congruent, or if a point is so close to the camera center that its
-//! image is undetermined.
+//! the two triangles are not congruent up to rounding, or if a point is so close to the camera
+//! center that its image is undetermined.
 bool poseOf(const PoseSample& sample, const TriangleFrame& object, const TriangleDepths& depths,
             double sigma, Model& model)
 {
@@ -117,7 +118,7 @@ bool poseOf(const PoseSample& sample, const TriangleFrame& object, const Triangl
     return true;
 }
 
-//! Replaces [R t] by camera [R t].
+//! Replaces [R t] with `camera` [R t].
 void withCamera(const Matx33d& camera, Model& model)
 {
     for (int k = 0; k < 4; ++k)

@@ -13,23 +13,23 @@ namespace usacv20 {
 /** @brief Up to four poses of a calibrated camera from three points.
 
 The columns of a datum are X, Y and Z of the object point and u and v of its image on the plane z =
-1 of the camera. A model is the 3x4 matrix [R t] that takes object points to camera points; R is a
-rotation.
+1 of the camera. A model is the 3x4 matrix [R t] that maps object points to camera coordinates; R is
+a rotation.
 
 The law of cosines gives three quadrics in the distances of the points from the camera. The ratios
 of these distances are the intersections of two conics @cite persson2018lambda, found by means of a
 degenerate conic of their pencil, a pair of lines @cite ding2023revisiting. Unlike in these papers,
-the unknowns are the first distance and the differences of the others from it, in units that avoid
-cancellation for a narrow field of view or a distant scene.
+the unknowns are the first distance and the differences between it and the other two, in units that
+avoid cancellation for a narrow field of view or a distant scene, see TriangleDepths.
 
-Every model has the three points in front of the camera and reprojects them to their images; no two
-models are the same. There is no model if the object points are collinear, if two image points are
-the same, or if a coordinate is not finite. */
+Under every model, the three points are in front of the camera and are projected to their images; no
+two models are the same. There is no model if, up to rounding, the object points are collinear or
+two image points are the same, or if a coordinate is not finite. */
 class P3PSolver : public MinimalSolver
 {
 public:
-    //! `camera`: last row and column 0 0 1. Models are then `camera` [R t], and (u, v, 1) is
-    //! `camera` times the image point on the plane z = 1.
+    //! `camera_`: camera matrix whose last row and last column are 0 0 1. Models are `camera_` [R
+    //! t], and (u, v, 1) is `camera_` times the image point on the plane z = 1.
     explicit P3PSolver(const Matx33d& camera_) : camera(camera_), inverse(camera_.inv()) {}
 
     int sampleSize() const CV_OVERRIDE;

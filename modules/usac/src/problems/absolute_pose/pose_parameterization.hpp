@@ -21,7 +21,8 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Makes the parameterization around the pose closest to a model, a camera matrix K [R t].
+    //! Creates the parameterization around the pose that is closest to a model, a 3x4 matrix K [R
+    //! t].
     struct Around
     {
         explicit Around(const Matx33d& K_) : K(K_) {}
@@ -47,7 +48,7 @@ public:
     }
     //! The parameterization around the model with the parameters `step`.
     PoseParameterization plus(const Step& step) const;
-    //! K [R t].
+    //! The matrix K [R t].
     Model model() const;
     Matx33d rotation() const;
     Vec3d translation() const { return Vec3d(t[0], t[1], t[2]); }

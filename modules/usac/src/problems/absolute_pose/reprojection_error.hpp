@@ -17,14 +17,15 @@ namespace {
 squared errors of points in front of it. */
 constexpr double BEHIND = 1e200;
 
-/** Reprojection error p(P X) - x for a point X of space and the 3x4 matrix P of a camera
-@cite hartley2003multiple. Infinite for a point that is not in front of the camera. */
+/** Reprojection error p(P X) - x for a point X of space and the 3x4 matrix P of a camera @cite
+hartley2003multiple. The squared error is infinite for a point that is not in front of the camera.
+*/
 struct ReprojectionError
 {
     enum { COLUMNS = 5, NUMBERS = 12, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 1 };
 
-    //! 1 / depth. In double precision, as used by fits, it is 0 for a point behind the camera, so
-    //! that the derivatives for such a point are 0.
+    //! 1 / depth. In double precision, as used by fits, the result is 0 if the depth is not
+    //! positive, so that the derivatives for a point behind the camera are 0.
     static inline float inverse(float depth) { return 1.f / depth; }
     static inline double inverse(double depth) { return depth > 0 ? 1 / depth : 0; }
 
@@ -43,7 +44,7 @@ struct ReprojectionError
             return depth > T(0) ? square : T(INFINITY);  // also INFINITY if the depth is NaN
         }
         T cost() const { return depth > T(0) ? du * du + dv * dv : T(BEHIND); }
-        //! Homogeneous coordinates of the point of space.
+        //! Homogeneous coordinate `k` of the point of space.
         T p(int k) const { return k == 0 ? X : k == 1 ? Y : k == 2 ? Z : T(1); }
 
         template <class Out>

@@ -41,8 +41,8 @@ double trace(const Conic& a, const Conic& b)
            2 * (a.m[1] * b.m[1] + a.m[2] * b.m[2] + a.m[4] * b.m[4]);
 }
 
-/** The pencil E + x F of two conics, with det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3. F is chosen
-from the pencil so that c3 is not small and no root is near infinity. */
+/** The pencil E + x F of two conics, with det(E + x F) = c0 + c1 x + c2 x^2 + c3 x^3. E and F are
+chosen from the pencil of the given conics so that c3 is not small and no root is near infinity. */
 struct Pencil
 {
     Pencil(const Conic& first, const Conic& second) : E(first), F(second)
@@ -77,7 +77,8 @@ struct Pencil
 };
 
 /** The real root of c0 + c1 x + c2 x^2 + c3 x^3 that lies alone on its side of the point of
-inflection: of three roots, the one that is farthest from the others and thus best conditioned. */
+inflection: of three roots, this is the one that is farthest from the others and thus best
+conditioned. */
 double loneRoot(const double* c)
 {
     const double inverse = 1 / c[3], shift = c[2] * inverse / 3;
@@ -101,22 +102,23 @@ double loneRoot(const double* c)
         if (!(std::abs(step) <= 1e300))  // the slope is 0: a triple root
             break;
         x -= step;
-        if (std::abs(step) <= 1e-9 * std::abs(x))  // the error left is about 1e-18, relatively
+        if (std::abs(step) <= 1e-9 * std::abs(x))  // the remaining relative error is about 1e-18
             break;
     }
     return x;
 }
 
-//! A pair of lines: their intersection, and one more point of each.
+//! A pair of lines: the intersection of the lines, and another point of each line.
 struct LinePair
 {
     double common[3], other[2][3];
 };
 
-/** The lines of a degenerate conic. Its adjugate is -p p^T, where p is the intersection of the
-lines. If p_i is the largest entry of p, the other point of each line is its intersection with the
-line x_i = 0. These two points are the roots of a quadratic equation.
-@return false if the lines are not real */
+/** The lines of a degenerate conic. The adjugate of its matrix is -p p^T, where p is the
+intersection of the lines. If p_i is the entry of p of largest magnitude, the other point of each
+line is the intersection of this line with the line x_i = 0. These two points are the roots of a
+quadratic equation.
+@return false if the lines are not real or not distinct */
 bool split(const Conic& D, LinePair& lines)
 {
     const Conic A = adjugate(D);
@@ -147,7 +149,8 @@ coefficient, because rounding may have made two equal solutions complex. If ther
 solution, the solution returned violates the equations by no more than this fraction. */
 constexpr double TORN = 1e-12;
 
-//! Intersections of the lines with a conic, homogeneous. @return their number
+//! Computes the real intersections of the lines with a conic, in homogeneous coordinates. @return
+//! number of intersections
 int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
 {
     const double *p = lines.common, *m = C.m;
@@ -177,8 +180,8 @@ int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
     return count;
 }
 
-//! The triangle with the given ratio p : q : w, side 23 of length 1 and w > 0. False if a corner is
-//! not in front of the camera.
+//! Computes the position of the triangle with the given ratio p : q : w, side 23 of length 1 and w
+//! > 0. False if this position is not finite or a corner is not in front of the camera.
 bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
 {
     const double p = ratio[0], q = ratio[1], w = ratio[2], w2 = w + T.sigma * p,
@@ -207,8 +210,8 @@ bool same(const TriangleDepths& a, const TriangleDepths& b)
 
 int solveTriangle(const Triangle& T, TriangleDepths* depths)
 {
-    // Of the equations of TriangleDepths, a12 and a13 times the third one are subtracted from the
-    // first and the second, which leaves two homogeneous quadratic equations in p, q and w.
+    // The third equation of TriangleDepths, times a12 and a13, is subtracted from the first and
+    // from the second equation. This leaves two homogeneous quadratic equations in p, q and w.
     const double pq = 1 - 0.5 * T.sigma * T.sigma * T.s23, half = 0.5 * T.sigma;
     const double w12 = T.s12 - T.a12 * T.s23, w13 = T.s13 - T.a13 * T.s23;
     const Conic first = {{1 - T.a12, T.a12 * pq, half * w12, -T.a12, -half * T.a12 * T.s23, w12}};

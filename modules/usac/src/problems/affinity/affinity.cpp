@@ -30,7 +30,8 @@ bool sidesOf(const double* x, const double* y, const int* s, double* side)
     return std::abs(side[0] * side[3] - side[1] * side[2]) > COLLINEAR * longest;
 }
 
-//! The affine map that maps the sides of the triangle in image 1 exactly to those in image 2.
+//! Computes the affine map that maps the triangle of three points in image 1 exactly to that in
+//! image 2.
 class Affinity3Solver : public MinimalSolver
 {
 public:
@@ -64,7 +65,8 @@ public:
 constexpr double ON_A_LINE = 1e-13;
 
 //! Least squares of the transfer error, in closed form: the linear part of the map is the
-//! cross-covariance of the images times the inverse covariance of image 1.
+//! cross-covariance of the points in the two images times the inverse of their covariance in image
+//! 1.
 class AffinityLeastSquares : public NonMinimalSolver
 {
 public:
@@ -96,7 +98,7 @@ Ptr<NonMinimalSolver> createAffinityLeastSquares() { return makePtr<AffinityLeas
 
 Ptr<Problem> createAffinity2DProblem()
 {
-    // 150 is SampleCost::time, measured together with that of a homography
+    // 150 is SampleCost::time, measured in the same run as that of a homography
     const PlaneMapParts parts = {"affinity", 150, false, createAffinity3Solver,
                                  createAffinityLeastSquares};
     return makePtr<PlaneMap<AffinityParameterization>>(parts);

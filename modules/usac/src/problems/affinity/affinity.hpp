@@ -19,8 +19,8 @@ struct AffinityMap
     static void write(const double* p, double* m) { std::copy(p, p + 6, m); }
     static bool isRegular(const double* p)
     {
-        // A determinant of at most this fraction of the sum of the squared entries can be due to
-        // rounding alone.
+        // A determinant of the linear part that is at most this fraction of the sum of the squared
+        // entries can be due to rounding alone.
         const double LEAST_DETERMINANT = 1e-9;
         const double a = p[0], b = p[1], c = p[3], d = p[4];
         return std::abs(a * d - b * c) > LEAST_DETERMINANT * (a * a + b * b + c * c + d * d);
@@ -29,9 +29,10 @@ struct AffinityMap
 
 typedef PlaneParameterization<AffinityMap> AffinityParameterization;
 
-//! Affine map from image 1 to image 2, as for a plane that is small or far from the camera.
+//! Creates the problem of an affine map from image 1 to image 2. Such a map describes a plane that
+//! is small or far from the camera.
 Ptr<Problem> createAffinity2DProblem();
-//! Creates the solver from 3 points, see Affinity3Solver.
+//! Creates the 3-point solver, see Affinity3Solver.
 Ptr<MinimalSolver> createAffinity3Solver();
 //! Creates the fit that minimizes the sum of squared transfer errors in closed form.
 Ptr<NonMinimalSolver> createAffinityLeastSquares();

@@ -10,10 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Creates an EssentialProblem. The arguments are those of #estimateEssential.
+//! Creates an EssentialProblem. The arguments are the camera arguments of #estimateEssential.
 Ptr<Problem> createEssentialProblem(InputArray cameraMatrix1, InputArray cameraMatrix2,
                                     InputArray distCoeffs1, InputArray distCoeffs2);
-//! Creates the solver from 5 points, see Essential5Solver.
+//! Creates the 5-point solver, see Essential5Solver.
 Ptr<MinimalSolver> createEssential5Solver();
 //! Creates the least-squares fit of an essential matrix.
 Ptr<NonMinimalSolver> createEssentialFit(const Ptr<Residual>& residual);

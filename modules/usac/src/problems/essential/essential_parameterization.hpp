@@ -14,8 +14,8 @@ namespace usacv20 {
 matrix itself.
 
 E = U diag(1, 1, 0) V^T / sqrt(2) has 5 parameters, angles in radians: 3 rotations of U and 2 of V.
-The third rotation of V would change E in the same way as a rotation of U does.
-@cite helmke2007essential */
+The third rotation of V, about the last column, would change E in the same way as a rotation of U
+does. @cite helmke2007essential */
 class EssentialParameterization
 {
 public:

@@ -15,8 +15,8 @@ namespace usacv20 {
 namespace {
 
 //! The camera has translated if the singular values of the homography of a plane, divided by the
-//! middle one, differ by more than this value. Otherwise it has only rotated. Rounding causes
-//! differences of 1e-15, an error of a hundredth of a pixel differences of 1e-5.
+//! middle one, differ by more than this value. Otherwise the camera has only rotated. Rounding
+//! causes differences of 1e-15, and an error of a hundredth of a pixel causes differences of 1e-5.
 constexpr double TURNED = 1e-9;
 
 Matx33d toMatx(const Eigen::Matrix3d& A)
@@ -97,7 +97,8 @@ bool motionsOfPlane(const Matx33d& given, const Vec3d& x, Motion motions[2])
     return true;
 }
 
-/* d2 x2 = d1 R x1 + t: the cross products with x2 and with R x1 eliminate one depth each. */
+/* d2 x2 = d1 R x1 + t with the depths d1 and d2: the cross products with x2 and with R x1 eliminate
+one depth each. */
 bool inFront(const Motion& motion, const Vec3d& x1, const Vec3d& x2, double threshold)
 {
     const Vec3d turned = motion.R * x1, normal = turned.cross(x2);

@@ -26,19 +26,20 @@ void motionsOf(const Matx33d& E, Motion motions[4]);
 /** @brief Computes the two camera motions that explain the homography of a plane whose points are
 in front of both cameras @cite ma2004invitation.
 @param H homography of the plane from image plane 1 to image plane 2
-@param x a point of the plane in image plane 1, homogeneous, in front of both cameras
+@param x image of a point of the plane on image plane 1, homogeneous; the point is in front of both
+cameras
 @param motions output
 @return false if H is singular or the camera has only rotated, so that the plane is undetermined */
 bool motionsOfPlane(const Matx33d& H, const Vec3d& x, Motion motions[2]);
 
 /** @brief True if the triangulated point of a match is in front of both cameras.
 
-A match also counts as in front if its point may be at infinity up to noise, because noise may then
+A match also counts as in front if its point can be at infinity up to noise, because noise can then
 move the point behind a camera.
 @param motion motion from camera 1 to camera 2
 @param x1, x2 the points of the match on the normalized image planes, homogeneous
-@param threshold largest distance, on image plane 2, of x2 from the image of the point at infinity
-on the ray of x1 up to which the point may be at infinity */
+@param threshold the point can be at infinity if the distance, on image plane 2, between x2 and the
+image of the point at infinity on the ray of x1 is at most this value */
 bool inFront(const Motion& motion, const Vec3d& x1, const Vec3d& x2, double threshold);
 
 }  // namespace usacv20

@@ -15,14 +15,14 @@ namespace {
 //! A plane dominates the scene if at least this fraction of the inliers lies on it: the second
 //! motion that explains the plane then has nearly as many inliers. See doc/constants.md.
 constexpr double DOMINANT = 0.8;
-//! Fraction of the all-inlier samples that are assumed to lead to the correct motion if a plane
-//! dominates. A smaller value makes the search draw more samples. See doc/constants.md.
+//! Assumed fraction of the all-inlier samples that lead to the correct motion if a plane dominates.
+//! A smaller value makes the search draw more samples. See doc/constants.md.
 constexpr double SUCCESS = 0.5;
 
 /** @brief Raises the number of samples for E if a plane dominates the scene.
 
 Two camera motions explain five points of a plane @cite ma2004invitation, and both motions fit the
-whole plane; only the few points off the plane tell which one is right. With noise, the correct
+whole plane; only the few points off the plane show which motion is right. With noise, the correct
 motion computed from five points of the plane is often too inaccurate to have more inliers than the
 wrong motion. If most inliers of the best model lie on a plane, the termination criteria therefore
 assume that only the fraction SUCCESS of the all-inlier samples leads to the correct motion. */
