@@ -31,8 +31,8 @@ public:
     @param derivative output, derivative of `d` with respect to `p`; may be null
     @return false if the camera does not see `p`, or if `p` is NaN */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
-    //! Finds a point `p` that distort() maps to `d`, usually up to rounding, and at most 1e-11 (1 +
-    //! |d|) away. False if no such point is found.
+    //! Finds a point `p` that distort() maps to `d`, with an error of at most 1e-11 (1 + |d|),
+    //! usually of about the rounding error. False if no such point is found.
     bool undistort(const Vec2d& d, Vec2d& p) const;
     //! Undistorts `count` points in place. A point for which no undistorted point is found becomes
     //! NaN.

@@ -13,17 +13,18 @@ namespace usacv20 {
 //! The number of points is a multiple of ARCS_BLOCK. A point has ARCS_ROWS numbers. A line has
 //! ARCS_WEIGHTS coefficients and is divided into ARCS_BINS bins.
 constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;
-/** Computes for each of `stride` points the arc of a line such that the point is within the
-threshold if the epipole lies on this arc, see PlaneParallax and arcs.inl.hpp.
-@param rows #ARCS_ROWS rows of `stride` numbers: n (3 of them) and the upper triangle of G (6)
+/** Computes, for each of `stride` points, an arc of a line: if the epipole lies on this arc, the
+point is within the threshold. See PlaneParallax and arcs.inl.hpp.
+@param rows #ARCS_ROWS rows of `stride` numbers: n (3 rows) and the upper triangle of G (6 rows),
+see PlaneParallax::setPlane()
 @param stride number of points, a multiple of #ARCS_BLOCK
-@param weights #ARCS_WEIGHTS coefficients of the line
+@param weights #ARCS_WEIGHTS coefficients of the line, see PlaneParallax::vote()
 @param from, to output: first and last bin of each arc; 0 and -1 if the arc is the whole line */
 typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
 namespace {  // unnamed, because it is compiled several times, for different instruction sets
 
-/* Position of the point u + t v, t = s / c, on a line, as a number that replaces the angle of the
+/* Position of the point u + t v, with t = s / c, on a line. This number replaces the angle of the
 point and needs no arc tangent: t itself if |t| <= 1, else 2 - 1 / t. The positions -1 and 3 are the
 same point, because the projective line is closed. */
 inline float placeOf(float s, float c)

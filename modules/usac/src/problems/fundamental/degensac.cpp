@@ -22,23 +22,25 @@ namespace {
 //! of fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points
 //! is not fitted.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
-//! The last plane that was handled, called the known plane, is handled again if the number of its
-//! points has grown by more than this factor.
+//! The plane that was handled last is called the known plane. It is handled again only if a new
+//! homography of this plane maps more than CLEARLY times as many points as were on the known plane.
 constexpr double CLEARLY = 1.05;
 //! A plane counts as the known plane if more than this fraction of the tested inliers on it are on
-//! the known plane, too. (If there is a sample, five of its points must be on the known plane.)
+//! the known plane, too. (If there is a sample, the condition is that five of its points are on the
+//! known plane.)
 constexpr double SAME_PLANE = 0.9;
-//! DOMINANT: minimum fraction of the model's inliers that lie on a dominant plane. ROUGHLY:
-//! fraction of this minimum that is required before the plane is fitted.
+//! DOMINANT: minimum number of points on a dominant plane, as a fraction of the model's number of
+//! inliers. ROUGHLY: fraction of the minimum number of points (see also SEEN) that is required
+//! before the plane is fitted.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! A dominant plane also has at least this fraction w of all points. With w = 0.1, one sample in
 //! 5000 (21 w^5) has five of its seven points on the plane; smaller planes arise by chance.
 constexpr double SEEN = 0.1;
-//! Models that have less than this fraction of the number of inliers of the best model are not
+//! Models whose number of inliers is less than this fraction of that of the best model are not
 //! searched for. The fraction is below 1 because local optimization may add inliers.
 constexpr double OF_INTEREST = 0.9;
 //! A match is off the plane and votes for the epipole if its squared transfer error exceeds this
-//! many squared thresholds; a match closer to the plane is an inlier for every epipole.
+//! many squared thresholds; a match closer to the plane is an inlier for most epipoles.
 constexpr double OFF_PLANE = 4;
 
 /** @brief DEGENSAC @cite chum2005two: fundamental matrices from samples dominated by a plane.
@@ -47,12 +49,11 @@ If five or more of the seven points lie on a plane, F fits everything on the pla
 At least one of five fixed triples of the sample then lies on the plane. F and a triple determine a
 homography; the sample is degenerate if one of the five homographies maps at least five of the seven
 points. A locally optimized model has no sample; for such a model, a plane with more than half of
-its inliers is searched for.
-The remedy is plane and parallax: the homography H of the plane, refined on the points of the plane,
-and two correspondences off the plane determine F = [e]x H. The paper samples such pairs;
-PlaneParallax describes the method used here. The best F = [e]x H replaces the original model only
-if its score is better, so that other scenes are not affected. A plane with less than half of the
-model's inliers is ignored, because ordinary samples then find F. */
+its inliers is searched for. The remedy is plane and parallax: the homography H of the plane,
+refined on the points of the plane, and two correspondences off the plane determine F = [e]x H. The
+paper samples such pairs; PlaneParallax describes the method used here. The best F = [e]x H replaces
+the original model only if its score is better, so that other scenes are not affected. A plane with
+fewer points than half of the model's inliers is ignored, because ordinary samples then find F. */
 class Degensac : public Degeneracy
 {
 public:
@@ -176,8 +177,9 @@ private:
     /** Repeats least squares over the points on the plane until their number stops growing, at most
     MAX_FITS times: the homography of three noisy points often explains only some of them.
     @param H replaced by the homography of the last fit
-    @return false if fewer than `least` or LEAST_POINTS points are on the plane, or a fit fails;
-    otherwise onPlane and offPlane are set for planeAndParallax() */
+    @return false if fewer than `least` or LEAST_POINTS points are on the plane (before the first
+    fit, fewer than ROUGHLY times `least`), or if a fit fails; otherwise onPlane and offPlane are
+    set for planeAndParallax() */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;
@@ -223,9 +225,9 @@ private:
     Ptr<NonMinimalSolver> fitter;
     Matx33d known;          //!< homography of the known plane
     double knownThreshold;  //!< threshold when the known plane was handled; 0: there is none
-    int knownPoints;        //!< number of points on the known plane
+    int knownPoints;        //!< number of points on the known plane when it was handled
     Model knownModel;       //!< the F found with the known plane
-    Quality knownQuality;   //!< score of knownModel; infinite cost: it did not improve the model
+    Quality knownQuality;   //!< score of knownModel; infinite cost: no better F was found
     DominantPlane plane;
     int *onPlane, *offPlane;
     float* errors;  //!< squared errors of all points under the homography; null before the first

@@ -17,7 +17,7 @@ namespace usacv20 {
 
 namespace {
 
-//! One to three fundamental matrices from seven points, see seven_points.inl.hpp.
+//! Up to three fundamental matrices from seven points, see seven_points.inl.hpp.
 class Fundamental7Solver : public LaneSolver
 {
 public:
@@ -30,10 +30,11 @@ protected:
     }
 };
 
-/** The closest matrix of rank 2, scaled to unit norm. The product T2^T F T1, where T1 and T2
-normalize the points of the images, has rank 2 up to the rounding errors of its largest terms. If
-these terms cancel, for example because both epipoles are at the origin and coordinates are large,
-rounding errors are not small relative to the product. */
+/** The matrix of rank 2 that is closest to F, which has unit norm, scaled to unit norm. F itself is
+returned if it already has rank 2 up to rounding. The product T2^T F T1, where T1 and T2 normalize
+the points of the images, has rank 2 up to the rounding errors of its largest terms. If these terms
+cancel, for example because both epipoles are at the origin and coordinates are large, rounding
+errors are not small relative to the product. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 //! Creates a FundamentalProblem.
 Ptr<Problem> createFundamentalProblem();
-//! Creates the solver from 7 points, see Fundamental7Solver.
+//! Creates the 7-point solver, see Fundamental7Solver.
 Ptr<MinimalSolver> createFundamental7Solver();
 //! Creates the least-squares fit of a fundamental matrix.
 Ptr<NonMinimalSolver> createFundamentalFit(const Ptr<Residual>& residual);

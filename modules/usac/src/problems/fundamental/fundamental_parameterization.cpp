@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-//! A reflection whose last column is a multiple of n.
+//! A Householder reflection whose last column is a multiple of n, which is not zero.
 Eigen::Matrix3d completion(const Eigen::Vector3d& n)
 {
     Eigen::Vector3d v = n.normalized();
@@ -23,15 +23,16 @@ Eigen::Matrix3d completion(const Eigen::Vector3d& n)
 
 /** Computes orthogonal U and V whose last columns are the left and right null vectors of a matrix M
 of rank 2. This takes a fraction of the time of a singular value decomposition: all columns of the
-cofactor matrix are multiples of the left null vector, all rows are multiples of the right null
-vector. False if the rank of M, up to rounding, is not 2. */
+cofactor matrix are multiples of the left null vector, and all rows are multiples of the right null
+vector. False if the rank of M, up to rounding, is not 2, or if M is close to rank 1. */
 bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
 {
     Eigen::Matrix3d cofactors;
     for (int i = 0; i < 3; ++i)
         cofactors.row(i) = M.row((i + 1) % 3).cross(M.row((i + 2) % 3));
     const double size = M.norm(), det = M.row(0).dot(cofactors.row(0));
-    // about the product of the first two singular values, so that det / rows is the third one
+    // about the product of the first two singular values, so that |det| / rows is about the third
+    // one
     const double rows = cofactors.norm();
     if (!(rows > 1e-3 * size * size) || !(std::abs(det) < 1e-12 * rows * size))
         return false;
@@ -97,8 +98,9 @@ FundamentalParameterization::Basis FundamentalParameterization::tangent() const
 }
 
 /** In the bases U and V, the model plus the step is [I; y^T] C [I, x]: C is the changed corner, C x
-the last column and y^T C the last row. With the last entry y^T C x, the rank is 2. One reflection
-makes the null vector (-x, 1) the last column of V, another one makes (-y, 1) the last column of U.
+the last column and y^T C the last row. Its last entry is y^T C x, so that its rank is 2. One
+reflection makes the null vector (-x, 1) the last column of V, another one makes (-y, 1) the last
+column of U.
 */
 FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
 {

@@ -14,13 +14,13 @@ namespace usacv20 {
 /** @brief A fundamental matrix and a minimal parameterization around it; zero parameters give the
 matrix itself.
 
-F = U S V^T with orthogonal U and V and a 2x2 matrix, of unit norm, in the upper left corner of S. A
-tangent vector of the manifold of matrices of rank 2 is U D V^T, where the last entry of D is 0 and
-the other entries are arbitrary @cite vandereycken2013low; for unit norm D is also orthogonal to S.
-This leaves 3 directions of the corner, 2 of the last column and 2 of the last row: 7 orthogonal
-directions for any singular values. (Rotation angles of U and V are no suitable parameters: if both
-singular values are equal, as for a pure translation, rotating U and V together about the third axis
-does not change F.) */
+F = U S V^T with orthogonal U and V. S has a 2x2 matrix of unit norm in its upper left corner and is
+0 elsewhere. A tangent vector of the manifold of matrices of rank 2 is U D V^T, where the last entry
+of D is 0 and the other entries are arbitrary @cite vandereycken2013low; for unit norm D is also
+orthogonal to S. This leaves 3 directions of the corner, 2 of the last column and 2 of the last row:
+7 orthogonal directions for any singular values. (Rotation angles of U and V are not suitable
+parameters: if both singular values are equal, as for a pure translation, rotating U and V together
+about the third axis does not change F.) */
 class FundamentalParameterization
 {
 public:
@@ -33,7 +33,7 @@ public:
     explicit FundamentalParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
-    //! False for F of rank 1.
+    //! False if F is of rank 1, up to rounding.
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
@@ -48,7 +48,8 @@ public:
     Model model() const;
 
 private:
-    //! The three directions of the corner: an orthonormal basis of its orthogonal complement.
+    //! Computes the three directions of the corner: an orthonormal basis of the 2x2 matrices that
+    //! are orthogonal to the corner.
     void cornerDirections(Eigen::Matrix2d (&directions)[3]) const;
 
     Eigen::Matrix3d U, V;    //!< orthogonal, with a determinant of 1 or -1

@@ -13,32 +13,32 @@ namespace usacv20 {
 
 namespace {
 
-//! The line of a match is divided into bins, the possible positions of the epipole. Bins within
-//! this distance, in bins, of the match's points x2 and H x1 do not count: an epipole there fits
-//! the match in any case, which is no evidence.
+//! The line of a match is divided into bins, the possible positions of the epipole. The bins of the
+//! match's points x2 and H x1, and up to NEAR bins on either side of them, do not count: an epipole
+//! in these bins fits the match in any case, which is not evidence for the epipole.
 constexpr int NEAR = 2;
 
 /* doc/constants.md lists the effects of halving or doubling the following constants. */
 
-//! Assumed fraction of the correct matches whose line leads to the epipole despite their noise.
+//! Assumed fraction of the correct matches whose lines lead to the epipole despite noise.
 constexpr double GOOD_LINES = 0.5;
-//! An epipole is fitted only if its votes are at least this fraction of the inliers that the best
-//! model has off the plane. The fraction is below 1 because the cost can be lower even if there are
-//! no more inliers.
+//! An epipole is fitted only if the number of its votes is at least this fraction of the number of
+//! inliers among the voters: that of the best model, or the wanted number if this is larger. The
+//! fraction is below 1 because the cost can be lower even if there are no more inliers.
 constexpr double WORTH_A_FIT = 0.8;
 //! A fit continues after two steps if its cost over the voters exceeds the lowest such cost by at
 //! most GOES_ON. A fitted epipole is scored over all points if the excess is at most WORTH_RATING,
 //! because the points on the plane decide between similar epipoles. An outlier costs 1.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
-//! Each step of a fit uses the voters within this many thresholds. The first steps use more voters,
-//! because a fit starts at the middle of a bin, which may be inaccurate.
+//! Each step of a fit uses voters within this many thresholds. The first steps have wider limits,
+//! because a fit starts at the middle of a range of bins, which can be inaccurate.
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Two epipoles (as unit vectors) count as the same if the squared sine of the angle between them
-//! is below this value: a distance of about two bins.
+//! is below this value: a distance of about two to four bins.
 constexpr double SAME_EPIPOLE = 1e-3;
 
-//! The unit vector in the middle of the bins first .. last on the line through the orthonormal
-//! vectors u and v; the inverse of placeOf().
+//! The unit vector at the middle of the range of bins first .. last on the line through the
+//! orthonormal vectors u and v; the inverse of placeOf().
 Vec3d middleOf(int first, int last, const Vec3d& u, const Vec3d& v)
 {
     const double place = 2. * (first + last + 1) / ARCS_BINS - 1;
@@ -52,7 +52,7 @@ bool sameEpipole(const Vec3d& a, const Vec3d& b)
     return 1 - cosine * cosine < SAME_EPIPOLE;
 }
 
-//! Two orthonormal vectors that are normal to n, which is not zero.
+//! Computes two orthonormal vectors that are orthogonal to n, which is not zero.
 void lineBasis(const Vec3d& n, Vec3d& u, Vec3d& v)
 {
     int least = 0;
@@ -67,7 +67,7 @@ void lineBasis(const Vec3d& n, Vec3d& u, Vec3d& v)
     v *= 1 / norm(v);
 }
 
-//! The coefficients of the upper triangle of a symmetric G in a^T G b.
+//! Computes the coefficients in a^T G b of the upper triangle of a symmetric matrix G.
 template <typename T>
 void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
 {
@@ -76,9 +76,9 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
             *weights++ = (T)(k == j ? a[k] * b[k] : a[k] * b[j] + a[j] * b[k]);
 }
 
-/** Finds the bins that are covered by the largest number of arcs.
+/** Finds the first range of adjacent bins that are covered by the largest number of arcs.
 @param change number of arcs that begin in each bin minus number of arcs that end in the previous
-bin
+bin; an arc that passes the end of the line also begins in bin 0
 @param own two bins that do not count, together with the bins near them, see NEAR
 @param first, last output: the first and the last of the bins found
 @return the number of arcs that cover these bins */
@@ -100,7 +100,8 @@ int densest(const int* change, const int* own, int& first, int& last)
 }
 
 //! Computes the eigenvector `e` of the smallest eigenvalue of a positive semidefinite matrix by
-//! inverse iteration, which starts from the given `e`. False if the eigenvector is not unique.
+//! inverse iteration, which starts from the given `e`. False if the rank of the matrix is below 2,
+//! so that the eigenvector is not unique, or if the matrix is not finite.
 bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 {
     enum { STEPS = 4 };
@@ -125,10 +126,11 @@ PlaneParallax::PlaneParallax()
 {}
 
 /* With y = H x1 and h1, h2 the first two columns of H, the squared Sampson error of F = [e]x H has
-the numerator (e n)^2 with n = y x x2. Its denominator, the sum of the squares of the first two
-entries of F x1 and of F^T x2, is the sum of the squared scalar products of e with (0, y3, -y2),
-(-y3, 0, y1), h1 x x2 and h2 x x2. G is the matrix of this quadratic form times the squared
-threshold: the error is within the threshold if (e n)^2 <= e^T G e. */
+the numerator (e n)^2, where e n is the scalar product of e with n = y x x2. Its denominator, the
+sum of the squares of the first two entries of F x1 and of F^T x2, is the sum of the squared scalar
+products of e with (0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is the matrix of this
+quadratic form times the squared threshold: the error is within the threshold if (e n)^2 <= e^T G e.
+*/
 void PlaneParallax::setPlane(const Context& context, const int* offPlane, int count,
                              const Matx33d& homography)
 {
@@ -231,7 +233,7 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
 }
 
 //! Fits an epipole to the voters within decreasing multiples of the threshold. The fit with the
-//! lowest cost over the voters is scored over all points and may replace the model.
+//! lowest cost over the voters is scored over all points and can replace the model.
 void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Quality& quality)
 {
     Matx33d F = crossMatrix(e) * H, candidate = F;
@@ -277,7 +279,7 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
     kernelsOf<SampsonError>().errors(p, m, 0, p.size, errors);
     const float widest = (float)(width * width * limit);
     int near[MAX_POINTS + 1], count = 0;
-    for (int i = 0; i < p.size && count < most; ++i)  // without a hardly predictable branch
+    for (int i = 0; i < p.size && count < most; ++i)  // avoids a branch that is hard to predict
     {
         near[count] = i;
         count += errors[i] <= widest;

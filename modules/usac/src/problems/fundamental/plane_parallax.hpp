@@ -15,34 +15,36 @@ namespace usacv20 {
 epipole e of image 2 that agrees with the largest number of points off the plane.
 
 For a correct match off the plane, the line through x2 and H x1 contains e, so two matches determine
-e. DEGENSAC @cite chum2005two draws pairs of matches and counts the inliers of each; if a fraction w
-of the matches is right, that takes w^-2 pairs. Here a single match is drawn. Only the position of e
-on its line is then unknown, and all other matches vote for this position at once: the positions for
-which another match is within the threshold form an arc of the projective (thus closed) line, which
-is computed in closed form. The position where most arcs overlap is the best e over all pairs with
-the drawn match, whatever the noise of the second match. Therefore w^-1 lines suffice.
+e. DEGENSAC @cite chum2005two draws pairs of matches and counts the inliers of each F; if a fraction
+w of the matches is correct, about w^-2 pairs are needed. Here a single match is drawn. Only the
+position of e on the line of this match is then unknown, and all other matches vote for this
+position at once: the positions for which another match is within the threshold form an arc of the
+projective (thus closed) line, which is computed in closed form. The position where most arcs
+overlap is the best e over all pairs with the drawn match, whatever the noise of the second match.
+Therefore about w^-1 lines suffice.
 
-The lines are drawn as in RANSAC, but without replacement: in the order of the points, until with
-the given confidence one of them leads to a better e. Their number follows from the number of
-inliers that a model of interest has, see search(). It is at most the number of points, which bounds
-the time if no correct match is off the plane. */
+The lines are drawn as in RANSAC, but without replacement: in the order of the points, until one of
+the lines leads to a better e with the given confidence. The number of lines follows from the number
+of inliers that a model of interest has, see search(). This number is at most the number of points,
+which bounds the time if no correct match is off the plane. */
 class PlaneParallax
 {
 public:
-    //! Maximum number of points off the plane that vote and whose lines are tried. If there are
-    //! more points, only the first MAX_POINTS are used.
+    //! Maximum number of points off the plane that vote and whose lines can be tried. If there are
+    //! more points off the plane, only the first MAX_POINTS are used.
     enum { MAX_POINTS = 1024 };
 
     PlaneParallax();
 
     //! Sets another plane.
     //! @param context points and memory
-    //! @param offPlane, count indices of the points off the plane, in random order
+    //! @param offPlane, count indices of the points off the plane, in random order, and their
+    //! number
     //! @param homography H of the plane
     void setPlane(const Context& context, const int* offPlane, int count,
                   const Matx33d& homography);
 
-    /** @brief Replaces a model by a better [e]x H.
+    /** @brief Replaces a model with a better [e]x H if one is found.
     @param context scores models over all points
     @param failure accepted probability, in (0, 1), of missing a better model if there is one
     @param wanted models with fewer inliers off the plane are of no interest; only inliers among
@@ -57,11 +59,12 @@ public:
     int size() const { return voters.size(); }
     //! Number of lines tried since setPlane().
     int lines() const { return next; }
-    //! Number of epipoles whose fit was continued after its first steps since setPlane().
+    //! Number of epipoles, since setPlane(), whose fit continued after its first two steps.
     int fits() const { return fitted; }
 
 private:
-    //! Number of points of the first two steps of a fit, which decide whether it continues.
+    //! Maximum number of points in each of the first two steps of a fit. These steps decide whether
+    //! the fit continues.
     enum { FIRST_FIT = 128 };
     //! Rows of `numbers`: for each voter its line n and the symmetric matrix G, see setPlane().
     enum { N0, N1, N2, G00, G01, G02, G11, G12, G22 };
@@ -78,7 +81,7 @@ private:
     GatheredPoints<MAX_POINTS> voters;
     float* numbers;  //!< ARCS_ROWS rows of `stride` numbers; memory for MAX_POINTS columns
     int stride;      //!< size(), rounded up to a multiple of ARCS_BLOCK
-    Quality best;    //!< lowest cost over the voters so far
+    Quality best;    //!< quality, over the voters, of the model with the lowest cost so far
     Vec3d lastFit;   //!< the last epipole that was fitted
     int next, fitted;
 };

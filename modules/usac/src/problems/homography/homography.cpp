@@ -33,7 +33,7 @@ public:
     }
 
     //! The result is scaled to h33 = 1, unless h33 is nearly 0 relative to the other terms of the
-    //! denominator h31 x + h32 y + h33; then it has unit norm.
+    //! denominator h31 x + h32 y + h33; in that case the result has unit norm.
     bool toInput(const Model& model, const Correspondences& points,
                  Model& inInput) const CV_OVERRIDE
     {
@@ -89,7 +89,7 @@ public:
 
     void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
-        if (flags & DEGENERACY_ORIENTATION)  // first, because it rejects most samples
+        if (flags & DEGENERACY_ORIENTATION)  // first, because it rejects the most samples
             degeneracies.push_back(createHomographyOrientation());
         if (flags & DEGENERACY_REPEATED)
         {

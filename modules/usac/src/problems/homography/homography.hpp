@@ -12,11 +12,11 @@ namespace usacv20 {
 
 //! Creates a HomographyProblem.
 Ptr<Problem> createHomographyProblem();
-//! Creates the solver from 4 points, see Homography4Solver.
+//! Creates the 4-point solver, see Homography4Solver.
 Ptr<MinimalSolver> createHomography4Solver();
 //! Creates the least-squares fit of a homography.
 Ptr<NonMinimalSolver> createHomographyFit(const Ptr<Residual>& residual);
-//! Creates the check of the orientation of samples and for near-singular models, see
+//! Creates the check of the orientation of samples and of near-singular models, see
 //! HomographyOrientation.
 Ptr<Degeneracy> createHomographyOrientation();
 

@@ -11,15 +11,16 @@ namespace usacv20 {
 namespace {
 
 //! Three points count as collinear if twice the area of their triangle is at most this fraction of
-//! the largest squared distance to the last point of the sample.
+//! the largest squared distance of another point of the sample from its last point.
 constexpr double COLLINEAR = 1e-6;
 
 /** Computes the matrix B that maps the standard projective basis to four given points. Its columns
-are the first three points in homogeneous coordinates, scaled so that they sum up to the fourth
-point. False if three of the four points are collinear. */
+are the first three points in homogeneous coordinates, scaled so that their sum is a multiple of the
+fourth point. False if three of the four points are collinear. */
 bool fromBasis(const double* x, const double* y, const int* s, double* B)
 {
-    // the weights are determinants of point triples, that is, twice the areas of the triangles
+    // the weights are determinants of point triples, that is, twice the signed areas of the
+    // triangles
     const double x3 = x[s[3]], y3 = y[s[3]];
     double dx[3], dy[3];
     for (int k = 0; k < 3; ++k)
@@ -50,9 +51,9 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
 
 /** @brief The homography that maps four points exactly, in closed form.
 
-Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale
-@cite hartley2003multiple. A sample with three (nearly) collinear points or two equal points in
-either image is degenerate. About 150 operations. */
+Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale @cite
+hartley2003multiple. A sample with three (nearly) collinear points or two equal points in either
+image is degenerate. The solver takes about 150 operations. */
 class Homography4Solver : public MinimalSolver
 {
 public:

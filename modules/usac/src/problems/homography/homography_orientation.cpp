@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! H of unit norm is near-singular if the magnitude of its determinant is not above this value.
+//! H of unit norm is near-singular if the magnitude of its determinant is at most this value.
 constexpr double SINGULAR = 1e-7;
 
 //! Twice the signed areas of the four triangles of four points.

@@ -9,7 +9,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! H of unit norm has rank 3 if the magnitude of its determinant is above this value.
+//! H of unit norm counts as a matrix of rank 3 if the magnitude of its determinant is above this
+//! value.
 constexpr double LEAST_DETERMINANT = 1e-9;
 
 HomographyParameterization::HomographyParameterization(const Model& model)

@@ -25,7 +25,7 @@ public:
     explicit HomographyParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
-    //! False if H maps the plane to a line or a point.
+    //! False if H maps the plane to a line or a point, up to rounding.
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

@@ -35,8 +35,8 @@ Model movedBack(const MapOfSpace& map, const Frame& from, const Frame& to)
     return motionOf(A, t);
 }
 
-/** @brief Rotation and translation from points of space 1 to their counterparts in space 2:
-X2 = s R X1 + t. If `SCALED` is false, s = 1. Models, also those that the caller gets, are 3x4
+/** @brief Rotation and translation from points of space 1 to their counterparts in space 2: X2 = s
+R X1 + t. If `SCALED` is false, s = 1. Models, including those that the caller gets, are 3x4
 matrices [s R t]. */
 template <bool SCALED>
 class RigidMotionProblem : public Problem
@@ -48,7 +48,7 @@ public:
     int coordinates(int) const CV_OVERRIDE { return 3; }
     //! With a scale, the unit of space 1 is unknown.
     bool commonUnit() const CV_OVERRIDE { return !SCALED; }
-    //! The time was measured together with those of H, affinity and similarity.
+    //! The time was measured in the same run as those of H, affinity and similarity.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(320, 1); }
     int normalization(int) const CV_OVERRIDE { return SCALED ? SCALE_EACH : SCALE_COMMON; }
 

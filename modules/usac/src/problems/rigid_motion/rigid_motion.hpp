@@ -10,11 +10,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! Rotation and translation of space, see RigidMotionProblem.
+//! Creates the problem of a rotation and translation of space, see RigidMotionProblem.
 Ptr<Problem> createRigid3DProblem();
-//! Rotation, translation and uniform scale of space, see RigidMotionProblem.
+//! Creates the problem of a rotation, translation and uniform scale of space, see
+//! RigidMotionProblem.
 Ptr<Problem> createSimilarity3DProblem();
-//! Creates the solver from 3 points, see TriangleSolver. If `scaled` is false, the scale is 1.
+//! Creates the 3-point solver, see TriangleSolver. If `scaled` is false, the scale is 1.
 Ptr<MinimalSolver> createTriangleSolver(bool scaled);
 //! Creates a least-squares fit: in closed form for SpaceTransferError, otherwise iterative.
 Ptr<NonMinimalSolver> createRigidFit(const Ptr<Residual>& residual, bool scaled);

@@ -37,7 +37,7 @@ public:
     explicit RigidParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
-    //! False if the scale is 0, so that all points are mapped to a single point.
+    //! False if the scale is not positive; a scale of 0 maps all points to a single point.
     bool hasFullRank() const { return scale > 0; }
     //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

@@ -11,7 +11,7 @@ namespace usacv20 {
 // The contract of a formula is in residual/formula_residual.hpp.
 namespace {
 
-/** Distance in space: A X1 + t - X2 for the 3x4 matrix [A t]. */
+/** Error vector in space 2: A X1 + t - X2 for the 3x4 matrix [A t]. */
 struct SpaceTransferError
 {
     enum { COLUMNS = 6, NUMBERS = 12, COMPONENTS = 3, HOMOGENEOUS = 0, PROJECTION = 0 };

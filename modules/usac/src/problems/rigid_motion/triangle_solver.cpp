@@ -30,7 +30,8 @@ struct Triangle
         regular = area > DBL_EPSILON * longest * longest && area <= DBL_MAX;
         axes.col(0) = side.normalized();
         axes.col(1) = normal.normalized().cross(axes.col(0)).normalized();
-        // The vector `normal` is not exactly perpendicular to the sides of a thin triangle.
+        // Due to rounding, the vector `normal` is not exactly perpendicular to the sides of a thin
+        // triangle.
         axes.col(2) = axes.col(0).cross(axes.col(1));
     }
 
@@ -47,9 +48,9 @@ struct Triangle
 
 /** Rigid motion from three points by least squares @cite horn1987closed. The best rotation maps the
 plane of the first triangle to that of the second one, with the corners in the same orientation, and
-then rotates within this plane by the least-squares angle. The centroids are mapped to each other.
-If `scaled` is true, the scale is the least-squares scale for this rotation
-@cite umeyama1991least. Three collinear points are degenerate. */
+then rotates within this plane by the least-squares angle. The centroid of the first triangle is
+mapped to that of the second one. If `scaled` is true, the scale is the least-squares scale for this
+rotation @cite umeyama1991least. A sample of three collinear points is degenerate. */
 class TriangleSolver : public MinimalSolver
 {
 public:

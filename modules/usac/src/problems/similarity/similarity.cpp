@@ -12,8 +12,8 @@ namespace usacv20 {
 namespace {
 
 /** The similarity that maps two points exactly. With points as complex numbers, the difference of
-the points in image 2 is their difference in image 1 times a + bi. Two equal points in either image
-are degenerate. */
+the points in image 2 is their difference in image 1 times a + bi. A sample with two equal points in
+either image is degenerate. */
 class Similarity2Solver : public MinimalSolver
 {
 public:
@@ -36,8 +36,8 @@ public:
 };
 
 /** Least squares of the transfer error, in closed form. With the points as complex numbers, this is
-linear regression with one coefficient a + bi: the cross-covariance of the images divided by the
-variance of image 1. */
+linear regression with one coefficient a + bi: the cross-covariance of the points in the two images
+divided by their variance in image 1. */
 class SimilarityLeastSquares : public NonMinimalSolver
 {
 public:
@@ -66,7 +66,7 @@ Ptr<NonMinimalSolver> createSimilarityLeastSquares() { return makePtr<Similarity
 
 Ptr<Problem> createSimilarity2DProblem()
 {
-    // 120 is SampleCost::time, measured together with that of a homography
+    // 120 is SampleCost::time, measured in the same run as that of a homography
     const PlaneMapParts parts = {"similarity", 120, false, createSimilarity2Solver,
                                  createSimilarityLeastSquares};
     return makePtr<PlaneMap<SimilarityParameterization>>(parts);

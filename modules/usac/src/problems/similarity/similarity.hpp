@@ -36,9 +36,9 @@ struct SimilarityMap
 
 typedef PlaneParameterization<SimilarityMap> SimilarityParameterization;
 
-//! Rotation, uniform scale and translation from image 1 to image 2.
+//! Creates the problem of a rotation, uniform scale and translation from image 1 to image 2.
 Ptr<Problem> createSimilarity2DProblem();
-//! Creates the solver from 2 points, see Similarity2Solver.
+//! Creates the 2-point solver, see Similarity2Solver.
 Ptr<MinimalSolver> createSimilarity2Solver();
 //! Creates the fit that minimizes the sum of squared transfer errors in closed form.
 Ptr<NonMinimalSolver> createSimilarityLeastSquares();

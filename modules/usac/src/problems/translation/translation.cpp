@@ -28,7 +28,7 @@ public:
 };
 
 //! Least squares of the transfer error, in closed form: the mean of the displacements. The sums are
-//! of differences from the first displacement, so that little precision is lost if all
+//! sums of differences from the first displacement, so that little precision is lost if all
 //! displacements are long and nearly equal.
 class TranslationLeastSquares : public NonMinimalSolver
 {
@@ -64,7 +64,7 @@ public:
 
 Ptr<Problem> createTranslation2DProblem()
 {
-    // 120 is SampleCost::time; measurements found no difference from a similarity
+    // 120 is SampleCost::time; the measured times are the same as for a similarity
     const PlaneMapParts parts = {"translation", 120, true, createTranslation1Solver,
                                  createTranslationLeastSquares};
     return makePtr<PlaneMap<TranslationParameterization>>(parts);

@@ -15,8 +15,8 @@ struct TranslationMap
 {
     enum { DIMENSION = 2 };
 
-    //! Reads the translation that maps the origin to the same point as the map `m` does. The origin
-    //! is the center of the points.
+    //! Reads the translation that maps the origin to the same point as the map `m` does. In the
+    //! coordinates of the search, the origin is the center of the points in image 1.
     static void read(const double* m, double* p)
     {
         p[0] = m[2];
@@ -34,9 +34,9 @@ struct TranslationMap
 
 typedef PlaneParameterization<TranslationMap> TranslationParameterization;
 
-//! Translation from image 1 to image 2.
+//! Creates the problem of a translation from image 1 to image 2.
 Ptr<Problem> createTranslation2DProblem();
-//! Creates the solver from 1 point, see Translation1Solver.
+//! Creates the 1-point solver, see Translation1Solver.
 Ptr<MinimalSolver> createTranslation1Solver();
 //! Creates the fit that minimizes the sum of squared transfer errors in closed form.
 Ptr<NonMinimalSolver> createTranslationLeastSquares();
