@@ -53,8 +53,8 @@ constexpr double WIDE = 0.5;
 data, mostly of polishing and significance. OF_SEARCH is for each point of the search: 62 bytes for
 order and graph, 28 for sampler and checks, and a reserve of 24. OF_RUN is for batches, runners-up
 and tables, OF_PLANES for the search for planes, and OF_BATCH, with several threads, for the
-hypotheses of the largest batch. If a value is too small, only another block is allocated; memory
-that is never written to costs no time. */
+hypotheses of the largest batch. If a value is too small, the only effect is that another block is
+allocated; memory that is never written to costs no time. */
 constexpr size_t OF_POINT = 238, OF_SEARCH = 114, OF_RUN = 64 << 10, OF_PLANES = 64 << 10,
                  OF_BATCH = 512 << 10;
 
@@ -149,10 +149,10 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
         }
 }
 
-//! Stores the factors of the errors that follow from Params::sigmas, if there are any. With the
-//! mean sigma as unit, the threshold of a problem with errors of d dimensions encloses the same
-//! volume, averaged over the matches, as with equal sigmas. Problem::randomInlierRatio therefore
-//! needs no change.
+//! Stores the factors of the errors that follow from Params::sigmas, if there are any. With
+//! Correspondences::meanSigma as unit, the threshold of a problem with errors of d dimensions
+//! encloses the same volume, averaged over the matches, as with equal sigmas.
+//! Problem::randomInlierRatio therefore needs no change.
 void ProblemData::readSigmas(const Params& params, Arena& arena)
 {
     view.meanSigma = 1;
@@ -329,9 +329,9 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
     view.exact[k] = values;
 }
 
-//! The lower bound 1e-6 is for noise-free data, from which a threshold below the rounding errors
-//! may be estimated. The bounds DBL_MAX prevent an overflow if the points are so far apart that
-//! their scale is 0.
+//! The lower bound 1e-6 is for noise-free data, for which a threshold below the rounding errors
+//! might be estimated. The upper bounds DBL_MAX prevent an overflow if the points are so far apart
+//! that their scale is 0.
 void ProblemData::setThreshold(double threshold)
 {
     if (threshold == view.threshold)

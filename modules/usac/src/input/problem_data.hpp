@@ -12,14 +12,14 @@ namespace usacv20 {
 
 /** Reads the caller's arrays once and stores them in two forms: all rows in their original order
 (as double, for the final mask), and the rows without NaN and infinite numbers as Correspondences,
-that is normalized, shuffled and as a structure of arrays. O(N) memory and time. */
+that is, normalized, shuffled and as a structure of arrays. Takes O(N) memory and time. */
 class ProblemData
 {
 public:
     /** Maximum number of points in the search. If there are more points, the search uses a random
     subset of this size. A subset of this size yields the inlier ratio with a standard deviation of
-    at most 0.3 percentage points, and thus distinguishes models whose ratios differ by more. A
-    multiple of 16. */
+    at most 0.3 percentage points, and thus distinguishes models whose ratios differ by more than
+    that. The number is a multiple of 16. */
     enum { SEARCHED = 1 << 15 };
 
     //! Holds no points.
@@ -30,38 +30,41 @@ public:
     @param points1, points2, params as in Usac::create; after a cv::Exception the object holds no
     points
     @param arena memory; it is reset to a size sufficient for a run, and the points are stored there
-    @param image true: the original image points are stored, too, see Problem::createImageResidual
+    @param image true: the original image points are stored, too, for Problem::createImageResidual
     */
     void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params,
               Arena& arena, bool image);
 
     const Correspondences& points() const { return view; }
     /** The points of the search: the first #SEARCHED of points(), which are in random order. They
-    are enough to find the best model; polishing then uses all points to make it accurate. */
+    are enough to find the best model; polishing then uses all points to make this model accurate.
+    */
     const Correspondences& searchPoints() const { return part; }
     //! points() with the original image points, for the residual of Problem::createImageResidual.
     Correspondences imagePoints() const;
 
-    //! The threshold of the mask in the unit of Params::threshold (pixels).
+    //! The threshold of the mask in the unit of Params::threshold.
     double threshold() const { return pixelThreshold; }
-    //! Sets the thresholds of search and mask for the rest of the run, in the coordinates of
-    //! points().
+    //! Sets the thresholds of search and mask for the rest of the run. `threshold` is in the
+    //! coordinates of points(). If it is the present threshold of the search, nothing changes.
     void setThreshold(double threshold);
-    //! Sets the thresholds of search and mask to `factor` times their values before the run.
+    //! Sets the thresholds of search and mask to `factor` times their values before the run. That
+    //! of the search has a lower bound.
     void scaleThreshold(double factor);
     //! Restores the thresholds and the reach after a run, which may have changed them.
     void restoreThreshold();
-    //! The reach, that is the ratio of the search threshold to the mask threshold. It begins with
-    //! Params::reach.
+    //! The reach, that is the ratio of the search threshold to the mask threshold. Its initial
+    //! value is Params::reach.
     double reach() const { return currentReach; }
-    //! Sets the reach for the rest of the run, by changing the search threshold.
+    //! Sets the reach for the rest of the run and changes the search threshold accordingly.
     void setReach(double reach)
     {
         setSearchThreshold(view.threshold * (reach / currentReach));
         currentReach = reach;
     }
     //! Writes 1 to `mask` for each of the caller's rows whose error is at most the threshold, else
-    //! 0. The model is in the caller's coordinates. `image`: the original image points are used.
+    //! 0. The model is in the coordinates of Problem::toModelCoordinates. If `image` is true, the
+    //! original image points are used.
     //! @return number of inliers.
     int mask(const Residual& residual, const Model& model, bool image, uchar* mask,
              Arena& arena) const;
@@ -71,12 +74,12 @@ public:
     //! The threshold of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
     /** Fills the fields of a report that describe the mask, except Report::inliers, which must be
-    set already.
+    set already, like Report::stop.
     @param independent also count the independent inliers, which takes some time */
     void tell(const uchar* mask, bool independent, Arena& arena, Report& report) const;
 
 private:
-    //! Value of Report::wideThreshold.
+    //! True if the threshold of the mask is wide, see Report::wideThreshold.
     bool wideThreshold() const;
     //! Number of inliers, where inliers at nearly the same position in one of the arrays count
     //! once, see usacv20::independentInliers and Problem::commonUnit.
@@ -95,13 +98,13 @@ private:
     double givenThreshold[3];  //!< view.threshold, inputThreshold and pixelThreshold before the run
     double givenReach, currentReach;
     double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
-    double pixelThreshold;         //!< the same in the unit of Params::threshold
+    double pixelThreshold;         //!< this threshold in the unit of Params::threshold
     double pixels;                 //!< number of units of Params::threshold per unit of `input`
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
     double* seen[3];  //!< original image points (second array), all rows; null: not stored
-    const double* seenDoubles[3];  //!< the same, shuffled and normalized, for imagePoints()
+    const double* seenDoubles[3];  //!< these points, shuffled and normalized, for imagePoints()
     const float* seenFloats[3];
 
     ProblemData(const ProblemData&);
@@ -109,7 +112,7 @@ private:
 };
 
 //! The model for the mask: the returned matrix with unchanged entries if Problem::ofOutput can
-//! convert it, else `model`.
+//! convert this matrix, else `model`.
 inline Model modelOfMask(const Problem& problem, const Mat& returned, const Model& model)
 {
     const Model exact = problem.ofOutput(returned);

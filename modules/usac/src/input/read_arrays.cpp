@@ -31,7 +31,8 @@ Mat transposed(const Mat& values, Arena::Scope& scope)
 /** Reads a list of points in any layout that some function of OpenCV accepts. Returns a matrix with
 one point per row and one coordinate per column, CV_64F. In a matrix with one channel, the longer
 side is the number of points (as for OpenCV's USAC flags); if both sides are equal, each row is a
-point; a single row or column is one point. Converted data are in memory of the scope. */
+point. However, a single row or a single column is one point. Converted data are in memory of the
+scope. */
 Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();

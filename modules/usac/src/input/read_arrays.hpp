@@ -10,10 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Reads the points of one of the caller's arrays, in any layout and depth that OpenCV's
-functions accept.
+/** @brief Reads the points of one of the caller's arrays, in any layout and depth that some
+function of OpenCV accepts.
 @param points N points
-@param coordinates coordinates per point, 1 to 3; 2-D points may also be given by three homogeneous
+@param coordinates coordinates per point, 1 to 3; 2-D points can also be given by three homogeneous
 coordinates
 @param name name of the argument, for messages
 @param scope memory for converted points
@@ -24,10 +24,11 @@ Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scop
 /** @brief Reads a camera matrix.
 @param array 3x3, any depth; multiples of a camera matrix describe the same camera
 @param name name of the argument, for messages
-@return the matrix with the last row 0 0 1. Raises cv::Exception if it is no camera matrix. */
+@return the matrix, scaled to the last row 0 0 1. Raises cv::Exception if `array` is not a camera
+matrix. */
 Matx33d readCamera(InputArray array, const char* name);
 
-/** @brief Reads distortion coefficients as cv::undistortPoints takes them.
+/** @brief Reads distortion coefficients as cv::undistortPoints accepts them.
 @param array 4, 5, 8, 12 or 14 coefficients, or an empty array
 @param name name of the argument, for messages
 @return the coefficients; empty if there is no distortion. Raises cv::Exception for other arrays. */

@@ -12,7 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-// Limits for extreme input; doc/constants.md has the effects of halving and doubling them.
+// Limits for extreme input; doc/constants.md lists the effects of halving and doubling these
+// constants.
 
 //! The median deviation of the first SAMPLE values is compared with the mean deviation of all
 //! values.
@@ -22,8 +23,8 @@ constexpr int SAMPLE = 31;
 //! far out. In both cases medians are used instead of means.
 constexpr double FAR_OUT = 20, SPOILT = 100;
 
-//! Computes the median of the values (`center`) and the median of the distances from it
-//! (`deviation`), without distances of 0.
+//! Computes the median of the values (`center`) and the median of the nonzero distances of the
+//! values from it (`deviation`, 0 if all values are equal).
 void medianFrame(const double* values, int count, double& center, double& deviation, Arena& arena)
 {
     Arena::Scope scope(arena);
@@ -44,7 +45,7 @@ double sumOf(const double* lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + l
 
 double meanAndExtremes(const double* values, int count, double& lowest, double& highest)
 {
-    const double part = 1. / count;  // factor of each value, because the plain sum may overflow
+    const double part = 1. / count;  // factor of each value, because the plain sum can overflow
     double sums[LANES] = {0}, low[LANES], high[LANES];
     std::fill(low, low + LANES, values[0]);
     std::fill(high, high + LANES, values[0]);

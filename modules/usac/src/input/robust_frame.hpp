@@ -11,9 +11,9 @@ namespace cv {
 namespace usacv20 {
 
 /** Computes center, mean absolute deviation and range (`low`, `high`) of values in random order. If
-outlying values would dominate the means, center and deviation are medians instead. This is the case
-if a single value is very far out, or if the mean deviation is far larger than the spread of most
-values. All results are 0 if `count` is 0. */
+outlying values would dominate the means, center and deviation are medians instead. Outlying values
+dominate if a single value is very far out, or if the mean deviation is far larger than the spread
+of most values. All results are 0 if `count` is 0. */
 void robustFrame(const double* values, int count, double& center, double& deviation, double& low,
                  double& high, Arena& arena);
 

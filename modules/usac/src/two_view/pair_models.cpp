@@ -22,25 +22,27 @@ namespace {
 
 const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
-//! Additional degrees of freedom of F (seven) compared with E (five). With each of them, F can fit
-//! one more match, right or wrong.
+//! Additional degrees of freedom of F (seven) compared with E (five). With each additional degree
+//! of freedom, F can fit one more match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
 /* If E was rejected although the cameras are known, a valid F would mean that the focal lengths are
 wrong. To accept only strong evidence, the search for F then uses the significance raised to this
-power, 10^-8 by default. It draws only LEAST_SAMPLES samples. */
+power, 10^-8 by default. This search draws at most LEAST_SAMPLES samples. */
 constexpr double ALONE = 2;
 //! F is preferred to E if its surplus of inliers exceeds this many standard deviations of the
-//! number expected by chance. One surplus in a thousand does so by chance.
+//! number of inliers that is expected by chance. By chance, about one surplus in a thousand is that
+//! large.
 constexpr double DEVIATIONS = 3;
-//! Number of samples of a search for F that starts from E, or for E that starts from F. Few samples
-//! are enough, because local optimization finds the model.
+//! Maximum number of samples of a search for F that starts from E, or for E that starts from F. Few
+//! samples are enough, because local optimization finds the model.
 constexpr int SAMPLES_FROM_E = 10;
-//! Number of samples of the search for H among inliers of E or F. An H that fits 80 % of them is
-//! found within 18 samples with probability 1 - 10^-4 (0.8^4 of the samples are all-inlier).
+//! Maximum number of samples of the search for H among inliers of E or F. An H that fits 80 % of
+//! these inliers is found within 18 samples with probability 1 - 10^-4, because 0.8^4 of the
+//! samples consist of inliers of this H.
 constexpr int SAMPLES_IN_INLIERS = 100;
 //! Largest Report::chance (a probability) of an accepted model if Params::significance is 0. It is
-//! a hundredth of the limit for a single estimation, because most pairs of a collection do not
-//! overlap.
+//! a hundredth of the usual limit for a single estimation, because most pairs of a collection do
+//! not overlap.
 constexpr double SIGNIFICANCE = 1e-4;
 
 Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat& distCoeffs)
@@ -242,8 +244,8 @@ void PairModels::homographyOfInliers(const PairModel& explained)
                 given.scores.push_back(scores[i]);
     }
     Report report;
-    // A report takes time because it contains the significance, which is not needed here. It is
-    // requested only if the run may be cancelled.
+    // A report takes time because it contains the significance, which is not needed here. The
+    // report is requested only if the run can be canceled.
     Report* const asked = BatchProgress::isWatched() ? &report : 0;
     const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second,
                                    given)
@@ -299,8 +301,9 @@ void PairModels::settle(const Report& report, double reach)
     sigma = report.sigma;
 }
 
-//! Stores the reason and the report if the rejected model has the lowest Report::chance so far.
-//! Adds the confidence to `limited` if Params::maxIterations has ended the search too early.
+//! Stores the reason and the report if the rejected search has the lowest Report::chance so far.
+//! Adds the confidence reached to `limited` if Params::maxIterations has ended the search too
+//! early.
 void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
 {
     if (why.empty() || report.chance < refused.chance)
@@ -313,7 +316,7 @@ void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, c
     if (report.iterations < params.maxIterations ||
         params.maxIterations >= rules.samples(params, kind.sampleSize, size()))
         return;
-    // Rounded down, so that the message never shows the requested confidence as reached.
+    // rounded down, so that the message never shows the requested confidence as reached
     const double reached = std::floor(1e4 * rules.reached(params, kind.sampleSize, size())) / 1e4;
     limited += format("%s%g for %s", limited.empty() ? "" : ", ", reached, kind.name);
 }

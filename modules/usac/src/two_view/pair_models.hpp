@@ -14,8 +14,8 @@ namespace usacv20 {
 
 struct ModelKind;
 
-//! Minimum number of samples of a search, which take less than 2 ms. A single all-inlier sample is
-//! not always enough, because its points may be close to each other.
+//! Smallest result of TwoViewRules::samples(). This number of samples takes less than 2 ms. A
+//! single all-inlier sample is not always enough, because its points may be close to each other.
 enum { LEAST_SAMPLES = 500 };
 
 //! A model of a pair of images and its inliers.
@@ -41,12 +41,12 @@ public:
     //! Searches for E, F and H as described at #estimateTwoViewGeometry. The pair must have
     //! at least leastMatches() matches.
     void search();
-    //! The model that determines the inliers of the pair: E, F or H; null: none was found.
+    //! The model that determines the inliers of the pair: E, F or H. Null if none was found.
     const PairModel* base() const;
     bool calibrated() const { return isCalibrated; }
     int size() const { return (int)points1.size(); }
-    //! Pairs with fewer matches are rejected without a search, because some F fits any seven
-    //! matches.
+    //! Minimum number of matches of a pair. Pairs with fewer matches are rejected without a search;
+    //! there are at least 8, because for any seven matches there is an F that fits them.
     int leastMatches() const { return std::max(rules.minInliers, 8); }
     //! The fundamental matrix that belongs to an essential matrix, scaled to norm 1.
     Matx33d fundamental(const Matx33d& essential) const;
@@ -57,7 +57,7 @@ public:
     //! Finds the rotation of a camera that has not translated, from the inliers of H. @return false
     //! if this rotation explains too few of the inliers of `explained`
     bool turn(const PairModel& explained, Matx33d& R) const;
-    //! True if H explains so many of these inliers that the pair is planar or panoramic.
+    //! True if H explains so many of the inliers of a model that the pair is planar or panoramic.
     bool mostlyOnPlane(const PairModel& inliers) const
     {
         return H.inliers > rules.planarRatio * inliers.inliers;
@@ -99,7 +99,8 @@ private:
     void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report,
               PairModel& model);
     void account(const Report& report);
-    //! Sets the threshold of the pair from the threshold of an accepted model, unless it is known.
+    //! Sets the threshold of the pair from the threshold of an accepted model, unless the threshold
+    //! of the pair is already known.
     //! @param reach ratio of the threshold of the model to that of the pair
     void settle(const Report& report, double reach);
     void refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report);

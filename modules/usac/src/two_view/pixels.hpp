@@ -19,12 +19,12 @@ std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1,
                                      const Points& points2);
 
 /** Sampson distance of each match in pixels: the distance, in both images, to the nearest match
-that H maps exactly, to first order. Infinite if H does not map the point to the same side of the
-camera as most points. */
+that H maps exactly, to first order. The distance is infinite if H does not map the point to the
+same side of the camera as most points. */
 std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const Points& points2);
 
 //! The square of the area that the points cover, up to a constant factor: the determinant of their
-//! covariance matrix. It is computed from some of the points.
+//! covariance matrix. It is computed from at most 200 of the points.
 double squaredArea(const Points& points);
 
 //! The essential matrix, with singular values 1, 1, 0, that is nearest to camera2^T F camera1.
@@ -33,8 +33,8 @@ Matx33d essentialOf(const Matx33d& F, const Matx33d& camera1, const Matx33d& cam
 //! The rotation nearest to a matrix with a positive determinant.
 Matx33d nearestRotation(const Matx33d& matrix);
 
-//! The rotation that takes `directions1` closest to `directions2`, by least squares of unit vectors
-//! @cite umeyama1991least.
+//! The rotation that maps `directions1` as closely as possible to `directions2`, by least squares
+//! of unit vectors @cite umeyama1991least.
 Matx33d fitRotation(const std::vector<Vec3d>& directions1, const std::vector<Vec3d>& directions2);
 
 }  // namespace usacv20

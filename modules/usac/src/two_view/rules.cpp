@@ -11,21 +11,21 @@ namespace usacv20 {
 namespace {
 
 /* A model is found more often than the fraction of all-inlier samples suggests: local optimization
-also corrects models of samples that contain an outlier, degenerate samples lead to models by plane
-and parallax (F), and many samples are drawn from regions where right matches are dense. When the
+also corrects models of samples that contain an outlier, plane and parallax turns degenerate samples
+into models (F), and many samples are drawn from regions where right matches are dense. When the
 number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_FOR_E)^2
 samples for E, at least 1 and at most MOST_FOR_E, and as SAMPLES_FOR_F samples for F.
-doc/measurements/collections_tables.md has the measured numbers; the constants are near the
-lowest numbers measured on photographs and in collections, but above the number measured for E with
-matches that are scattered over both images. Samples for H and of other presets, which were not
-measured, count as one. */
+doc/measurements/collections_tables.md has the measured numbers; the constants are near the lowest
+numbers measured on photographs and in collections, but above the number measured for E with matches
+that are scattered over both images. Samples for H and of other presets, which were not measured,
+count as one. */
 constexpr double ONE_FOR_E = 11.5, MOST_FOR_E = 4, SAMPLES_FOR_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5, F_SAMPLE = 7;
 
-//! True if the search is that of USACV20, for which countedAs() was measured.
+//! True if the search is that of USACV20, for which the numbers in countedAs() were measured.
 bool isMeasured(const Params& params)
 {
     const Params usual;
@@ -48,7 +48,7 @@ double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, doub
     return part;
 }
 
-//! The number of samples that one sample stands for when the number of samples is computed.
+//! The number of samples that one sample counts as when the number of samples is computed.
 double countedAs(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
                  double ratio)
 {
@@ -61,7 +61,7 @@ double countedAs(const TwoViewRules& rules, bool measured, int sampleSize, int m
 }
 
 //! Logarithm of the probability that one sample does not lead to the model of a pair; -infinity if
-//! every sample does.
+//! every sample leads to it.
 double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, int matches,
                       double ratio)
 {
@@ -71,7 +71,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
     return countedAs(rules, measured, sampleSize, matches, ratio) * std::log1p(-right);
 }
 
-//! The probabilities with which samples miss the models of the pairs of a collection.
+//! The pairs of a collection, with the probability that a sample misses the model of a pair.
 class Collection
 {
 public:
@@ -94,7 +94,7 @@ public:
             weights[i] /= rules.ratios.size() + 1;
     }
 
-    //! The expected fraction of the pairs whose model is not found by `samples` samples.
+    //! The expected fraction of pairs whose model is not found with `samples` samples.
     double missed(double samples) const
     {
         double sum = 0;
@@ -104,7 +104,7 @@ public:
         return sum;
     }
 
-    double slowest;  //!< maximum of `logarithms`: for the pairs whose models are hardest to find
+    double slowest;  //!< largest of `logarithms`: of the pairs whose models are hardest to find
 
 private:
     void add(double logarithm, double weight)

@@ -18,7 +18,7 @@ namespace {
 //! Maximum number of matches for which inFront() is evaluated to choose a motion.
 constexpr int MOST_FOR_SIDES = 500;
 
-//! Selects, of the four motions of an essential matrix, the motion with the largest number of
+//! Selects, from the four motions of an essential matrix, the motion with the largest number of
 //! matches in front of both cameras.
 Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
@@ -61,7 +61,8 @@ void addRotationsOfPlane(const PairModels& models, Mat& rotations)
         addRotation(nearestRotation(determinant(H) > 0 ? H : H * -1.), rotations);
 }
 
-//! All possible rotations of the camera. One of them is right if the matches of the pair are right.
+//! All possible rotations of the camera; none for a watermark. One of these rotations is right if
+//! the matches of the pair are right.
 Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const PairModel& base)
 {
     Mat result;
@@ -78,7 +79,8 @@ Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const Pa
     return result;
 }
 
-//! Sets the configuration of a pair for which H explains most inliers.
+//! Sets the configuration of a pair for which H explains most inliers and, for a pure rotation, R
+//! and t.
 //! @param known true if the cameras are calibrated and E or H determines the inliers
 void readPlane(const PairModels& models, const PairModel& base, bool known, TwoViewGeometry& found)
 {

@@ -13,8 +13,8 @@ namespace usacv20 {
 namespace {
 
 //! BORDER: width of the image border as a fraction of the diagonal. WATERMARK: fraction of the
-//! inliers that must lie in the border and have nearly the same motion. The values are those of
-//! COLMAP.
+//! inliers that must lie in the borders of both images and have nearly the same motion. The values
+//! are those of COLMAP.
 constexpr double BORDER = 0.1, WATERMARK = 0.7;
 
 bool inBorder(const double* point, const Size& size)

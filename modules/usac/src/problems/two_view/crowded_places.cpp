@@ -13,12 +13,13 @@ namespace usacv20 {
 
 namespace {
 
-// A place, in this file, is a small region of array 2, at most a few thresholds wide, to which many
+// In this file, a place is a small region of array 2, at most a few thresholds wide, to which many
 // different points of array 1 are matched. doc/constants.md lists the effects of halving and
 // doubling these constants.
 
 //! The first FIRST_SEEN points, a random subset, are compared with each other. One of these points
-//! can be the center of a place if at least SEEN others of them are near it.
+//! can be the center of a place if at least SEEN of the other points are near it in array 2 and far
+//! from it in array 1.
 constexpr int FIRST_SEEN = 64, SEEN = 3;
 //! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED_PART
 //! of their coordinates.
@@ -29,8 +30,9 @@ constexpr int TENTH = 10;
 //! Maximum number of places, because each has at least 1 / TENTH of all points.
 constexpr int MOST_PLACES = TENTH;
 //! An apparent place is a distant object if an affine map from array 1 explains at least this
-//! fraction of the scatter of its points in array 2. If the scatter of n points is only noise, the
-//! map explains a fraction of about 2 / n.
+//! fraction of the scatter of the place's points in array 2. If the scatter of n points is only
+//! noise, the map explains a fraction of about d / n, where d is the number of coordinates in array
+//! 1.
 constexpr double EXPLAINED = 0.9;
 
 //! Squared distance of two points of an array.
@@ -43,8 +45,9 @@ inline float squaredDistance(const Correspondences& p, int array, int i, int k)
     return sum;
 }
 
-/** True if an apparent place is a distant object, so that an affine map from array 1 predicts its
-points in array 2. The criterion is the squared multiple correlation. */
+/** True if an apparent place is a distant object, so that an affine map from array 1 predicts the
+points of the place in array 2. The criterion is the squared multiple correlation. False if there
+are too few points for this test. */
 bool isObject(const Correspondences& p, const int* members, int count)
 {
     if (count < 2 * (p.coordinates[0] + 1))
@@ -71,20 +74,20 @@ bool isObject(const Correspondences& p, const int* members, int count)
         across += first * second.transpose();
         scatter += second.squaredNorm();
     }
-    within.diagonal().array() += 1e-12 * within.trace();  // it may be singular
+    within.diagonal().array() += 1e-12 * within.trace();  // the matrix can be singular
     const double explained = (across.transpose() * within.ldlt().solve(across)).trace();
     return explained >= EXPLAINED * scatter;
 }
 
 /** @brief Check for maps and poses: matches of many points to one place (a watermark, a blinking
-light, a dead pixel) are no independent evidence, even if they are noisy.
+light, a dead pixel) are not independent evidence, even if they are noisy.
 
 A map that shrinks everything to this place, or a camera far away, fits all these matches, wherever
 their points in array 1 are. Therefore
 - samples are rejected in which two matches to a place are far apart in array 1, see TargetLimits;
-- in the quality of a new so-far-the-best model, the inliers of each place count as a single inlier.
-The model is kept, but its score is no longer better than that of correct models. The map of a small
-object keeps most of its quality, because it does not shrink the object to one place.
+- in the quality of each new best model, the inliers of each place count as a single inlier. The
+model is kept, but its score is no longer better than that of correct models. The map of a small
+object keeps most of its quality, because this map does not shrink the object to one place.
 
 Matches from one place of array 1 to many points of array 2 need no check, because no map fits them.
 Places are searched for once, with the inlier threshold. With the larger distances that some scores
@@ -152,7 +155,8 @@ public:
 
 private:
     //! Extent of the first points in one column, without the outermost points. It is needed because
-    //! the box Correspondences::lower, upper covers only the place if nearly all points are there.
+    //! the box Correspondences::lower, upper covers only the place if nearly all points are in one
+    //! place.
     static float extent(const float* column, int count)
     {
         float values[FIRST_SEEN];
@@ -161,9 +165,9 @@ private:
         return values[count - 1 - count / TRIMMED_PART] - values[count / TRIMMED_PART];
     }
 
-    //! Counts for each of the first `count` points how many others of them are within `near` in
-    //! array 2 but farther than `far` in array 1. Both limits are squared distances; a negative
-    //! `far` ignores array 1.
+    //! Counts for each of the first `count` points how many of the other points among them are at
+    //! most `near` away in array 2 but more than `far` away in array 1. Both limits are squared
+    //! distances; a negative `far` ignores array 1.
     static void look(const Correspondences& p, float near, float far, int count, int* seen)
     {
         std::fill(seen, seen + count, 0);
@@ -186,8 +190,8 @@ private:
         }
     }
 
-    //! Adds the points near `center` as a place if there are enough of them and they are not a
-    //! distant object. No point is in two places.
+    //! Adds the points near the point `center` as a place if there are enough of these points and
+    //! they are not a distant object. No point is in two places.
     void addPlace(const Context& context, int center, float near)
     {
         const Correspondences& p = context.points;

@@ -15,7 +15,7 @@ namespace usacv20 {
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
                   Matx33d& H)
 {
-    for (int k = 0; k < 3; ++k)  // with a shared point, H would map everything to this point
+    for (int k = 0; k < 3; ++k)  // with a shared point, H or M would be singular
         if (shareAPoint(p, triple[k], triple[(k + 1) % 3]))
             return false;
     Matx33d M;
@@ -91,7 +91,8 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
 
 bool epipoleIsFree(const Context& context, const Model& F)
 {
-    constexpr double PLANAR = 0.85;  // least fraction of inliers on the plane, doc/constants.md
+    // fraction of the inliers that must be exceeded on the plane, see doc/constants.md
+    constexpr double PLANAR = 0.85;
     DominantPlane plane;
     Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE));
     Matx33d H;

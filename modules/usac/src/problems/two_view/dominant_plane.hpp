@@ -10,9 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Computes the homography of the plane through three correspondences that agree with F:
-//! H = A - e (M^-1 b)^T, where e is the epipole of image 2 and A = [e]x F; the rows of M are the
-//! points x1. False if the correspondences do not determine a homography.
+//! Computes the homography of the plane through three correspondences that agree with F: H = A - e
+//! (M^-1 b)^T, where e is the epipole of image 2 and A = [e]x F; the rows of M are the points x1,
+//! and b is such that H maps each x1 to its x2. False if the correspondences do not determine a
+//! homography.
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
                   Matx33d& H);
 
@@ -42,7 +43,8 @@ public:
     @param least a fraction below 1: more than this fraction of the tested inliers must be on the
     plane
     @param H output, the homography of the plane
-    @return false if no such plane is found or if F has fewer than LEAST_INLIERS inliers */
+    @return false if no such plane is found, if F has fewer than LEAST_INLIERS inliers, or if F
+    determines no epipole */
     bool find(const Context& context, Rng& rng, const Model& F, double least, Matx33d& H);
 
     //! The inliers that the last find() tested.

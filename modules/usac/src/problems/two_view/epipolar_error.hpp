@@ -13,9 +13,9 @@ namespace usacv20 {
 // The contract of a formula is in residual/formula_residual.hpp.
 namespace {
 
-//! If both points are epipoles, numerator and denominator of an epipolar distance are 0. Fits add
-//! this constant to the denominator, so that the distance is then 0. It is far below any other
-//! denominator.
+//! If both points of a match are epipoles, the numerator and the denominator of an epipolar
+//! distance are 0. Fits add this constant to the denominator, so that the distance is then 0. It is
+//! far below any other denominator.
 constexpr double BOTH_EPIPOLES = 1e-200;
 
 //! Computes the first two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.

@@ -78,7 +78,7 @@ bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points,
     }
     result = map;
     const bool linear = map(0, 0) != 0 || map(0, 1) != 0 || map(1, 0) != 0 ||
-                        map(1, 1) != 0;  // all 0: they have underflowed
+                        map(1, 1) != 0;  // all entries are 0: underflow
     return linear && checkRange(Mat(map, false));
 }
 
@@ -119,10 +119,10 @@ Ptr<Residual> PlaneMapProblem::createResidual(int type) const
                                       : createResidualOf<TransferError>();
 }
 
-/** Every orientation of a sample is valid for an affine map, and dominant planes are no degeneracy:
-only repeated points and crowded places are checked. The set of all flags stands for all checks that
-a problem has. Any other set with #DEGENERACY_DEGENSAC is an error, because the caller expects a
-check that does not exist. */
+/** Every orientation of a sample is valid for an affine map, and dominant planes are not a
+degeneracy. Therefore only repeated points and crowded places are checked. The set of all flags
+means all checks that exist for a problem. Any other set with #DEGENERACY_DEGENSAC is an error,
+because the caller expects a check that does not exist. */
 void PlaneMapProblem::createDegeneracies(int flags,
                                          std::vector<Ptr<Degeneracy>>& degeneracies) const
 {

@@ -11,9 +11,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Weighted means and second moments of matches, from which the least-squares map
-x2 = A x1 + t of an affinity or a similarity is computed. The problem is linear, and relative to the
-means it has no t @cite umeyama1991least. Takes one pass, with about 30 operations per match. */
+/** @brief Weighted means and second moments of matches, from which the least-squares map x2 = A x1
++ t of an affinity or a similarity is computed. The problem is linear, and for points relative to
+the means, t is 0 @cite umeyama1991least. The moments take one pass over the matches, with about 30
+operations per match. */
 struct Moments
 {
     /** Moments of `count` matches. The sums use coordinates relative to the first match, so that
@@ -21,7 +22,8 @@ struct Moments
     is null, all weights are 1. */
     Moments(const Correspondences& points, const int* indices, int count, const double* weights);
 
-    //! The map with the linear part (a b; c d) that maps the means of the images to each other.
+    //! The map with the linear part (a b; c d) that maps the mean of the points in image 1 to that
+    //! in image 2.
     Matx33d map(double a, double b, double c, double d) const;
 
     double mean[4];     //!< means of x1, y1, x2, y2
@@ -56,12 +58,12 @@ struct PlaneMapParts
     double sampleTime;  //!< see SampleCost::time
     bool keepsScale;    //!< the map cannot change the scale, so that the normalization must scale
                         //!< both images by the same factor
-    Ptr<MinimalSolver> (*minimalSolver)();    //!< creates the solver of minimal samples
+    Ptr<MinimalSolver> (*minimalSolver)();    //!< creates the solver for minimal samples
     Ptr<NonMinimalSolver> (*leastSquares)();  //!< creates the closed-form least-squares fit of the
                                               //!< transfer error
 };
 
-//! @brief The problem of one kind of affine maps; `Parameterization_` is its PlaneParameterization.
+//! @brief The problem of one kind of affine map; `Parameterization_` is its PlaneParameterization.
 template <class Parameterization_>
 class PlaneMap : public PlaneMapProblem
 {

@@ -10,15 +10,16 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A map of the plane whose entries are linear functions of its parameters, and a
-parameterization around this map: increments of the parameters. Zero increments give the map itself.
+/** @brief A map of the plane whose entries are affine functions of its parameters, and a
+parameterization around this map by increments of these parameters. Zero increments give the map
+itself.
 
 The class `Map` defines the parameters p:
-- DIMENSION is their number;
-- read(m, p) writes to p the parameters of the map of this kind that is nearest to a given map m,
+- DIMENSION is the number of parameters;
+- read(m, p) writes to p the parameters of the map of this class that is nearest to a given map m,
 which has 9 entries, row by row;
 - write(p, m) writes the first two rows of the map with the parameters p to m;
-- isRegular(p) is false if the map takes the plane to a line or a point. */
+- isRegular(p) is false if the map with the parameters p maps the plane to a line or a point. */
 template <class Map>
 class PlaneParameterization
 {
@@ -28,8 +29,8 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! The parameterization around the map of this kind that is nearest to `model`, after scaling
-    //! its last entry to 1.
+    //! The parameterization around the map of the class `Map` that is nearest to `model`, whose
+    //! last entry is first scaled to 1.
     explicit PlaneParameterization(const Model& model)
     {
         Map::read(model.val, parameters.data());
@@ -37,7 +38,7 @@ public:
     }
 
     static int dimension() { return DIMENSION; }
-    //! False for a map of the plane to a line or a point.
+    //! False if the plane is mapped to a line or a point.
     bool hasFullRank() const { return Map::isRegular(parameters.data()); }
 
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
@@ -60,7 +61,7 @@ public:
     //! Converts normal equations in the entries of the model to normal equations in the parameters.
     void project(const NormalEquations& sums, Matrix& A, Step& b) const
     {
-        if (DIMENSION == 6)  // the parameters are entries of the model
+        if (DIMENSION == 6)  // the parameters are the first six entries of the model
         {
             A = sums.JtJ.template topLeftCorner<DIMENSION, DIMENSION>();
             b = sums.Jtr.template head<DIMENSION>();

@@ -12,17 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-//! All occurrences of a match count as a single inlier if at least OFTEN of them are among the
-//! first FIRST_POINTS points, a random subset, and if they make up more than 1 / COMMON of all
-//! points. See doc/constants.md.
+//! All occurrences of a match count as a single inlier if at least OFTEN of these occurrences are
+//! among the first FIRST_POINTS points, a random subset, and if all occurrences make up more than 1
+//! / COMMON of all points. See doc/constants.md.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, COMMON = 10;
 
 /** @brief Rejects samples in which two matches share a point of array 1 or of array 2.
 
-A point has at most one counterpart: if two matches share a point, one of them is wrong, or they are
-the same match twice. Repetitions of a match that make up more than a tenth of all matches count as
-a single inlier in the quality of a new so-far-the-best model, because every model fitted to this
-match would have all of them as inliers. */
+A point has at most one counterpart: if two matches share a point, at least one of them is wrong, or
+they are the same match twice. If the occurrences of a match make up more than a tenth of all
+matches, they count as a single inlier in the quality of each new best model, because every model
+fitted to this match has all these occurrences as inliers. */
 class RepeatedPoints : public Degeneracy
 {
 public:
@@ -56,7 +56,8 @@ public:
     }
 
 private:
-    //! Finds the repetitions of frequent matches: all occurrences of each match except one.
+    //! Finds the repetitions of frequent matches, that is, all occurrences of each such match
+    //! except one.
     void search(const Context& context)
     {
         const Correspondences& p = context.points;
@@ -73,9 +74,9 @@ private:
         }
     }
 
-    //! Adds the repetitions of match `of` if its occurrences are more than 1 / COMMON of all
-    //! points. No point repeats two different matches, so that an array of the size of the points
-    //! is large enough.
+    //! Adds the repetitions of the match `of` if its occurrences are more than 1 / COMMON of all
+    //! points. No point repeats two different matches, so that an array of Correspondences::size
+    //! elements is large enough.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;

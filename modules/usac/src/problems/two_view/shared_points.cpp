@@ -13,23 +13,24 @@ namespace usacv20 {
 
 namespace {
 
-// The two ends of a match, in this file, are its point in image 1 and its point in image 2.
+// In this file, the two ends of a match are its point in image 1 and its point in image 2.
 // doc/constants.md lists the effects of halving and doubling these constants.
 
 //! The quality is lowered only if at least FEW of the first LOOKED_AT points are matches that would
 //! be inliers for every position of one of their ends.
 constexpr int LOOKED_AT = 64, FEW = 8;
-//! Many matches share points if at least SHARED_PAIRS pairs (3 % of all pairs) of the first
-//! FIRST_PAIRS matches share a point. For comparison: if each of two points has a third of all
-//! matches, a fifth of the pairs share a point.
+//! Many matches share points if at least SHARED_PAIRS pairs of the first FIRST_PAIRS matches (3 %
+//! of these pairs) share a point up to noise, see shareATarget(). For comparison: if each of two
+//! points has a third of all matches, a fifth of the pairs share a point.
 constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
 //! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED of
 //! their coordinates.
 constexpr int TRIMMED = 10;
 
-//! A match does not constrain F if a shift of one end by this many thresholds moves the epipolar
-//! line across the whole other image. In images of 640 pixels, the other condition of SharedPoints,
-//! with #FAR_APART, is stricter than this one if the threshold exceeds 1.1 pixels.
+//! A match counts as not constraining F only if a shift of one end by this many thresholds moves
+//! the epipolar line across the whole other image. SharedPoints describes another condition, with
+//! #FAR_APART. In images of 640 pixels, that condition is stricter if the threshold exceeds 1.1
+//! pixels.
 constexpr double ANYWHERE = 60;
 
 /** Tests whether a match would be an inlier of F for every position of one of its two ends, see
@@ -60,23 +61,23 @@ private:
     const float most1, most2;
 };
 
-/** @brief Check for F and E: matches of many points to one point are no independent evidence, even
+/** @brief Check for F and E: matches of many points to one point are not independent evidence, even
 if they are noisy.
 
 Matches to one point, called a target here (repeated patterns, matching without cross-check), are
 inliers of every epipolar geometry whose epipole is the target, for every position of their other
 ends. Matches to two targets, or to points on a line, are inliers of an F of nearly rank 1 whose
-epipolar lines all coincide with this line. Therefore
+epipolar lines all coincide with the line of the targets or points. Therefore
 - samples are rejected in which two matches share a point. If many matches share points, points that
 are the same up to noise count as shared, too, see shareATarget(). If few matches share points, such
-near points may belong to correct matches that one camera sees close together;
-- in the quality of a new so-far-the-best model, all inliers that would be inliers for every
-position of one of their ends count as a single inlier. The model is kept, because there may be no
-better model, but its score is no longer better than that of correct models.
+near points can belong to correct matches that one camera sees close together;
+- in the quality of each new best model, all inliers that would be inliers for every position of one
+of their ends count as a single inlier. The model is kept, because there may be no better model, but
+its score is no longer better than that of correct models.
 
 These inliers are recognized as follows. If the normal of the epipolar line F^T x2 (its first two
-entries) is nearly 0, a shift of x2 within the noise turns the line to any direction, and x1 is not
-constrained. The ratio of the lengths of the normals of F x1 and F^T x2 is the ratio of the
+entries) is nearly 0, a shift of x2 within the noise turns the line to any direction, so that x1 is
+not constrained. The ratio of the lengths of the normals of F x1 and F^T x2 is the ratio of the
 distances between neighboring epipolar lines in the two images. For correct geometries this is the
 ratio of the local scales. The ratio is too large if it exceeds #FAR_APART times the ratio of the
 image sizes and if a shift of one end by #ANYWHERE thresholds moves the epipolar line across the
@@ -91,10 +92,11 @@ class SharedPoints : public Degeneracy
 public:
     SharedPoints() : targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
 
-    /** Estimates the extents of the points in both images in two ways: by the box
-    Correspondences::lower, upper, which is robust against a few points far from the others, and by
-    the first points without the outermost ones, which is robust against many matches to one target.
-    The estimate with more equal extents is used, because most images of a pair have the same size.
+    /** Estimates the extents of the points in both images in two ways: from the box
+    Correspondences::lower, upper, which is robust against a few points far from the other points,
+    and from the first points without the outermost ones, which is robust against many matches to
+    one target. The estimate with more equal extents is used, because most images of a pair have the
+    same size.
     */
     void start(const Context& context) CV_OVERRIDE
     {

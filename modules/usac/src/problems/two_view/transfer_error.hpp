@@ -28,7 +28,7 @@ struct TransferError
 
         T squared() const { return du * du + dv * dv; }
         T cost() const { return squared(); }
-        //! Homogeneous coordinates of the point of image 1.
+        //! Homogeneous coordinate `k` of the point of image 1.
         T p(int k) const { return k == 0 ? x : k == 1 ? y : T(1); }
 
         template <class Out>
@@ -56,9 +56,9 @@ struct TransferError
     };
 };
 
-/** Symmetric transfer error: the error of H in image 2 and that of its inverse in image 1
-@cite hartley2003multiple. The adjugate A of H serves as the inverse, because a factor cancels; A is
-the same for all points. */
+/** Symmetric transfer error: the transfer error of H in image 2 and that of its inverse in image 1
+@cite hartley2003multiple. The adjugate A of H is used as the inverse, because the factor 1 / det H
+cancels in the perspective division. */
 struct SymmetricTransferError
 {
     enum { COLUMNS = 4, NUMBERS = 9, COMPONENTS = 4, HOMOGENEOUS = 1, PROJECTION = 0 };

@@ -13,14 +13,15 @@ namespace usacv20 {
 
 //! Creates the check of the oriented epipolar constraint for F and E, see OrientedEpipolar.
 Ptr<Degeneracy> createOrientedEpipolar();
-//! Creates the check for repeated matches, for maps of points, see RepeatedPoints.
+//! Creates the check for repeated matches, for problems that map points to points, see
+//! RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
-//! Creates the check for matches of many points to one small region, for maps of points, see
-//! CrowdedPlaces.
+//! Creates the check for matches of many points to one small region, for problems that map points
+//! to points, see CrowdedPlaces.
 Ptr<Degeneracy> createCrowdedPlaces();
-//! Adds the two checks above, the only ones for maps of points, if `flags` contains
-//! #DEGENERACY_REPEATED. Raises cv::Exception if #DEGENERACY_DEGENSAC is set, unless all flags are
-//! set.
+//! Adds the two checks above, which are the only ones for affine maps, absolute poses and motions
+//! of space, if `flags` contains #DEGENERACY_REPEATED. Raises cv::Exception, with the name
+//! `problem`, if #DEGENERACY_DEGENSAC is set, unless all flags are set.
 void createChecksOfMaps(int flags, const String& problem,
                         std::vector<Ptr<Degeneracy>>& degeneracies);
 //! Creates the check for matches that share a point, for F and E, see SharedPoints.
