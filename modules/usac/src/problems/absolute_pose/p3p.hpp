@@ -19,8 +19,8 @@ a rotation.
 The law of cosines gives three quadrics in the distances of the points from the camera. The ratios
 of these distances are the intersections of two conics @cite persson2018lambda, found by means of a
 degenerate conic of their pencil, a pair of lines @cite ding2023revisiting. Unlike in these papers,
-the unknowns are the first distance and the differences between it and the other two, in units that
-avoid cancellation for a narrow field of view or a distant scene, see TriangleDepths.
+the unknowns are the first distance and the differences of the other distances from the first one,
+in units that avoid cancellation for a narrow field of view or a distant scene, see TriangleDepths.
 
 Under every model, the three points are in front of the camera and are projected to their images; no
 two models are the same. There is no model if, up to rounding, the object points are collinear or
@@ -28,8 +28,8 @@ two image points are the same, or if a coordinate is not finite. */
 class P3PSolver : public MinimalSolver
 {
 public:
-    //! `camera_`: camera matrix whose last row and last column are 0 0 1. Models are `camera_` [R
-    //! t], and (u, v, 1) is `camera_` times the image point on the plane z = 1.
+    //! `camera_`: camera matrix whose last row and last column are 0 0 1. Models are `camera_`
+    //! [R t], and (u, v, 1) is `camera_` times the image point on the plane z = 1.
     explicit P3PSolver(const Matx33d& camera_) : camera(camera_), inverse(camera_.inv()) {}
 
     int sampleSize() const CV_OVERRIDE;

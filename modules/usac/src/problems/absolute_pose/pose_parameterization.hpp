@@ -21,8 +21,8 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Creates the parameterization around the pose that is closest to a model, a 3x4 matrix K [R
-    //! t].
+    //! Creates the parameterization around the pose that is closest to a model, a 3x4 matrix K
+    //! [R t].
     struct Around
     {
         explicit Around(const Matx33d& K_) : K(K_) {}

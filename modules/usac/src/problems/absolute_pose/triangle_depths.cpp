@@ -180,8 +180,8 @@ int meet(const LinePair& lines, const Conic& C, double (&points)[4][3])
     return count;
 }
 
-//! Computes the position of the triangle with the given ratio p : q : w, side 23 of length 1 and w
-//! > 0. False if this position is not finite or a corner is not in front of the camera.
+//! Computes the position of the triangle with the given ratio p : q : w, side 23 of length 1 and
+//! w > 0. False if this position is not finite or a corner is not in front of the camera.
 bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
 {
     const double p = ratio[0], q = ratio[1], w = ratio[2], w2 = w + T.sigma * p,

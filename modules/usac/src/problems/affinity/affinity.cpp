@@ -65,8 +65,8 @@ public:
 constexpr double ON_A_LINE = 1e-13;
 
 //! Least squares of the transfer error, in closed form: the linear part of the map is the
-//! cross-covariance of the points in the two images times the inverse of their covariance in image
-//! 1.
+//! cross-covariance of the points in the two images times the inverse of their covariance in
+//! image 1.
 class AffinityLeastSquares : public NonMinimalSolver
 {
 public:

@@ -51,9 +51,9 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
 
 /** @brief The homography that maps four points exactly, in closed form.
 
-Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale @cite
-hartley2003multiple. A sample with three (nearly) collinear points or two equal points in either
-image is degenerate. The solver takes about 150 operations. */
+Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale
+@cite hartley2003multiple. A sample with three (nearly) collinear points or two equal points in
+either image is degenerate. The solver takes about 150 operations. */
 class Homography4Solver : public MinimalSolver
 {
 public:

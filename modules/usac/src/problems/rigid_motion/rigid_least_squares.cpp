@@ -23,12 +23,12 @@ Eigen::Vector3d pointOf(const double* const* columns, int i)
 
 /** Weighted least squares of the distance in space 2, in closed form @cite umeyama1991least. The
 rotation is the one closest to the cross-covariance matrix of the points in the two spaces. The
-scale, if there is one, is the sum of the singular values of this matrix (the last one negated if
-the determinant is negative) divided by the variance of the points in space 1. The mean of the
-points in space 1 is mapped to that in space 2. Collinear points do not determine the rotation, so
-that the fit fails: the second singular value is then at most #THINNEST times the first. Coordinates
-are relative to the first point, so that little precision is lost if all points are close together
-and far from the origin. */
+scale is 1 or, if `scaled` is true, the sum of the singular values of this matrix (the last one
+negated if the determinant is negative) divided by the variance of the points in space 1. The mean
+of the points in space 1 is mapped to that in space 2. Collinear points do not determine the
+rotation, so that the fit fails: the second singular value is then at most #THINNEST times the
+first. Coordinates are relative to the first point, so that little precision is lost if all points
+are close together and far from the origin. */
 class RigidLeastSquares : public NonMinimalSolver
 {
 public:

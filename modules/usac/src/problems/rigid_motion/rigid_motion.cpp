@@ -35,8 +35,8 @@ Model movedBack(const MapOfSpace& map, const Frame& from, const Frame& to)
     return motionOf(A, t);
 }
 
-/** @brief Rotation and translation from points of space 1 to their counterparts in space 2: X2 = s
-R X1 + t. If `SCALED` is false, s = 1. Models, including those that the caller gets, are 3x4
+/** @brief Rotation and translation from points of space 1 to their counterparts in space 2:
+X2 = s R X1 + t. If `SCALED` is false, s = 1. Models, including those that the caller gets, are 3x4
 matrices [s R t]. */
 template <bool SCALED>
 class RigidMotionProblem : public Problem

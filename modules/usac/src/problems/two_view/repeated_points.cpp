@@ -13,8 +13,8 @@ namespace usacv20 {
 namespace {
 
 //! All occurrences of a match count as a single inlier if at least OFTEN of these occurrences are
-//! among the first FIRST_POINTS points, a random subset, and if all occurrences make up more than 1
-//! / COMMON of all points. See doc/constants.md.
+//! among the first FIRST_POINTS points, a random subset, and if all occurrences make up more than
+//! 1 / COMMON of all points. See doc/constants.md.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, COMMON = 10;
 
 /** @brief Rejects samples in which two matches share a point of array 1 or of array 2.
