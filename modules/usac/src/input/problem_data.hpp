@@ -48,8 +48,8 @@ public:
     //! Sets the thresholds of search and mask for the rest of the run. `threshold` is in the
     //! coordinates of points(). If it is the present threshold of the search, nothing changes.
     void setThreshold(double threshold);
-    //! Sets the thresholds of search and mask to `factor` times their values before the run. That
-    //! of the search has a lower bound.
+    //! Sets the thresholds of search and mask to `factor` times their values before the run. The
+    //! search threshold has a lower bound.
     void scaleThreshold(double factor);
     //! Restores the thresholds and the reach after a run, which may have changed them.
     void restoreThreshold();

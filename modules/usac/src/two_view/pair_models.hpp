@@ -45,8 +45,8 @@ public:
     const PairModel* base() const;
     bool calibrated() const { return isCalibrated; }
     int size() const { return (int)points1.size(); }
-    //! Minimum number of matches of a pair. Pairs with fewer matches are rejected without a search;
-    //! there are at least 8, because for any seven matches there is an F that fits them.
+    //! Minimum number of matches of a pair, at least 8, because some F fits any seven matches.
+    //! Pairs with fewer matches are rejected without a search.
     int leastMatches() const { return std::max(rules.minInliers, 8); }
     //! The fundamental matrix that belongs to an essential matrix, scaled to norm 1.
     Matx33d fundamental(const Matx33d& essential) const;

@@ -17,8 +17,8 @@ number of samples is computed, a sample of USACV20 therefore counts as (inliers 
 samples for E, at least 1 and at most MOST_FOR_E, and as SAMPLES_FOR_F samples for F.
 doc/measurements/collections_tables.md has the measured numbers; the constants are near the lowest
 numbers measured on photographs and in collections, but above the number measured for E with matches
-that are scattered over both images. Samples for H and of other presets, which were not measured,
-count as one. */
+that are scattered over both images. Samples for H, and samples of other presets, count as one,
+because they were not measured. */
 constexpr double ONE_FOR_E = 11.5, MOST_FOR_E = 4, SAMPLES_FOR_F = 4;
 //! Number of values that represent the inlier ratios between TwoViewRules::inlierRatio and the
 //! lowest element of TwoViewRules::ratios. See doc/constants.md.

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief True if the inliers of a pair come from a watermark: a frame, mark or date that is at the
-border of both images, with a common displacement.
+/** @brief True if the inliers of a pair come from a watermark: a frame, mark or date at the borders
+of both images, whose matches have a common displacement.
 @param pair the pair; if the size of an image is missing, the result is false
 @param mask inliers of the pair
 @param reach motions (displacements of matches) within this distance of the median motion, in

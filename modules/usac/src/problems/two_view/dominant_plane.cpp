@@ -91,7 +91,7 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
 
 bool epipoleIsFree(const Context& context, const Model& F)
 {
-    // fraction of the inliers that must be exceeded on the plane, see doc/constants.md
+    // more than this fraction of the inliers must be on the plane, see doc/constants.md
     constexpr double PLANAR = 0.85;
     DominantPlane plane;
     Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE));

@@ -10,10 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Computes the homography of the plane through three correspondences that agree with F: H = A - e
-//! (M^-1 b)^T, where e is the epipole of image 2 and A = [e]x F; the rows of M are the points x1,
-//! and b is such that H maps each x1 to its x2. False if the correspondences do not determine a
-//! homography.
+//! Computes the homography of the plane through three correspondences that agree with F:
+//! H = A - e (M^-1 b)^T, where e is the epipole of image 2 and A = [e]x F; the rows of M are the
+//! points x1, and b is chosen so that H maps each x1 to its x2. False if the correspondences do not
+//! determine a homography.
 bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A, const Vec3d& e,
                   Matx33d& H);
 

@@ -11,10 +11,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Weighted means and second moments of matches, from which the least-squares map x2 = A x1
-+ t of an affinity or a similarity is computed. The problem is linear, and for points relative to
-the means, t is 0 @cite umeyama1991least. The moments take one pass over the matches, with about 30
-operations per match. */
+/** @brief Weighted means and second moments of matches, from which the least-squares map
+x2 = A x1 + t of an affinity or a similarity is computed. The problem is linear, and t is 0 for
+points relative to the means @cite umeyama1991least. The moments take one pass over the matches,
+with about 30 operations per match. */
 struct Moments
 {
     /** Moments of `count` matches. The sums use coordinates relative to the first match, so that

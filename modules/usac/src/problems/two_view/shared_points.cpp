@@ -67,7 +67,7 @@ if they are noisy.
 Matches to one point, called a target here (repeated patterns, matching without cross-check), are
 inliers of every epipolar geometry whose epipole is the target, for every position of their other
 ends. Matches to two targets, or to points on a line, are inliers of an F of nearly rank 1 whose
-epipolar lines all coincide with the line of the targets or points. Therefore
+epipolar lines all coincide with the line through these targets or points. Therefore
 - samples are rejected in which two matches share a point. If many matches share points, points that
 are the same up to noise count as shared, too, see shareATarget(). If few matches share points, such
 near points can belong to correct matches that one camera sees close together;
