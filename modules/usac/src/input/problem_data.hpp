@@ -53,7 +53,7 @@ public:
     void scaleThreshold(double factor);
     //! Restores the thresholds and the reach after a run, which may have changed them.
     void restoreThreshold();
-    //! The reach, that is the ratio of the search threshold to the mask threshold. Its initial
+    //! The reach, that is, the ratio of the search threshold to the mask threshold. Its initial
     //! value is Params::reach.
     double reach() const { return currentReach; }
     //! Sets the reach for the rest of the run and changes the search threshold accordingly.
@@ -62,9 +62,9 @@ public:
         setSearchThreshold(view.threshold * (reach / currentReach));
         currentReach = reach;
     }
-    //! Writes 1 to `mask` for each of the caller's rows whose error is at most the threshold, else
-    //! 0. The model is in the coordinates of Problem::toModelCoordinates. If `image` is true, the
-    //! original image points are used.
+    //! Writes to `mask`, for each of the caller's rows, 1 if its error is at most the threshold,
+    //! and 0 otherwise. The model is in the coordinates of Problem::toModelCoordinates. If `image`
+    //! is true, the original image points are used.
     //! @return number of inliers.
     int mask(const Residual& residual, const Model& model, bool image, uchar* mask,
              Arena& arena) const;
@@ -103,7 +103,7 @@ private:
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];  //!< original image points (second array), all rows; null: not stored
+    double* seen[3];  //!< original image points (array 2), all rows; null: not stored
     const double* seenDoubles[3];  //!< these points, shuffled and normalized, for imagePoints()
     const float* seenFloats[3];
 

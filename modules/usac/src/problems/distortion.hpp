@@ -46,7 +46,7 @@ private:
     bool startOf(const Vec2d& d, Vec2d& p) const;
     bool descend(const Vec2d& d, Vec2d& p) const;
 
-    bool identity, straight;  //!< true: there is no distortion; the sensor is not tilted
+    bool identity, straight;  //!< no distortion at all; no tilt of the sensor
     double c[COEFFICIENTS];
     Matx33d tilt;
     double limit;  //!< squared radius of the first fold; INFINITY: there is no fold

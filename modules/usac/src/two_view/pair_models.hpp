@@ -48,7 +48,7 @@ public:
     //! Minimum number of matches of a pair, at least 8, because some F fits any seven matches.
     //! Pairs with fewer matches are rejected without a search.
     int leastMatches() const { return std::max(rules.minInliers, 8); }
-    //! The fundamental matrix that belongs to an essential matrix, scaled to norm 1.
+    //! The fundamental matrix, of unit norm, that belongs to an essential matrix.
     Matx33d fundamental(const Matx33d& essential) const;
     //! Computes the viewing directions, with z = 1, of the matches that are marked in a mask.
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
@@ -79,7 +79,7 @@ public:
     Params params;
     const TwoViewRules& rules;
     int iterations;  //!< number of samples of all searches, except those of homographyOfInliers()
-    Report refused;  //!< report of the rejected model with the lowest Report::chance
+    Report refused;  //!< report of the rejected search with the lowest Report::chance
     bool cancelled;
 
 private:
@@ -95,7 +95,7 @@ private:
     Ptr<Usac> essential(const Params& options) const;
     Params options(int iterations) const;
     int samples(int sampleSize) const;
-    //! Stores the result of a search among all matches in `model`, or rejects it.
+    //! Stores in `model` the result of a search among all matches, or rejects this result.
     void take(const ModelKind& kind, const Mat& matrix, const Mat& mask, const Report& report,
               PairModel& model);
     void account(const Report& report);
@@ -109,7 +109,7 @@ private:
     bool isCalibrated;
     double sigma;  //!< Report::sigma of the model that set the threshold
     std::vector<float> scores;
-    String why;      //!< why the model of `refused` was rejected
+    String why;      //!< why the search of `refused` gave no model
     String limited;  //!< text with the confidences of searches that Params::maxIterations ended
                      //!< before they reached the requested confidence
 };

@@ -30,7 +30,7 @@ double squaredArea(const Points& points);
 //! The essential matrix, with singular values 1, 1, 0, that is nearest to camera2^T F camera1.
 Matx33d essentialOf(const Matx33d& F, const Matx33d& camera1, const Matx33d& camera2);
 
-//! The rotation nearest to a matrix with a positive determinant.
+//! The rotation that is nearest to a matrix.
 Matx33d nearestRotation(const Matx33d& matrix);
 
 //! The rotation that maps `directions1` as closely as possible to `directions2`, by least squares

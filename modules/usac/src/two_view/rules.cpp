@@ -120,7 +120,7 @@ private:
     }
 
     std::vector<double> logarithms,
-        weights;  //!< of each class of pairs: result of missedBySample(), and fraction of all pairs
+        weights;  //!< for each kind of pair: result of missedBySample(); fraction of all pairs
 };
 
 void checkRatio(double value, const char* name)

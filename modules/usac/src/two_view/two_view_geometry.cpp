@@ -45,7 +45,8 @@ Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 
 void addRotation(const Matx33d& R, Mat& rotations) { rotations.push_back(Mat(R)); }
 
-//! Adds the rotations of the camera that the homography H of a plane allows.
+//! Adds the camera rotations that are compatible with the homography H of a plane or of a pure
+//! rotation.
 void addRotationsOfPlane(const PairModels& models, Mat& rotations)
 {
     const Matx33d H = models.camera2.inv() * models.H.matrix * models.camera1;

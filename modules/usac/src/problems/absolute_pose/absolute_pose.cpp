@@ -36,7 +36,7 @@ public:
         return array == 0 ? "objectPoints" : "imagePoints";
     }
     bool commonUnit() const CV_OVERRIDE { return false; }
-    //! Measured time, in point tests, and measured number of models per sample.
+    //! Time per sample, in point tests, and number of models per sample; both were measured.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(800, 1.7); }
 
     double toModelCoordinates(double* const* columns, int count) const CV_OVERRIDE

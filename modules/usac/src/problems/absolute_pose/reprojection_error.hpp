@@ -19,8 +19,7 @@ constexpr double BEHIND = 1e200;
 
 /** Reprojection error p(P X) - x for a point X of space and the 3x4 matrix P of a camera
 @cite hartley2003multiple. The squared error is infinite for a point that is not in front of the
-camera.
-*/
+camera. */
 struct ReprojectionError
 {
     enum { COLUMNS = 5, NUMBERS = 12, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 1 };

@@ -196,8 +196,8 @@ bool scale(const Triangle& T, const double (&ratio)[3], TriangleDepths& d)
     return d.w > 0 && w2 * factor > 0 && w3 * factor > 0;
 }
 
-//! Two solutions with a smaller relative difference count as one solution: rounding splits a double
-//! solution by about the square root of the machine precision.
+//! Two solutions with at most this relative difference count as one solution: rounding splits a
+//! double solution by about the square root of the machine precision.
 constexpr double SAME = 1e-7;
 
 bool same(const TriangleDepths& a, const TriangleDepths& b)

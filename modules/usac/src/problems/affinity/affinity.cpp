@@ -60,8 +60,9 @@ public:
 };
 
 //! Points count as collinear if the determinant of the matrix of their second moments in image 1 is
-//! at most this fraction of the squared trace. Rounding alone can cause a smaller determinant; the
-//! value includes a margin for points that are close together.
+//! at most this fraction of the squared trace. Rounding alone can cause a determinant of about
+//! DBL_EPSILON times the squared trace; the value includes a margin for points that are close
+//! together.
 constexpr double ON_A_LINE = 1e-13;
 
 //! Least squares of the transfer error, in closed form: the linear part of the map is the

@@ -224,7 +224,7 @@ private:
 
     Ptr<NonMinimalSolver> fitter;
     Matx33d known;          //!< homography of the known plane
-    double knownThreshold;  //!< threshold when the known plane was handled; 0: there is none
+    double knownThreshold;  //!< threshold when the known plane was handled; 0: no known plane
     int knownPoints;        //!< number of points on the known plane when it was handled
     Model knownModel;       //!< the F found with the known plane
     Quality knownQuality;   //!< score of knownModel; infinite cost: no better F was found

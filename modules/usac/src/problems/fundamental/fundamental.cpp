@@ -30,10 +30,10 @@ protected:
     }
 };
 
-/** The matrix of rank 2 that is closest to F, which has unit norm, scaled to unit norm. F itself is
-returned if it already has rank 2 up to rounding. The product T2^T F T1, where T1 and T2 normalize
-the points of the images, has rank 2 up to the rounding errors of its largest terms. If these terms
-cancel, for example because both epipoles are at the origin and coordinates are large, rounding
+/** The matrix of rank 2 that is closest to F, scaled to unit norm. F must have unit norm; it is
+returned unchanged if its rank is 2 up to rounding. The product T2^T F T1, where T1 and T2 normalize
+the points of the images, has rank 2 only up to the rounding errors of its largest terms. If these
+terms cancel, for example because both epipoles are at the origin and coordinates are large, these
 errors are not small relative to the product. */
 Matx33d toRankTwo(const Matx33d& F)
 {
@@ -52,7 +52,7 @@ public:
     String name() const CV_OVERRIDE { return "fundamental"; }
     int dimension() const CV_OVERRIDE { return FundamentalParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    //! Measured time, in point tests, and measured number of models per sample.
+    //! Time per sample, in point tests, and number of models per sample; both were measured.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(300, 1.2); }
     int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE

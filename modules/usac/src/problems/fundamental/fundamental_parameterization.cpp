@@ -98,10 +98,9 @@ FundamentalParameterization::Basis FundamentalParameterization::tangent() const
 }
 
 /** In the bases U and V, the model plus the step is [I; y^T] C [I, x]: C is the changed corner, C x
-the last column and y^T C the last row. The last entry of the matrix is y^T C x, so that the rank is
-2. One reflection makes the null vector (-x, 1) the last column of V, another one makes (-y, 1) the
-last column of U.
-*/
+the last column and y^T C the last row. The rank is 2, because the last entry is y^T C x. One
+reflection makes the null vector (-x, 1) the last column of V, another one makes (-y, 1) the last
+column of U. */
 FundamentalParameterization FundamentalParameterization::plus(const Step& step) const
 {
     FundamentalParameterization result(*this);

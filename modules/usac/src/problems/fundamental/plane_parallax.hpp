@@ -36,7 +36,7 @@ public:
 
     PlaneParallax();
 
-    //! Sets another plane.
+    //! Sets the plane and discards the results for the previous plane.
     //! @param context points and memory
     //! @param offPlane, count indices of the points off the plane, in random order, and their
     //! number
@@ -82,7 +82,7 @@ private:
     float* numbers;  //!< ARCS_ROWS rows of `stride` numbers; memory for MAX_POINTS columns
     int stride;      //!< size(), rounded up to a multiple of ARCS_BLOCK
     Quality best;    //!< quality, over the voters, of the model with the lowest cost so far
-    Vec3d lastFit;   //!< the last epipole that was fitted
+    Vec3d lastFit;   //!< the last epipole whose fit continued after two steps
     int next, fitted;
 };
 

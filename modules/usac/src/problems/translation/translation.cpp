@@ -27,8 +27,8 @@ public:
     }
 };
 
-//! Least squares of the transfer error, in closed form: the mean of the displacements. The sums are
-//! sums of differences from the first displacement, so that little precision is lost if all
+//! Least squares of the transfer error, in closed form: the mean of the displacements. Only
+//! differences from the first displacement are summed, so that little precision is lost if all
 //! displacements are long and nearly equal.
 class TranslationLeastSquares : public NonMinimalSolver
 {

@@ -38,7 +38,7 @@ class PlaneMapProblem : public Problem
 {
 public:
     int errorDimension() const CV_OVERRIDE { return 2; }
-    //! The same as for a homography, because the transfer error is measured in image 2.
+    //! The same as for a homography, because the errors are the same.
     int normalization(int residual) const CV_OVERRIDE;
     bool toInput(const Model& model, const Correspondences& points,
                  Model& result) const CV_OVERRIDE;

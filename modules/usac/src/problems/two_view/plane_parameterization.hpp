@@ -16,8 +16,8 @@ itself.
 
 The class `Map` defines the parameters p:
 - DIMENSION is the number of parameters;
-- read(m, p) writes to p the parameters of the map of this class that is nearest to a given map m,
-which has 9 entries, row by row;
+- read(m, p) writes to p the parameters of the map that is nearest to a given map m, which has 9
+entries, row by row;
 - write(p, m) writes the first two rows of the map with the parameters p to m;
 - isRegular(p) is false if the map with the parameters p maps the plane to a line or a point. */
 template <class Map>
@@ -29,8 +29,8 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! The parameterization around the map of the class `Map` that is nearest to `model`, whose
-    //! last entry is first scaled to 1.
+    //! The parameterization around the map that is nearest to `model`, after the last entry of
+    //! `model` has been scaled to 1.
     explicit PlaneParameterization(const Model& model)
     {
         Map::read(model.val, parameters.data());

@@ -96,8 +96,7 @@ public:
     Correspondences::lower, upper, which is robust against a few points far from the other points,
     and from the first points without the outermost ones, which is robust against many matches to
     one target. The estimate with more equal extents is used, because most images of a pair have the
-    same size.
-    */
+    same size. */
     void start(const Context& context) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
