@@ -103,7 +103,7 @@ private:
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];  //!< original image points (array 2), all rows; null: not stored
+    double* seen[3];               //!< original image points (array 2), all rows; null: not stored
     const double* seenDoubles[3];  //!< these points, shuffled and normalized, for imagePoints()
     const float* seenFloats[3];
 

@@ -8,7 +8,7 @@
 #include "two_view/pair_models.hpp"
 #include "two_view/watermark.hpp"
 
-// The rules that turn E, F and H into a configuration.
+// This file contains the rules that turn E, F and H into a configuration.
 
 namespace cv {
 namespace usacv20 {

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-//! A plane dominates the scene if at least this fraction of the inliers lies on it: the second
+//! A plane dominates the scene if more than this fraction of the inliers lies on it: the second
 //! motion that explains the plane then has nearly as many inliers. See doc/constants.md.
 constexpr double DOMINANT = 0.8;
 //! Assumed fraction of the all-inlier samples that lead to the correct motion if a plane dominates.

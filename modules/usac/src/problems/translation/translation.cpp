@@ -13,7 +13,7 @@ namespace {
 
 Model translationBy(double x, double y) { return Matx33d(1, 0, x, 0, 1, y, 0, 0, 1); }
 
-//! The translation that maps one point exactly. No point is degenerate.
+//! The translation that maps one point exactly. No sample is degenerate.
 class Translation1Solver : public MinimalSolver
 {
 public:
