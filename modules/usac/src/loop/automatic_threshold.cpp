@@ -13,8 +13,9 @@ namespace usacv20 {
 
 namespace {
 
-// AutomaticThreshold describes the steps in which these constants are used; "the guess" is guess().
-// doc/constants.md lists the effects of halving and doubling each constant.
+// The comment of the class AutomaticThreshold describes the steps in which these constants are
+// used; "the guess" is guess(). doc/constants.md lists the effects of halving and doubling each
+// constant.
 
 //! Maximum number of points that the guess uses.
 constexpr int POINTS = 512;
@@ -24,14 +25,14 @@ constexpr int GUESS_SAMPLES = 1000;
 //! inliers of the best model.
 constexpr double CONFIDENCE = 0.9;
 //! Number of points from which the noise is estimated: for each new best model of the guess (FEW),
-//! and for the final one (SOME).
+//! and after its last sample (SOME).
 constexpr int FEW = 150, SOME = 300;
-//! Steps of polishing of the best model of the guess.
+//! Maximum number of fits when a model of the guess or of findCore() is polished.
 constexpr int GUESS_STEPS = 3;
 //! If the noise is unknown, the threshold is the widest threshold divided by this number. The same
 //! quotient is the threshold of findCore().
 constexpr double UNKNOWN = 3;
-//! A core, see findCore(), contains at least the fraction CORE_PART of the inliers of the model
+//! A core, see findCore(), consists of at least the fraction CORE_PART of the inliers of the model
 //! with wide noise. If there is a core, findCore() draws an all-inlier sample of the core with
 //! probability CORE_FOUND.
 constexpr double CORE_PART = 0.5, CORE_FOUND = 0.8;
@@ -60,7 +61,8 @@ public:
     }
 };
 
-//! The options of the guess. With another seed, it draws other samples than the search.
+//! The options of the guess. The seed differs, so that the samples of the guess are not those of
+//! the search.
 Params paramsOfGuess(const Params& params)
 {
     Params result = params;
@@ -85,7 +87,7 @@ class ListedSampler : public Sampler
 public:
     ListedSampler() : indices(0), count(0) {}
 
-    //! Sets the points. The array must exist as long as samples are drawn.
+    //! Sets the points. The array must stay valid while samples are drawn.
     void list(const int* indices_, int count_)
     {
         indices = indices_;
@@ -157,7 +159,7 @@ void AutomaticThreshold::account(const State& state)
 bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& model)
 {
     begin(given);
-    Correspondences points = given.points;  // in random order: the first ones represent all
+    Correspondences points = given.points;  // in random order, so the first points represent all
     points.size = std::min<int>(points.size, POINTS);
     const Context context(points, parts, params, given.arena, given.watch);
     parts.start(context);

@@ -14,7 +14,7 @@ namespace usacv20 {
 
 class ListedSampler;
 
-/** @brief Finds the threshold of a run in the data, for #THRESHOLD_ESTIMATED.
+/** @brief Estimates the threshold of a run from the data, for #THRESHOLD_ESTIMATED.
 
 The threshold that the caller has given is the widest threshold that is considered.
 
@@ -22,54 +22,57 @@ The threshold that the caller has given is the widest threshold that is consider
    scale of the noise. The best model is polished, and its errors give the first threshold. If no
    model is better than chance, the first threshold is a third of the widest threshold.
 2. findCore(): a model between two motions, or between two planes, explains the inliers of both with
-   wide noise. Therefore, if the threshold is more than a third of the widest one, also after
-   polishing, samples of the inliers are drawn to find a model of a core: it explains half of the
-   inliers within a third of the widest threshold. If there is such a model, and errorsGoOn() finds
-   no more errors beyond this threshold, the search begins with this model and threshold.
+   wide noise. Therefore, if the threshold is more than a third of the widest one even after
+   polishing, samples of the inliers are drawn to find a model of a core, that is, a model that
+   explains at least half of the inliers within a third of the widest threshold. If there is such a
+   model, and errorsGoOn() finds no more errors beyond this narrower threshold, the search begins
+   with this model and at most this threshold.
 3. The search begins with the model and the threshold of steps 1 and 2. If most points are inliers
-   of the best model, its criteria also count the uniform samples of step 1. Otherwise wrong matches
-   that agree with each other may have more inliers at the wide threshold than the right model, and
-   the samples do not count. The threshold of the search is wider than that of the mask by two
-   standard deviations of the estimate, because with few inliers, models that fit some of them by
-   chance would make the threshold too narrow.
+   of the best model, the criteria of the search also count the uniform samples of step 1. Otherwise
+   these samples do not count, because a model of wrong matches that agree with each other may have
+   more inliers at the wide threshold than the right model. The threshold of the search is wider
+   than the estimated threshold of the mask by two standard deviations of the estimate, because with
+   few inliers, models that fit some of the inliers by chance would make the threshold too narrow.
 4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
-   model. If the new threshold differs by more than a factor of 1.4, the search continues with it,
-   and the samples drawn so far no longer count. The threshold becomes wider only if errorsGoOn()
-   finds errors beyond the present threshold, because a second motion is not noise.
-5. settle(): polishing and mask use the threshold that was found last, or a third of the widest
+   model. If the new threshold differs by more than a factor of 1.4, the search continues with the
+   new threshold, and the samples drawn so far no longer count. The threshold becomes wider by more
+   than this factor only if errorsGoOn() finds errors beyond the present threshold, because a second
+   motion is not noise.
+5. settle(): polishing and mask use the threshold that was estimated last, or a third of the widest
    threshold if the noise is unknown. */
 class AutomaticThreshold
 {
 public:
     AutomaticThreshold(const Problem& problem, const Params& params);
 
-    /** @brief Steps 1 and 2. To be called before the components of the search are started.
+    /** @brief Takes steps 1 and 2. To be called before the components of the search are started.
     @param context context of the search
     @param data points of the search; their threshold is set
     @param model output: initial model of the search
     @return false if no initial model was found */
     bool guess(const Context& context, ProblemData& data, Model& model);
-    //! Step 4. @param ransac the search, which has ended
+    //! Takes step 4. @param ransac the search, which has ended
     void adapt(const Context& context, ProblemData& data, const State& state, Ransac& ransac);
-    //! Estimates the noise of a given model, instead of steps 1 to 4.
+    //! Replaces steps 1 to 4 if a model is given: estimates the noise of this model.
     void look(const Context& context, const Model& model);
-    //! Step 5. @return standard deviation of the noise in pixels; 0: unknown
+    //! Takes step 5. @return standard deviation of the noise, in the unit of Params::threshold; 0:
+    //! unknown
     double settle(ProblemData& data) const;
-    //! Numbers of samples and of valid models of guess().
+    //! Numbers of samples and of valid models of guess(), including those of findCore().
     int samples() const { return drawn; }
     int models() const { return computed; }
-    //! Number of samples of guess() that are uniform among all its points.
+    //! Number of samples of guess() that were drawn uniformly from all of its points.
     int uniformSamples() const { return uniform; }
 
 private:
     void begin(const Context& context);
     void setThreshold(ProblemData& data, double threshold) const;
-    //! Threshold of the search for this noise.
+    //! The threshold of the search for a given noise of the best model.
     double searchThreshold(const InlierNoise& noise) const;
     Model polished(const Context& context, const Model& model) const;
-    /** Step 2.
+    /** Takes step 2.
     @param given context of the search
-    @param points points of guess(); their threshold becomes a third of the widest threshold
+    @param points points of guess(); their threshold becomes a third of the threshold of `given`
     @param noise noise of the model
     @param model input: result of guess(); output: a model that explains a core of its inliers
     @return false if there is no core */

@@ -13,14 +13,15 @@ namespace {
 
 // doc/constants.md lists the effects of halving or doubling each constant.
 
-//! START_SAMPLES: number of samples whose models are compared by their errors. START_MODELS: number
-//! of the best of these models, from each of which a least-squares fit starts.
+//! START_SAMPLES: number of samples whose models are compared by their errors. START_MODELS:
+//! maximum number of these models, the best ones, from each of which a least-squares fit starts.
 constexpr int START_SAMPLES = 64, START_MODELS = 4;
 //! PART: maximum number of points with which initial models are compared and fitted. MOST_STEPS:
 //! maximum number of steps of a fit; fits converge earlier.
 constexpr int PART = 500, MOST_STEPS = 100;
 
-//! Converts a list with one number for each point to CV_64F. An empty list gives an empty matrix.
+//! Converts a list with one number for each of `size` points to CV_64F. An empty list gives an
+//! empty matrix.
 Mat readNumbers(InputArray given, int size, const char* name)
 {
     const Mat list = given.getMat();
@@ -145,7 +146,7 @@ bool GivenModels::leastSquares(int size, Model& model) const
 {
     const int m = context.components.minimalSolver->sampleSize();
     return solver.fit(points, indices, size, weights, model, MOST_STEPS) ||
-           size == m;  // the minimal sample already determines the model
+           size == m;  // a minimal sample determines the model without a fit
 }
 
 bool GivenModels::begin(Model& model) const

@@ -11,13 +11,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Implements Usac::fit, Usac::refine and Usac::errors, which need no search: least squares
-over points that the caller chooses, and errors under a model that the caller gives. */
+/** @brief Implements Usac::fit, Usac::refine (if the caller gives a mask of the inliers) and
+Usac::errors: least squares over points that the caller chooses, and errors under a model that the
+caller gives. */
 class GivenModels
 {
 public:
     /** @param context points, components (already started) and options
-    @param data the points
+    @param data the points; give() sets their threshold
     @param imageResidual result of Problem::createImageResidual; may be empty
     @param imageFit the least-squares solver for `imageResidual`; empty: the solver of `context` */
     GivenModels(const Context& context, ProblemData& data, const Ptr<Residual>& imageResidual,
@@ -27,11 +28,12 @@ public:
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report);
     Mat errors(InputArray model) const;
 
-    //! Converts a model of the caller to the coordinates of the mask.
+    //! Converts a model of the caller to the coordinates of the mask. Raises cv::Exception if it is
+    //! not a model of the problem.
     //! @param forSearch output, the same model in the coordinates of the search; may be null
     Model read(InputArray given, Model* forSearch) const;
-    //! Returns State::best like Usac::run if Report::stop is #STOP_NO_SEARCH. Otherwise returns an
-    //! empty matrix.
+    //! Returns State::best in the form of Usac::run if Report::stop is #STOP_NO_SEARCH, otherwise
+    //! an empty matrix. Also fills the mask and the report.
     Mat give(State& state, OutputArray mask, Report* report);
 
 private:
@@ -40,7 +42,7 @@ private:
     //! Finds an initial model: the best models of some samples are fitted to a subset of the
     //! points, and the fit with the lowest loss is used. @return false if no model is found
     bool begin(Model& model) const;
-    //! The loss: the sum of (weighted) squared errors over the points of `part`.
+    //! The loss: the sum of the (weighted) squared errors of the points in `part`.
     double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
 

@@ -25,13 +25,13 @@ constexpr int FIRST_BATCH = 8;
 //! A sample is expensive if SampleCost::time exceeds this many point tests: for E (1500), but not
 //! for F (300).
 constexpr int EXPENSIVE = 1000;
-//! Batches with less work than this, in point tests (a tenth of a millisecond), are not distributed
-//! to threads. The result does not depend on this value.
+//! Batches whose samples take less time than this to solve (in point tests; a tenth of a
+//! millisecond) are not distributed to threads. The result does not depend on this value.
 constexpr double PARALLEL_WORK = 44800;
 
-//! A model may become a runner-up if its gain is more than this fraction of that of the best model
-//! of a sample. The gain is the number of points, which is the cost without any model, minus the
-//! cost.
+//! A model can become a runner-up if its gain is more than this fraction of the gain of the best
+//! model of a sample. The gain is the number of points, which is the cost without any model, minus
+//! the cost.
 constexpr double WORTHWHILE = 0.6;
 //! A runner-up is optimized only if more than this fraction of its inliers are points that the best
 //! model does not explain, or if the problem is ambiguous.
@@ -73,8 +73,8 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       localTicks(0), checkSamples(checkSamples_)
 {}
 
-// Numbers in comments are lines of Algorithm 1: 4 to 6 in solve(), 7 to 14 in hypothesize(), 15 to
-// 27 in improve().
+// Numbers in comments are lines of Algorithm 1: 2, 3, 7 and 13 in run(), 4 to 6 in solve(), 7 to 13
+// in hypothesize(), 14 to 18 in improve(), 19 to 24 in optimize(), 25 and 26 in setBest().
 bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();
@@ -143,9 +143,9 @@ bool Ransac::run(int pause)
     return ended;
 }
 
-//! State::sampleQuality, with which models of samples are compared, is not set: hardly any model of
-//! a sample has as good a score as an optimized model, and the initial model may be that of another
-//! motion.
+//! State::sampleQuality, with which models of samples are compared, is not set. Otherwise hardly
+//! any model of a sample would be optimized, because hardly any has as good a score as an optimized
+//! model; and the initial model might be that of another motion.
 void Ransac::begin(const Model& initial, int drawn)
 {
     Model model = initial;
@@ -283,7 +283,9 @@ void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
         }
         const Rating rating = rate(context, parts.verifier.get(), model, uselessCost(), start,
                                    row);  // 10, 12
-        if (tested == 0)  // after preTest(), the block would count only models that have passed it
+        // after preTest(), the first block is evaluated only for models that have passed preTest();
+        // its inlier ratio would be biased
+        if (tested == 0)
         {
             h.firstInliers += rating.firstInliers;
             h.firstTested += rating.firstTested;
@@ -326,10 +328,10 @@ bool Ransac::validModel(const int* sample, const Model& model) const
 }
 
 /* Processes a model that is better than the models of all previous samples, or a runner-up. The
-paper compares with the optimized best model instead; but a good model of a noisy sample is often
-worse than an optimized bad model, and would never be optimized. `before` is the value of
-State::sampleQuality before this model. This value is restored if a check rejects the model or makes
-it worse than `before`. */
+paper compares the model with the optimized best model instead; but a good model of a noisy sample
+is often worse than an optimized bad model, and would then never be optimized. `before` is the value
+of State::sampleQuality before this model. This value is restored if a check rejects the model or
+makes it no better than `before`. */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
@@ -404,7 +406,7 @@ void Ransac::offer(const Model& model, const Quality& quality, const Sample* sam
 void Ransac::chooseByOrder()
 {
     if (!alternatives.contested())
-        return;  // the order need not be known
+        return;  // nothing to decide, so the order of the points is not needed
     const Alternative* const chosen = alternatives.chosen(context, state.bestFirst(context));
     if (!chosen)
         return;
@@ -415,9 +417,9 @@ void Ransac::chooseByOrder()
         setBest(model, quality, chosen->sampled ? &candidate.sample : 0);
 }
 
-//! A model with the same inliers as the best model is not worth optimizing, because it leads to the
-//! same optimum, unless the problem is ambiguous (Problem::ambiguous). Nor is a model whose cost
-//! has become useless meanwhile, unless it is a rival.
+//! A model with nearly the same inliers as the best model is not worth optimizing, because it leads
+//! to the same optimum, unless the problem is ambiguous (Problem::ambiguous). A model whose cost
+//! has meanwhile become useless (uselessCost()) is not worth it either, unless it is a rival.
 bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
 {
     const int unexplained = runnerUp.inliers.without(runnersUp.best());
@@ -428,7 +430,7 @@ bool Ransac::worthOptimizing(const RunnerUp& runnerUp) const
 }
 
 //! Lines 19 to 24. They are repeated if the optimized model was degenerate and recover() has
-//! replaced it by a better model.
+//! replaced it with a better model.
 void Ransac::optimize(const Sample* sample, Model& model, Quality& quality)
 {
     const int64 start = getTickCount();
@@ -481,8 +483,9 @@ void Ransac::account(const Hypotheses& h)
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
-    // The best model may have changed since a thread scored these models. Therefore it is decided
-    // again whether the verifier or the cost has excluded them.
+    // The best model may have changed since a thread scored these models. Whether the verifier or
+    // the cost excludes them is therefore decided anew; otherwise the report would depend on the
+    // number of threads.
     for (int k = 0; k < h.stopped; ++k)
         ++(h.costs[k] < uselessCost() ? report.refusedModels : report.droppedModels);
 }

@@ -13,56 +13,60 @@ namespace cv {
 namespace usacv20 {
 
 //! The models of one sample that, when they were scored, were good enough to become the best model
-//! or a runner-up (lines 4 to 14 of Algorithm 1).
+//! or a runner-up (lines 4 to 13 of Algorithm 1).
 struct Hypotheses
 {
     int count;
     Model models[MAX_MODELS];
     Quality qualities[MAX_MODELS];
     bool rejectedSample;  //!< a degeneracy check has rejected the sample
-    bool repeated;        //!< the sample was rejected because it contains a match twice, but may
-                          //!< consist of inliers
-    //! Numbers of models, for the report: all models of the sample, and those excluded by a check,
-    //! by Verifier::preTest and by their cost.
+    bool repeated;        //!< the sample was rejected because it contains a match twice; its points
+                          //!< may still all be inliers
+    //! Numbers of models, for the report: all models of the sample, and the models excluded by a
+    //! check, by Verifier::preTest and by their cost.
     int computed, rejected, refused, dropped;
-    //! For the verifier: numbers of inliers and of points in the first tests of the models.
+    //! For the verifier: numbers of inliers and of points in the first test of each model
+    //! (preTest(), or the first block of points), summed over the models.
     int firstInliers, firstTested;
     int stopped;               //!< number of models that the verifier rejected during scoring
-    double costs[MAX_MODELS];  //!< costs of these rejected models before their last block of points
+    double costs[MAX_MODELS];  //!< costs of these rejected models before the last block of points
+                               //!< that was evaluated
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
 
 Samples are drawn in batches. Their models are computed and scored sequentially or by several
-threads, and in either case evaluated in the order of the samples. Everything that affects the
-result (samples, verification, the best model at the time of evaluation) is the same in both cases,
-so that the result is bit-identical for any number of threads. Of the first batch, only the best
-model is optimized at once, because better models than the first ones are soon found
-@cite lebeda2012fixing. When the search is about to end, the runners-up (Params::runnersUp) are
-optimized, too, as well as models of samples of the points that the best model does not explain. If
-one of these models becomes the best model, the termination criteria are evaluated again. */
+threads, and in either case compared with the best model in the order of the samples. Everything
+that affects the result (samples, verification, the best model at the time of this comparison) is
+the same in both cases, so that the result is bit-identical for any number of threads. Of the models
+of the first batch, only the best one is optimized at once, because better models than these are
+soon found @cite lebeda2012fixing. When the search is about to end, the runners-up
+(Params::runnersUp) are optimized, too, and so are promising models of samples of the points that
+the best model does not explain. If one of these models becomes the best model, the termination
+criteria are evaluated again. */
 class Ransac
 {
 public:
     //! @param context, state the fixed and the changing data of the run
-    //! @param checkSamples true: validate the indices in samples, because the sampler is custom
+    //! @param checkSamples true: samples are checked for valid indices, because the caller has
+    //! replaced the sampler
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
-    //! To be called before run(): scores and optimizes an initial model, as if from a sample.
+    //! To be called before run(): scores and optimizes an initial model.
     //! @param drawn number of uniform samples of which `initial` is the best model; they count for
     //! the confidence if most points are inliers of the best model, see samplesThatCount()
     void begin(const Model& initial, int drawn = 0);
-    /** Searches until a criterion ends the search, or until `pause` samples have been drawn. The
-    result is State::best; State::bestQuality stays infinite if no model is found. @return false if
-    the search was paused; another call then continues it. */
+    /** Searches until a criterion ends the search, or until at least `pause` samples have been
+    drawn. The result is State::best; the cost of State::bestQuality stays infinite if no model is
+    found. @return false if the search was paused; another call then continues the search. */
     bool run(int pause = INT_MAX);
     //! To be called when the threshold has changed: scores and optimizes the best model anew, and
-    //! forgets the scores of other models. If a check now rejects the best model, there is no best
-    //! model until run() finds one.
+    //! forgets the other models and their scores. If a check now rejects the best model, there is
+    //! no best model until run() finds one.
     void thresholdChanged();
     //! To be called before thresholdChanged() if the samples so far do not count for the
     //! confidence, because their models were tested with another threshold. The verifier and the
-    //! criteria begin anew.
+    //! criteria are started again.
     void forgetSamples();
     //! The sample that led to State::best; null if State::best did not come from a sample.
     const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
@@ -76,18 +80,21 @@ private:
     //! Computes the models of `count` samples, at most MinimalSolver::MAX_TOGETHER, and writes them
     //! to `h`.
     void solve(const Sample* drawn, int count, Hypotheses* h) const;
-    //! Scores the models in `h`. @param index index of the sample in the batch
+    //! Checks and scores the models in `h`. @param index index of the sample in the batch
     //! @param row memory for errors, see rate()
     void hypothesize(int index, Hypotheses& h, float* row) const;
-    //! Calls hypothesize() for the sample `index` of the batch, and before it solve() for the next
-    //! `ahead` samples if they are not solved yet. To be called for one sample after the other.
+    //! Calls hypothesize() for the sample `index` of the batch. If this sample has not been solved
+    //! yet, first calls solve() for it and the samples after it, `ahead` samples in total. To be
+    //! called for one sample after the other, in order.
     const Hypotheses& hypothesizeNext(int index);
     //! Calls solve() and hypothesize() for all samples of the batch, by several threads.
     void hypothesizeBatch();
     void hypothesizePart(int first, int count);
-    //! Allocates memory for the hypotheses of `wanted` samples and for `rows` rows of errors.
+    //! Allocates memory for the hypotheses of `wanted` samples and, if the score needs all errors
+    //! of a model at once, for `rows` rows of errors.
     void reserve(int wanted, int rows);
-    //! A model of a sample with this cost or more becomes neither the best model nor a runner-up.
+    //! A model of a sample with this cost or more becomes neither the best model nor, unless it is
+    //! a rival (see addRival()), a runner-up.
     double uselessCost() const;
     void improve(const Candidate& candidate, const Quality& before);
     //! @param sample the sample of the model; null: the model does not come from a sample
@@ -97,8 +104,8 @@ private:
     //! unexplained points. @return false if the search ends
     bool lookBeside();
     void improveRunnersUp();
-    //! If the order of the points is known: replaces the best model by one of `alternatives` if the
-    //! order is clearly more likely with the inliers of the alternative.
+    //! If the order of the points is known: replaces the best model with one of `alternatives` if
+    //! the order is clearly more likely with the inliers of this alternative.
     void chooseByOrder();
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** The best model explains the points whose errors are at most EXPLAINED times
@@ -106,7 +113,8 @@ private:
     threshold if the noise is wide. See doc/constants.md. */
     static constexpr double EXPLAINED = 1.5;
     //! Draws samples of the points that the best model does not explain; see
-    //! ransac_unexplained.cpp. @return false if there is nothing to search
+    //! ransac_unexplained.cpp. @return false if there was nothing to search, so that no samples
+    //! were drawn
     bool searchUnexplained();
     int unexplainedPoints(int* indices) const;
     //! Draws a few samples of unexplained points, and more of them only if there is evidence of a
@@ -119,9 +127,10 @@ private:
     //! A rival has at least this many inliers that the best model does not explain. Only the points
     //! of InlierBits are counted.
     double rivalInliers() const;
-    //! @return false if the model is not a rival
+    //! Stores the model as a runner-up if it is a rival. @return false if it is not a rival
     bool addRival(const Sample& sample, const Model& model);
-    //! True if all degeneracy checks accept the sample, or the model.
+    //! Return true if all degeneracy checks accept the sample (validSample()) or the model
+    //! (validModel()).
     bool validSample(const int* sample) const;
     bool validModel(const int* sample, const Model& model) const;
     //! @param sample the sample that led to the model; null: the model does not come from a sample
@@ -144,7 +153,8 @@ private:
     const int checkCount;       //!< number of `checks`
     Sample* samples;            //!< samples of the batch
     uchar* counts;              //!< State::counts of each sample
-    Hypotheses* batch;  //!< models of the samples; of `ahead` samples if there is one thread
+    Hypotheses* batch;  //!< models of the samples; only of `ahead` samples if the batch is not
+                        //!< distributed to threads
     float* errorRows;   //!< a row of errors per thread; null: the score does not need them
     int size;           //!< number of samples in the batch
     int hypotheses;     //!< number of elements allocated for `batch`
@@ -152,8 +162,8 @@ private:
     Alternatives alternatives;
     Sample sampleOfBest;
     bool sampled;  //!< true if the best model comes from `sampleOfBest`
-    //! Number of samples that do not count, see forgetSamples(). Minus this number, if it is
-    //! negative: number of samples drawn before this search that count, too, see begin().
+    //! Number of samples that do not count, see forgetSamples(). If it is negative, its absolute
+    //! value is the number of samples drawn before this search that count, too, see begin().
     int forgotten;
     Model explored;          //!< the best model for which searchUnexplained() was last called
     int unexplainedSamples;  //!< number of samples of unexplained points so far
@@ -164,7 +174,8 @@ private:
     const int ahead;          //!< number of samples that are solved at once
     const int exhaustive;     //!< see exhaustiveSamples()
     //! The run can stop after `required` samples that count, see samplesThatCount(), or after
-    //! `requiredOfAll` samples of any kind. The reasons are the StopReason of the criterion.
+    //! `requiredOfAll` samples of any kind. The reasons are the StopReason of the criteria that
+    //! require these numbers.
     int required, requiredReason, requiredOfAll, reasonOfAll;
     int ending;         //!< StopReason when terminate() was last true
     bool anyModel;      //!< true if a sample has led to a model

@@ -5,21 +5,22 @@
 #include "precomp.hpp"
 #include "loop/ransac.hpp"
 
-// Computes the models of a batch of samples with several threads.
+// Computes and scores the models of a batch of samples with several threads.
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
 
-//! Work of each thread between two checks of the clock in a run that may be stopped, in point tests
-//! (two milliseconds). The result does not depend on this value.
+//! Work of each thread between two checks of the clock in a run with a time limit or a
+//! ProgressScope, in point tests (two milliseconds). The value only affects when such a run ends.
 constexpr double TOGETHER = 1e6;
 
 }  // namespace
 
-//! Divides the batch among the threads, each of which has its own memory. If the run may be
-//! stopped, the batch is processed in parts, and the clock is checked after each part.
+//! Divides the batch among the threads, each of which has its own memory. If the run has a time
+//! limit or a ProgressScope, the batch is processed in parts, and the clock is checked after each
+//! part.
 void Ransac::hypothesizeBatch()
 {
     const bool watched = context.watch && context.watch->isActive();

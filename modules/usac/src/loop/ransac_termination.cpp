@@ -13,7 +13,7 @@ namespace usacv20 {
 namespace {
 
 //! If this many samples, which take some seconds, have given no model at all, the points are
-//! considered degenerate, and the search ends.
+//! considered degenerate, and the search ends (unless there are no criteria).
 constexpr int HOPELESS = 1000000;
 
 }  // namespace
@@ -39,7 +39,8 @@ bool Ransac::terminate()
 
 /* If more than half of the points outside the sample of the best model are inliers of this model, a
 model with more inliers must share some of these inliers. Then all samples count, whatever points
-the sampler prefers, except samples that contain a match twice. */
+the sampler prefers, unless the model may be degenerate. Forgotten samples (forgetSamples()) and
+samples that contain a match twice do not count. */
 int Ransac::samplesThatCount() const
 {
     const bool planar = state.degenerate ||
@@ -68,7 +69,8 @@ bool Ransac::adaptTerminations()
     if (state.wanted != wanted && state.iteration > 0)
     {
         improveRunnersUp();
-        runnersUp.clear();  // because the next samples may yield runners-up with fewer inliers
+        runnersUp.clear();  // makes room for runners-up of the next samples, which may have fewer
+                            // inliers
     }
     if (changed)
         updateTermination();

@@ -13,23 +13,25 @@ end.
 
 Wrong matches may be consistent with each other: matches of repeated windows have a common shift, a
 moving object has its own motion. Their model may have enough inliers to end the search before the
-model of the correct matches is found. To find this model takes a good sample, and many all-inlier
-samples are not good: with noise, half of the all-inlier samples for H and most of those for F and E
-yield models that SPRT rejects. But if two models share few of their inliers, the points that one
-model does not explain are mostly inliers of the other model, and samples of these points are
-all-inlier samples far more often. For example, if 45 % of the points are inliers of one model and
-35 % of another, (45 / 65)^7 = 8 % of the samples of seven points that the latter does not explain
-are all-inlier samples, instead of (45 / 100)^7 = 0.4 % among all points.
+model of the correct matches is found. Finding the model of the correct matches takes a good sample,
+and many all-inlier samples are not good: with noise, half of the all-inlier samples for H and most
+of those for F and E yield models that SPRT rejects. But if two models share few of their inliers,
+the points that one model does not explain are mostly inliers of the other model, and samples of
+these points are all-inlier samples far more often. For example, suppose that 45 % of the points are
+inliers of a first model and another 35 % are inliers of a second model. Then (45 / 65)^7 = 8 % of
+the samples of seven points that the second model does not explain are all-inlier samples of the
+first model, instead of (45 / 100)^7 = 0.4 % of the samples of all points.
 
-A few such samples are always drawn. There may be a rival, a second model with about as many
-inliers, if the model of such a sample, or a runner-up, has many inliers that the best model does
-not explain: at least RIVAL times as many as the best model has inliers. Then more samples are
-drawn, enough to find, with the required confidence, a model that has as many inliers as the best
-model and shares few of them; but at most a third of the number drawn so far. If
-ConfirmedOrderTermination has ended the search, the order that it relies on may be that of a group
-of wrong matches; then this criterion sets the number of samples. All these samples count as
-iterations, but not for State::countedSamples.
-*/
+A few such samples are drawn if there are enough points for a rival. There may be a rival, a second
+model with about as many inliers as the best model, if the model of such a sample, or a runner-up,
+has many inliers that the best model does not explain: at least RIVAL times as many as the best
+model has inliers. Then more samples are drawn: as many as are needed to find, with the required
+confidence, a model that has as many inliers as the best model and shares at most a third of these
+inliers; but at most a third of the number of other samples drawn so far. If
+ConfirmedOrderTermination is about to end the search, a group of wrong matches might come first in
+the order of the points; that criterion then sets the minimum number of these samples
+(State::unexplainedSamples). All these samples count as iterations, but not for
+State::countedSamples. */
 
 namespace cv {
 namespace usacv20 {
@@ -38,11 +40,11 @@ namespace {
 
 // doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of the number drawn
-//! so far, or LEAST_SAMPLES if this number is larger.
+//! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of the number of
+//! samples drawn so far, or LEAST_SAMPLES if this is more.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
 //! With evidence of a rival, the number of samples is at most 1 / MOST_PART of the number of other
-//! samples drawn so far, or LEAST_SAMPLES if this number is larger.
+//! samples drawn so far, or LEAST_SAMPLES if this is more.
 constexpr int MOST_PART = 3;
 //! A rival has at least this many inliers that the best model does not explain, as a fraction of
 //! the inliers of the best model. Models of random wrong matches reach fractions up to 0.06, models

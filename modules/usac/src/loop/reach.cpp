@@ -12,18 +12,19 @@ namespace usacv20 {
 
 namespace {
 
-/** Suitable threshold of the search in standard deviations sigma of the noise, about the same as
-that of Params::magsacPlusPlus for a threshold of 2 sigma. The reach is the ratio of the search
-threshold to the mask threshold. It grows if the search threshold is less than two thirds of the
-suitable threshold, and shrinks if it is more than 1.4 times as large; too large a reach costs time
-rather than accuracy. A constant far above 5 fails: a wider threshold contains larger errors, so
-that the reach grows again and again. See doc/constants.md. */
+/** Suitable threshold of the search in standard deviations sigma of the noise. It is about the
+search threshold of Params::magsacPlusPlus for a mask threshold of 2 sigma. The reach is the ratio
+of the search threshold to the mask threshold. The reach grows if the search threshold is less than
+two thirds of the suitable threshold. It shrinks if the search threshold is more than 1.4 times the
+suitable one; too large a reach costs time rather than accuracy. A constant far above 5 fails: a
+wider threshold contains larger errors, so that the reach grows again and again. See
+doc/constants.md. */
 constexpr double REACH = 5;
 
 /** Points of another motion, or of a second plane, may look like wide noise. But real wide noise
 has errors everywhere within the threshold. Therefore the reach does not grow if the errors within
-the threshold fit small noise that has at least this fraction of the inliers found for the wide
-noise. See doc/constants.md. */
+the threshold alone indicate small noise, and this noise has at least this fraction of the inliers
+found for the wide noise. See doc/constants.md. */
 constexpr double CORE = 1. / 3;
 
 //! Estimated standard deviation of the noise in the errors of the model, in the coordinates of the

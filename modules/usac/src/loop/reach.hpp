@@ -15,7 +15,7 @@ namespace usacv20 {
 //! current reach. See doc/constants.md.
 constexpr double REACH_GROWS = 1.5, REACH_SHRINKS = 0.7;
 
-//! The reach that suits the errors of the best model: between Params::reach and
+//! The reach that suits the errors of the best model, between Params::reach and
 //! Params::widestReach; `current` if there is no model.
 //! @param current present reach of the search
 double suitableReach(const Context& context, const State& state, double current);

@@ -28,22 +28,24 @@ namespace {
 
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
-//! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples.
-//! With 4 or 1 instead of 2, the errors of models change by at most 2 %.
+//! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples,
+//! or when the search ends earlier. With 4 or 1 instead of 2, the errors of models change by at
+//! most 2 %.
 constexpr int FIRST_LOOK = 2;
 
-//! Used if Params::significance is 0. A model is rejected if Report::chance exceeds LIMIT, but only
-//! if there are so many points that a model with the inlier ratio DECISIVE would not exceed LIMIT.
-//! With half or double these values, no correct model is rejected and no run differs; doc/design.md
-//! says which models are rejected.
+//! Used if Params::significance is 0. A model is rejected if its Report::chance exceeds LIMIT, but
+//! only if there are so many points that the chance of a model with the inlier ratio DECISIVE would
+//! not exceed LIMIT. With half or double these values, no correct model is rejected and no run
+//! differs; see section "Significance" of doc/design.md.
 constexpr double LIMIT = 0.01, DECISIVE = 0.25;
-/* Polishing is undone unless at least this fraction of the gain of the model remains (the number of
-points, which is the cost without any model, minus the cost). If the threshold is no larger than the
-noise, the error of H is 3.1 times that of least squares with KEPT = 0.9, because polishing is
-undone, and 1.2 times with 0.5. On the benchmark lists, 0.25 changes nothing; 1 raises errors by 2
-to 6 %. */
+/* Polishing is undone unless at least this fraction of the gain of the model remains. The gain is
+the number of points, which is the cost without any model, minus the cost. If the threshold is no
+larger than the noise, the error of H is 3.1 times that of least squares with KEPT = 0.9, because
+polishing is undone, and 1.2 times that error with 0.5. On the data of the benchmark, 0.25 changes
+nothing; 1 raises errors by 2 to 6 %. */
 constexpr double KEPT = 0.5;
-//! Values of Report::chance below this need not be exact. Halving or doubling it changes no run.
+//! Report::chance is not computed exactly if it is below this value and below a hundredth of its
+//! limit. Halving or doubling this value changes no run.
 constexpr double CLEAR = 1e-6;
 
 class UsacImpl : public Usac
@@ -143,7 +145,8 @@ public:
     }
 
 private:
-    //! Resets everything that a previous run has changed.
+    //! Undoes what a previous run has changed, checks the components, and adapts the solver and the
+    //! image residual to a replaced residual.
     void prepare()
     {
         data.restoreThreshold();
@@ -195,10 +198,10 @@ private:
 
     /** Searches with a reach (see reach.hpp) that grows if the errors of the best model show wide
     noise. The noise is estimated when the search ends, and once after half of
-    Params::maxIterations: with a reach that is far too small, models have few inliers, and no
-    criterion ends the search. The noise is not estimated earlier, because the best model may then
-    still be a wrong model with larger errors, for example between two planes. At the end the reach
-    may also shrink again, because poor models show more noise than there is. */
+    Params::maxIterations, because with a reach that is far too small, models have few inliers, and
+    no criterion ends the search. The noise is not estimated earlier, because the best model may
+    then still be a wrong model with larger errors, for example between two planes. At the end the
+    reach can also shrink again, because poor models show more noise than there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
@@ -247,13 +250,13 @@ private:
         return learned.chance <= limit || (unset && !test.decisive(DECISIVE, limit));
     }
 
-    /** Polishes the best model. Polishing minimizes another loss than the score, and may end
+    /** Polishes the best model. Polishing minimizes a loss other than the score, and may end
     between two models: if the score is clearly worse afterward, the model of the search is kept.
-    With few points, polishing is repeated from other initial models (Restarts). A model that is
-    distorted by wrong matches of high leverage is corrected (Leverage).
+    With few inliers or a wide threshold, fits from other initial models are tried (Restarts). A
+    model that is distorted by wrong matches of high leverage is corrected (Leverage).
     @param search context of the search
     @param context context in which models are polished
-    @return score of the polished model */
+    @return score of the final model */
     Quality polish(const Context& search, const Context& context, State& state, Model& best)
     {
         const Model found = problem->closest(best);
@@ -279,8 +282,8 @@ private:
         return quality;
     }
 
-    //! If the problem has a residual for the original image points, creates it. Polishing and mask
-    //! use it instead of the residual of the search.
+    //! If the problem has a residual for the original image points, creates this residual and its
+    //! solver. Polishing and mask use them instead of those of the search.
     void seeImage(const Ptr<Residual>& residual)
     {
         imageResidual = keepsImage ? weightedResidual(problem->createImageResidual(residual),
@@ -290,8 +293,8 @@ private:
                                  : Ptr<NonMinimalSolver>();
     }
 
-    //! Calls polish() with the original image points, unless the caller has replaced the solver,
-    //! which may not support them.
+    //! Calls polish(), with the original image points if the problem has a residual for them and
+    //! the caller has not replaced the solver, which might not support them.
     Quality polishAsSeen(const Context& context, State& state)
     {
         if (!seesImage())
@@ -319,10 +322,11 @@ private:
         return Mat(params.initialCovariance, true).reshape(1, d);
     }
 
-    //! Computes Report::covariance of a polished model and, unless the threshold was estimated,
-    //! Report::sigma. To be called after polishAsSeen(), which sets imageParts.
-    //! @param prior the initial model, or null. If it agrees with `model`, the weighted mean of
-    //! both replaces `model`
+    //! If Params::covariance is 1, computes Report::covariance of a polished model and, unless the
+    //! threshold was estimated, Report::sigma. To be called after polishAsSeen(), which sets
+    //! imageParts.
+    //! @param prior the initial model, or null. If there is one, Report::priorChance is set; if it
+    //! agrees with `model`, the weighted mean of both replaces `model`
     //! @return score of the model
     Quality tellCertainty(const Context& context, Model& model, Report& learned,
                           const Model* prior = 0) const
@@ -357,14 +361,15 @@ private:
         rows.assign(row, row + size);
     }
 
-    //! Updates the stop reason, for example if the time ran out during polishing.
+    //! Updates the stop reason if the run was stopped meanwhile, for example during polishing.
     static void tellStop(const Context& context, Report& learned)
     {
         if (context.watch && context.watch->stopped() && learned.stop != STOP_CANCELLED)
             learned.stop = context.watch->stopReason();
     }
 
-    //! Polishes the best model and returns it in the caller's coordinates, with its mask.
+    //! Polishes the best model and returns it in the caller's coordinates, with its mask. Returns
+    //! an empty matrix if there is no significant model.
     Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
     {
         const int64 start = getTickCount();
@@ -445,15 +450,16 @@ private:
     ProblemData data;
     Components parts;
     Ptr<AutomaticThreshold> automatic;  //!< null: the threshold is not estimated
-    Components made;                 //!< the defaults for `params`, before the caller replaced any
-    Ptr<Residual> fitted;            //!< the residual that made.nonMinimalSolver minimizes
-    Ptr<Residual> rated;             //!< the residual that imageResidual was created for
-    Ptr<Residual> imageResidual;     //!< Problem::createImageResidual(rated); may be empty
-    Ptr<NonMinimalSolver> imageFit;  //!< the least-squares solver for imageResidual
-    Components imageParts;           //!< components during polishing
-    bool keepsImage;                 //!< the original image points are stored, too
-    int sample[MAX_SAMPLE_SIZE];     //!< the sample that led to the best model of the run
-    bool sampled;                    //!< false if the best model did not come from a sample
+    Components made;                    //!< the default components; the solver adapts to a replaced
+                                        //!< residual
+    Ptr<Residual> fitted;               //!< the residual that made.nonMinimalSolver minimizes
+    Ptr<Residual> rated;                //!< the residual that imageResidual was created for
+    Ptr<Residual> imageResidual;        //!< Problem::createImageResidual(rated); may be empty
+    Ptr<NonMinimalSolver> imageFit;     //!< the least-squares solver for imageResidual
+    Components imageParts;              //!< components for polishing with original image points
+    bool keepsImage;                    //!< the original image points are stored, too
+    int sample[MAX_SAMPLE_SIZE];        //!< the sample that led to the best model of the run
+    bool sampled;                       //!< false if the best model did not come from a sample
 };
 
 }  // namespace
