@@ -16,19 +16,20 @@ namespace {
 
 //! The gain of an alternative is at least this fraction of the largest gain of all models.
 constexpr double NEAR = 0.94;
-//! Two models have different inliers if more than this fraction of the inliers of either model are
-//! not inliers of the other model.
+//! Two models have different inliers if, for at least one of them, more than this fraction of its
+//! inliers are not inliers of the other model.
 constexpr double DIFFERENT = 0.1;
 //! An alternative shares at least this fraction of its inliers with the model of largest gain. A
-//! model that shares fewer inliers is that of another motion; then the cost alone decides.
+//! model that shares fewer inliers describes another motion; the cost alone then decides.
 constexpr double SHARED = 0.5;
 //! Weight of the log-likelihood of the order relative to the gain, to which an inlier without error
 //! contributes 1. For comparison: if errors were independent, MSAC's unit of cost would be a
-//! log-likelihood of 1.9 (errors with one component) or 3. A larger value gives the order more
-//! influence.
+//! log-likelihood of 1.9 (errors with one component) or 3 (two components). A larger value gives
+//! the order more influence.
 constexpr double WORTH = 1;
-//! Minimum advantage of an alternative, in standard deviations of the log-likelihood. Each point
-//! that is an inlier of only one of the two models changes the log-likelihood by about 1 at random.
+//! Minimum advantage of an alternative over the model of largest gain, in standard deviations of
+//! the log-likelihood. Each point that is an inlier of only one of these two models changes the
+//! log-likelihood by about 1 at random.
 constexpr double DEVIATIONS = 2;
 //! Maximum number of points from which the likelihood of the order is computed.
 constexpr int LOOKED = 4096;
@@ -66,7 +67,7 @@ void Alternatives::offer(const Context& context, const Candidate& candidate, boo
         kept[i] = kept[i - 1];
     kept[place] = added;
     int left = place + 1;
-    // drops models that have the same inliers as the new one, or too low a gain
+    // drops models that have the same inliers as the new model, or too low a gain
     for (int i = place + 1; i <= count; ++i)
         if (kept[i].gain >= NEAR * kept[0].gain && !same(kept[i].inliers, added.inliers))
             kept[left++] = kept[i];

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! A model after local optimization.
+//! A model that may be chosen instead of the best model, see Alternatives.
 struct Alternative
 {
     Candidate candidate;
@@ -23,27 +23,27 @@ struct Alternative
 inliers are partly different.
 
 With repeated structure or planes, a wrong model may explain a few more matches than the right
-model, and no search can tell this by the cost. But if the order of the matches is known, the
-inliers of the right model come earlier in the order, because the descriptor of a repeated corner
-has a second neighbor that is nearly as close. Therefore another model than that of lowest cost is
-chosen on three conditions: its gain is nearly as large; the two models share inliers; the order is
-more likely with the inliers of the other model (orderLogLikelihood()) by more than the difference
-of the gains and by more than chance. As the gains are nearly equal, misleading scores can do little
-harm. */
+model, and no search can recognize it as wrong by its cost. But if the order of the matches is
+known, the inliers of the right model come earlier in the order: the descriptor of a repeated corner
+has two nearly equally close neighbors, so that matches of repeated corners have bad scores.
+Therefore a model other than that of lowest cost is chosen on three conditions: its gain is nearly
+as large; the two models share half of its inliers; and the log-likelihood of the order
+(orderLogLikelihood()) is higher with its inliers, by more than the difference of the gains plus the
+effect of chance. As the gains are nearly equal, misleading scores can do little harm. */
 class Alternatives
 {
 public:
-    //! @param active false: no models are stored, because the order is not known or because the
-    //! cost is not a sum over the points
+    //! @param active false: no models are stored, because there are no runners-up, the order is not
+    //! known, or the cost is not a sum over the points
     //! @param arena memory of the run
     Alternatives(bool active, Arena& arena);
 
     bool active() const { return kept != 0; }
-    //! Stores the model if it is one of those described above. To be called only if active().
+    //! Stores the model if it is one of the models described above. To be called only if active().
     void offer(const Context& context, const Candidate& candidate, bool sampled);
     //! False if chosen() returns null whatever the order is.
     bool contested() const { return count > 1; }
-    //! The model to choose instead of that of lowest cost; null: there is no such model.
+    //! The model to choose instead of the model of lowest cost; null: there is no such model.
     //! @param order the points, best point first
     const Alternative* chosen(const Context& context, const int* order) const;
     //! Forgets all models.
@@ -52,8 +52,8 @@ public:
 private:
     enum { MOST = 8 };  //!< maximum number of models that are stored
 
-    //! orderLogLikelihood() of all points, extrapolated from the first #LOOKED of them, which are a
-    //! random subset.
+    //! orderLogLikelihood() of all points for the inliers of `model`, extrapolated from the first
+    //! points (at most LOOKED, see alternatives.cpp), which are a random subset.
     double orderOf(const Context& context, const Model& model, const int* order) const;
 
     Alternative* kept;  //!< stored models, by descending gain; null: inactive

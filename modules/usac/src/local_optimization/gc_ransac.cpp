@@ -12,11 +12,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of Gauss-Newton steps of a fit that starts from the model to be improved. So few
+//! Maximum number of Gauss-Newton steps of a fit, which starts from the model to be improved. A few
 //! steps are enough for a sample of several times the minimal size. See doc/constants.md.
 constexpr int GC_FIT_STEPS = 3;
 
-/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in the paper;
+/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in this paper;
 GraphCutOptimizer is a faster variant.
 
 Each iteration finds the inliers of the model by a graph cut (Labeling) and fits models to random

@@ -29,8 +29,8 @@ constexpr int LARGEST_PART = 2;
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold.
 constexpr int WIDEST = 3;
 //! An iteration is the last one unless it lowers the cost below this fraction of the previous cost.
-//! The first iteration takes place only if the cost is below this fraction of the cost of the
-//! so-far-the-best model.
+//! The first iteration takes place only if the cost is below this fraction of the cost of the best
+//! model so far.
 constexpr double WORTHWHILE = 0.97;
 //! Error, in thresholds, up to which a point without edges is labeled as an inlier. At this error,
 //! K (see Labeling) is 1 / 2.
@@ -39,17 +39,18 @@ const double LABELED = std::sqrt(2 * CV_LOG2);
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
 First, as in LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of
-the threshold, which shrinks to one threshold. For a model of a minimal sample, the final threshold
-alone would lead to the nearest local optimum, because the few inliers within it confirm the model.
-Optimization ends after these fits unless the model is now clearly better than the so-far-the-best
-model.
+the threshold, which shrinks to the threshold itself. For a model of a minimal sample, the final
+threshold alone would lead to the nearest local optimum, because the few inliers within it confirm
+the model. Optimization ends after these fits unless the model is now clearly better than the best
+model so far.
 
 Then each iteration finds the spatially coherent inliers of the model (Labeling) and runs an inner
-RANSAC over these inliers: models are fitted to random samples of Params::localSampleMultiple times
-the minimal size, and to all inliers (to #MAX_INNER_FIT random inliers if there are more). A better
-fit always replaces the model. Each iteration except the first begins with fits with a shrinking
-threshold, as above. The first iteration without a clear decrease of the cost is the last one, and
-Params::localIterations bounds the number of iterations. */
+RANSAC over these inliers: models are fitted to all inliers (to #MAX_INNER_FIT random inliers if
+there are more), and to random samples of Params::localSampleMultiple times the minimal size or, if
+there are few inliers, of half of the inliers. A better fit always replaces the model. Each
+iteration except the first begins with fits with a shrinking threshold, as above. The first
+iteration without a clear decrease of the cost is the last one, and Params::localIterations bounds
+the number of iterations. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -81,7 +82,7 @@ public:
 
 private:
     //! Fits the model to the points within #WIDEST, ..., 2 and 1 thresholds. Each fit starts from
-    //! the previous one. @return true if the model was replaced
+    //! the previous fit. @return true if the model was replaced
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A set of points, used by all local optimizers: selects random subsets and fits models to
-them. */
+/** @brief A set of points, from which the local optimizers of LO-RANSAC and GC-RANSAC select random
+subsets and to which they fit models. */
 class InlierSet
 {
 public:
@@ -29,7 +29,8 @@ public:
     //! Moves `most` random members, or all members if there are fewer, to the front of the array.
     //! @return number of members moved to the front
     int select(Rng& rng, int most);
-    //! Fits `model` to the first `first` members by least squares, starting from its present value.
+    //! Fits `model` to the first `first` members by least squares, starting from its present value,
+    //! in at most `iterations` steps.
     //! @return false if these members do not determine a model
     bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
     //! The same, but the fit replaces the model only if its quality is better. @return true if the

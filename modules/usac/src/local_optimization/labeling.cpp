@@ -10,11 +10,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Values of K (see Labeling) below this one count as 0, which saves the exponential. A point has
-//! this K if its error is 3.25 thresholds.
+//! K (see Labeling) is set to 0 if it is below this value, which saves the exponential. This is the
+//! K of a point with an error of 3.25 thresholds.
 constexpr float NEGLIGIBLE = 0.005f;
 //! Work per point to find the edges (without a kd-tree) and to cut the graph, in point tests, the
-//! unit of Watch: 100 ns with a million points. It affects only how late a time limit ends a run.
+//! unit of Watch: 100 ns with a million points. The value only affects how late a time limit ends a
+//! run.
 constexpr double CUT_WORK = 50;
 
 }  // namespace

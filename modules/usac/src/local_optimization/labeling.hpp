@@ -35,7 +35,8 @@ public:
     //! To be called when a run begins, because its points may have other edges than those of the
     //! previous run.
     void start() { degree = -1; }
-    //! Writes the indices of the inliers to `inliers`, an array of the size of all points.
+    //! Computes the labeling and writes the indices of the inliers to `inliers`, which has room for
+    //! all points.
     //! @return number of inliers
     int cut(const Context& context, const Model& model, int* inliers);
 
@@ -49,7 +50,7 @@ private:
     //! Labels the nodes by a minimum cut.
     void labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda);
 
-    // The following are valid only during a cut, except for the memory of `graph`.
+    // The following members are valid only during cut(), except for the memory of `graph`.
     float* K;                      //!< K_p of each point
     float* unary;                  //!< cost as an inlier minus cost as an outlier
     int* node;                     //!< node of each point in the graph, or its label (negative)

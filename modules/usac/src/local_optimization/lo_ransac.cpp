@@ -26,13 +26,13 @@ locally optimized RANSAC" @cite lebeda2012fixing (FLO-RANSAC).
 The model is fitted to the points within #LO_WIDTH thresholds. Then an inner RANSAC draws
 Params::localSamples samples from the inliers of this fit. A sample has Params::localSampleMultiple
 times the minimal size, but contains at most half of these inliers. A model is fitted to each sample
-and then refined by least squares over the points within a threshold that shrinks from #LO_WIDTH
-times the threshold to the threshold itself in Params::localIterations steps. The best of all these
-fits replaces the model if it is better.
+and then refined by Params::localIterations fits to the points within a threshold that shrinks from
+#LO_WIDTH times the threshold to the threshold itself. The best of all these fits replaces the model
+if it is better.
 
-LO-RANSAC fits models to all points within the threshold. FLO-RANSAC fits them to a random subset of
-at most #FLO_FIT times the minimal sample size. A fit then takes the same time for any number of
-points, and the fits vary more. */
+LO-RANSAC fits models to all points within these thresholds. FLO-RANSAC fits them to a random subset
+of these points, of at most #FLO_FIT times the minimal sample size. The time of a fit is then
+bounded, and the fits vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:
@@ -68,7 +68,7 @@ public:
 
 private:
     //! Repeats least squares over the points within a shrinking threshold. Each fit starts from the
-    //! previous one. @return true if the model was replaced
+    //! previous fit. @return true if the model was replaced
     bool shrink(const Context& context, State& state, int m, int largest, Model fitted,
                 Model& model, Quality& quality)
     {

@@ -14,9 +14,9 @@ namespace usacv20 {
 Ptr<LocalOptimizer> createGraphCutOptimizer();
 //! Creates the local optimization of GC-RANSAC as in its paper, see GcRansacOptimizer.
 Ptr<LocalOptimizer> createGcRansacOptimizer();
-//! Creates a LoRansacOptimizer that fits models to all inliers.
+//! Creates the local optimization of LO-RANSAC, see LoRansacOptimizer.
 Ptr<LocalOptimizer> createLoRansacOptimizer();
-//! Creates a LoRansacOptimizer that fits models to a bounded number of inliers.
+//! Creates the local optimization of FLO-RANSAC, a LoRansacOptimizer with fits of bounded size.
 Ptr<LocalOptimizer> createFloRansacOptimizer();
 //! Creates the local optimization of MAGSAC, see SigmaConsensus.
 Ptr<LocalOptimizer> createSigmaConsensus();

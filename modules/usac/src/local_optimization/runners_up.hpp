@@ -49,25 +49,25 @@ struct Candidate
     Quality quality;
 };
 
-//! A model that is worse than the so-far-the-best model, but may be better than this model after
+//! A model that is worse than the best model so far, but may be better than the best model after
 //! local optimization.
 struct RunnerUp
 {
     Candidate candidate;
     InlierBits inliers;
-    int unexplained;  //!< number of inliers in `inliers` that are not inliers of the best model
+    int unexplained;  //!< number of inliers in `inliers` that the best model does not explain
 };
 
-/** @brief The most promising models that were never the so-far-the-best model.
+/** @brief The most promising of the models that were never the best model.
 
 With noise, a better sample often gives a worse model, and only local optimization shows which
 sample is better @cite lebeda2012fixing. Models that are better than all models of previous samples
-are optimized at once. Of the other models, those with the largest number of inliers that are not
-inliers of the best model are optimized when the search is about to end. A choice by cost could give
-only variants of one wrong model: points with a common shift, or on an independently moving plane,
-fit a whole family of F. If an optimized F of this family is the best model, all other F of the
-family cost less than models of all-inlier samples that are not yet optimized. take() returns each
-model once. */
+are optimized at once. Of the other models, those with the most inliers that the best model does not
+explain are optimized when the search is about to end. (The best model explains the points within
+Ransac::EXPLAINED thresholds.) A choice by cost might select only variants of one wrong model:
+points with a common shift, or on an independently moving plane, fit a whole family of F. If an
+optimized F of this family is the best model, all other F of the family have a lower cost than
+models of all-inlier samples that are not yet optimized. take() returns each model once. */
 class RunnersUp
 {
 public:
@@ -84,13 +84,15 @@ public:
     }
     //! Stores the model if it is among the most promising ones.
     void add(const Candidate& candidate, const InlierBits& inliers);
-    //! Sets the inliers of the best model and updates RunnerUp::unexplained of all stored models.
+    //! Sets the points that the best model explains, and updates RunnerUp::unexplained of all
+    //! stored models.
     void setBest(const InlierBits& inliers);
     const InlierBits& best() const { return known; }
     //! The largest RunnerUp::unexplained of the stored models; 0 if there are none.
     int mostUnexplained() const { return count > 0 ? kept[0].unexplained : 0; }
-    //! Returns the models stored since the last call, by descending RunnerUp::unexplained, then by
-    //! ascending cost, and forgets them. `taken` is valid until the next call.
+    //! Returns the models stored since the last call of take(), in the order of descending
+    //! RunnerUp::unexplained, then of ascending cost, and forgets them. `taken` is valid until the
+    //! next call.
     //! @return number of models
     int take(const RunnerUp*& taken);
     //! Forgets all models.
@@ -100,7 +102,7 @@ private:
     void insert(const RunnerUp& item);
 
     const int most;
-    InlierBits known;  //!< inliers of the best model
+    InlierBits known;  //!< points that the best model explains
     RunnerUp* kept;    //!< stored models in the order of take(), and a spare element; null before
                        //!< the first add()
     RunnerUp* given;   //!< models returned by the last take()

@@ -14,11 +14,12 @@ namespace usacv20 {
 
 The range 0 .. sigma_max of scales is divided into #PARTITIONS equal parts. The model of a part is
 the least-squares fit to the points whose error under the initial model is at most thresholdInSigmas
-times the largest sigma of the part. If there are too few such points, or if they are the same as
-for the previous part, the model of the previous part is used (for the first part, the initial
-model). The weight of a point is its likelihood under the model of each scale, marginalized over the
-scale as in MarginalizedWeights: the contribution of a part is the difference of the values of that
-class for the two ends of the part. The result is the fit with these weights.
+times the largest sigma of the part. If there are too few such points to determine a model, or if
+they are the same as for the previous part, the model of the previous part is used (for the first
+part, the initial model). The weight of a point is its likelihood under the model of each scale,
+marginalized over the scale as in MarginalizedWeights: the contribution of a part is the difference
+of the weights of MarginalizedWeights for the two ends of the part. The result is the fit with these
+weights.
 
 Only points within the threshold of the initial model are used, at most #MAX_FIT random ones. This
 bounds the time of the fits (one per part and a final one). There is also one pass over all
@@ -32,10 +33,11 @@ public:
 
     explicit SigmaConsensus(int partitions_ = PARTITIONS) : partitions(partitions_), count(0) {}
 
-    //! Replaces the model by the marginalized fit. False if the points do not determine a model.
+    //! Replaces the model with the marginalized fit. False if the points do not determine a model.
     bool fit(const Context& context, Rng& rng, Model& model);
 
-    //! Points of positive weight in the last fit, by ascending error, and their weights.
+    //! Number, indices and weights of the points of positive weight in the last fit, in the order
+    //! of ascending error under the initial model.
     int size() const { return count; }
     const int* points() const { return indices; }
     const double* pointWeights() const { return weights; }

@@ -21,7 +21,7 @@ constexpr int FAILURES = 2;
 squares with the weights of MarginalizedWeights.
 
 There are at most Params::localIterations iterations. Each iteration uses all points whose errors
-under the last fit are within the threshold, or #MAX_FIT random ones of them if there are more,
+under the last fit are within the threshold, or #MAX_FIT random points of these if there are more,
 which are enough while the weights still change. The best fit replaces the model if it is better.
 The #FAILURES-th fit in a row that is not better is the last one. */
 class SigmaConsensusPlusPlus : public LocalOptimizer
