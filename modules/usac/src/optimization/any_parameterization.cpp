@@ -11,10 +11,10 @@ namespace usacv20 {
 
 namespace {
 
-//! Diagonal entries of the matrix that projects onto the tangent space count as equal if they
-//! differ by at most this fraction, and the first of them is the pivot. For symmetric models (no
-//! rotation), some of these entries are equal except for rounding errors, which would make the
-//! choice of the pivot arbitrary.
+//! The pivot of a step of the Cholesky decomposition in callerBasis() is the first diagonal entry
+//! that is smaller than the largest diagonal entry by at most this fraction. For symmetric models
+//! (no rotation), some diagonal entries of the matrix that projects onto the tangent space are
+//! equal except for rounding errors, which would make the choice of the pivot arbitrary.
 constexpr double TIED = 1e-6;
 
 }  // namespace

@@ -65,7 +65,7 @@ private:
     Basis basis;
 };
 
-/** @brief The Parameterization of a built-in problem. Its class `Here` is the parameterization
+/** @brief The Parameterization of a built-in problem. `Here` is the class of the parameterization
 around a fixed model, with sizes that are known at compile time. */
 template <class Here, class Around = AroundModel<Here>>
 class BuiltInParameterization : public Parameterization
@@ -94,15 +94,16 @@ private:
     const Around around;
 };
 
-/** @brief The derivatives of the entries of a model by the parameters of Report::covariance. They
-are those of Parameterization::tangent, unless this basis of the tangent space depends on singular
-vectors, which rounding errors may rotate (Parameterization::smooth is false). The basis is then
-replaced by an orthonormal one that depends only on the tangent space: the rows of the pivoted
-Cholesky decomposition of the matrix of the projection onto this space.
+/** @brief The derivatives of the entries of a model with respect to the parameters of
+Report::covariance. They are the result of Parameterization::tangent, unless this basis of the
+tangent space depends on singular vectors, which rounding errors may rotate
+(Parameterization::smooth is false). The basis is then replaced with an orthonormal basis that
+depends only on the tangent space: the columns of the factor of the pivoted Cholesky decomposition
+of the matrix that projects onto this space.
 @param rule the parameterization
 @param model as Parameterization::plus returns it
 @param basis output, Model::size() x Parameterization::dimension()
-@return false if the model is degenerate */
+@return false if the model is degenerate or the basis is not finite */
 bool callerBasis(const Parameterization& rule, const Model& model,
                  AnyParameterization::Basis& basis);
 

@@ -10,13 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-//! Column K of the Cholesky decomposition of an N x N matrix, and the columns after it.
+//! Computes column K of the Cholesky decomposition of an N x N matrix and the columns after it.
 template <int N, int K>
 struct CholeskyColumns
 {
-    //! @param A symmetric matrix, without the columns before K; becomes the factor, with the
-    //! inverses of its diagonal entries
-    //! @param x right-hand side, without the parts of the unknowns before K; becomes the solution
+    //! @param A columns of a symmetric matrix, from which the columns before K have been
+    //! eliminated; the factor replaces the entries below the diagonal
+    //! @param x right-hand side, from which the unknowns before K have been eliminated; from entry
+    //! K on, becomes the solution
     static bool solve(double (&A)[N][N], double (&x)[N])
     {
         const double pivot = A[K][K];
@@ -29,7 +30,8 @@ struct CholeskyColumns
             A[K][i] *= inverse;
             x[i] -= A[K][i] * x[K];
         }
-        // updates both triangles: loops of constant length are faster than half of the operations
+        // updates both triangles: with loops of constant length, this is faster than updating one
+        // triangle
         for (int j = K + 1; j < N; ++j)
             for (int i = K + 1; i < N; ++i)
                 A[j][i] -= A[K][j] * A[K][i];
@@ -49,11 +51,12 @@ struct CholeskyColumns<N, N>
 };
 
 /** @brief Solves A x = b for a symmetric positive definite matrix by its Cholesky decomposition
-@cite golub2013matrix. For the few unknowns of a fit, it takes a fraction of the time of Eigen::LLT,
-whose loops are made for large matrices.
+@cite golub2013matrix. For the few unknowns of a fit, this takes a fraction of the time of
+Eigen::LLT, whose loops are made for large matrices.
 @param A the matrix; overwritten
 @param x b, replaced by x
-@return false if A is not positive definite up to rounding errors, or not finite */
+@return false if A is not positive definite or not finite; rounding errors may hide that A is
+singular */
 template <int N>
 bool solvePositiveDefinite(Eigen::Matrix<double, N, N>& A, Eigen::Matrix<double, N, 1>& x)
 {
@@ -61,7 +64,7 @@ bool solvePositiveDefinite(Eigen::Matrix<double, N, N>& A, Eigen::Matrix<double,
                                         *reinterpret_cast<double(*)[N]>(x.data()));
 }
 
-//! The same for a matrix whose size is known at run time.
+//! The same for a matrix whose size is not known at compile time.
 template <class Matrix, class Vector>
 bool solvePositiveDefinite(Matrix& A, Vector& x)
 {

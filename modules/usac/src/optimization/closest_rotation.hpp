@@ -11,15 +11,15 @@
 namespace cv {
 namespace usacv20 {
 
-/** The rotation R that is closest to a matrix M in the Frobenius norm, by the singular value
-decomposition; this is also the R with the largest trace of R^T M. All members are NaN if M is not
-finite. */
+/** The rotation R that is closest to a matrix M in the Frobenius norm, from the singular value
+decomposition of M. It is also the rotation with the largest trace of R^T M. All members are NaN if
+M is not finite. */
 struct ClosestRotation
 {
     explicit ClosestRotation(const Eigen::Matrix3d& M)
     {
         const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // these versions leave U and V undefined if M is not finite
+#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // since this version, U and V are undefined if M is not finite
         const bool solved = svd.info() == Eigen::Success;
 #else
         const bool solved = M.allFinite();

@@ -11,13 +11,13 @@ namespace usacv20 {
 
 namespace {
 
-// The effects of halving and doubling each constant are in doc/constants.md.
+// doc/constants.md lists the effects of halving and doubling each constant.
 
-//! Inliers in the tail have TAIL times the standard deviation of the other inliers, and are at most
-//! the fraction LARGEST_TAIL of all inliers.
+//! The noise of inliers in the tail has TAIL times the standard deviation of that of the other
+//! inliers. At most the fraction LARGEST_TAIL of all inliers are in the tail.
 constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
-//! Number of halvings of the interval that contains a quantile; its length is then 2^-30 of the
-//! largest possible quantile.
+//! Number of halvings of the interval that contains a quantile. After them, its length is 2^-30 of
+//! the largest possible quantile.
 constexpr int BISECTIONS = 30;
 
 }  // namespace

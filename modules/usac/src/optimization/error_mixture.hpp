@@ -19,8 +19,8 @@ inline double power(double base, int exponent)
 //! @param variance variance of each component of the error
 double inlierPeak(double variance, int degrees);
 
-//! Histogram of the errors up to a limit, the window. The bins have equal width; each has the
-//! number of its errors (members) and their mean square.
+//! Histogram of the errors up to a limit, the window. The bins have equal width; for each bin, the
+//! number of its errors (members) and their mean square are stored.
 struct ErrorHistogram
 {
     //! Number of bins. Halving or doubling it does not change the accuracy.
@@ -28,11 +28,11 @@ struct ErrorHistogram
 
     /** @param squaredErrors, count squared errors of points in random order; NaN is left out
     @param unit unit of the errors in the histogram, not squared
-    @param window_ largest error that is used, in this unit
+    @param window_ largest error that is used, in units of `unit`
     @param most only the first `most` errors within the window are used */
     ErrorHistogram(const float* squaredErrors, int count, double unit, int window_, int most);
 
-    int members[BINS], size;  //!< number of errors in each bin, and in all bins
+    int members[BINS], size;  //!< number of errors in each bin, and in all bins together
     double squares[BINS];     //!< mean squared error in each bin, in squared units
     const int window;
 };
@@ -42,14 +42,15 @@ struct ErrorHistogram
 
 The errors of inliers have a half-normal distribution for one degree of freedom, Rayleigh's for two
 and Maxwell's for three; those of wrong matches are uniform on a line, in the plane or in space. The
-noise of a part of the inliers, the tail, may have #TAIL times the standard deviation of the noise
+noise of a part of the inliers, the tail, has three times (TAIL) the standard deviation of the noise
 of the other inliers, because keypoints on photographs are sometimes badly located. */
 class ErrorMixture
 {
 public:
     //! @param degrees_ degrees of freedom of an error, 1 to 3
-    //! @param variance_, inliers_, tail_ initial values: variance in squared units, inlier ratio,
-    //! and fraction of the inliers that are in the tail. If tail_ is 0, it stays 0.
+    //! @param variance_, inliers_, tail_ initial values: variance in squared units of the
+    //! histogram, inlier ratio, and fraction of the inliers that are in the tail. If tail_ is 0,
+    //! this fraction stays 0.
     ErrorMixture(int degrees_, double variance_, double inliers_, double tail_)
         : degrees(degrees_), variance(variance_), inliers(inliers_), tail(tail_)
     {}

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Inner product of vectors. The result has the same bits with every version of Eigen, unlike that
-//! of dot(), which adds 8 or more numbers in another order since Eigen 5.
+//! Inner product of vectors. The result has the same bits with every version of Eigen, unlike the
+//! result of dot(): since Eigen 5, dot() adds 8 or more numbers in another order.
 template <class First, class Second>
 double innerProduct(const Eigen::MatrixBase<First>& a, const Eigen::MatrixBase<Second>& b)
 {

@@ -25,14 +25,14 @@ damping @cite more1978levenberg after a step that does not lower the cost.
 
 Minimizes the sum of (weighted) squared errors of a Residual, starting from a given model. The
 parameterization is minimal: it has dimension() parameters for the NUMBERS entries of a model, and
-the methods project(), plus(), model() and hasFullRank(). As the method starts from a model, it
-needs no linear estimate; it therefore works on planar scenes, where the eight-point method fails.
-It takes about 40 (H) or 100 (F, E) operations per point and iteration, and twice as many for the
+the methods project(), plus(), model() and hasFullRank(). As the fit starts from a model, it needs
+no linear estimate; it therefore works on planar scenes, where the eight-point method fails. A fit
+takes about 40 (H) or 100 (F, E) operations per point and iteration, and twice as many for the
 symmetric errors.
 
-The first step is not damped, because a polisher may request only one step in each call. With
-damping, weakly determined parameters (the epipole under forward motion) would hardly change in any
-of these calls. */
+The first step is not damped, because a polisher may request only one step in each call of fit().
+With damping, weakly determined parameters (the epipole under forward motion) would hardly change in
+any of these calls. */
 template <class Parameterization, class Around = AroundModel<Parameterization>>
 class LeastSquaresSolver : public NonMinimalSolver
 {
@@ -129,14 +129,14 @@ private:
         return step.allFinite();
     }
 
-    // The effects of halving or doubling each constant are in doc/constants.md.
+    // doc/constants.md lists the effects of halving or doubling each constant.
 
-    //! Number of unsuccessful steps (the cost does not decrease) that are tried in addition to the
-    //! requested iterations.
+    //! Number of unsuccessful steps (the cost does not decrease) that are allowed in addition to
+    //! the requested iterations.
     enum { RETRIES = 2 };
     //! FIRST_DAMPING times the entry is added to each diagonal entry of the normal equations after
     //! the first unsuccessful step. SINGULAR times the mean of the diagonal is always added to each
-    //! diagonal entry, so that the equations can be solved if they are singular.
+    //! diagonal entry, so that the equations can be solved even if they are singular.
     static const double FIRST_DAMPING, SINGULAR;
     //! If the expected decrease of the cost by a step is less than SETTLED times the cost, the step
     //! is the last one. If it is at most ARRIVED times the cost, the step is not taken, and the fit

@@ -20,7 +20,7 @@ class MarginalizedFit
 public:
     MarginalizedFit() : errors(0), indices(0), weights(0), count(0) {}
 
-    //! Takes memory for this many points. To be called before the other methods.
+    //! Takes memory for `points` points. To be called before the other methods.
     void allocate(Arena::Scope& scope, int points)
     {
         errors = scope.take<float>(points);
@@ -28,8 +28,8 @@ public:
         weights = scope.take<double>(points);
         count = 0;
     }
-    //! Computes the weights of the points within the threshold of the model. @return the sum of the
-    //! losses of all points
+    //! Computes the weights of the points whose errors under the model are within the threshold.
+    //! @return the sum of the losses of all points
     double weigh(const Context& context, double threshold, const Model& model);
     //! Number of weighted points.
     int size() const { return count; }

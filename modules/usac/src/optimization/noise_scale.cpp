@@ -12,17 +12,17 @@ namespace usacv20 {
 
 namespace {
 
-// The effects of halving or doubling each constant are in doc/constants.md.
+// doc/constants.md lists the effects of halving or doubling each constant.
 
 //! The EM algorithm starts with this variance (in squared thresholds) and this inlier ratio, and
-//! takes STEPS steps. Halving one of the three constants raises the errors of H by 3 to 8 % on the
-//! scenes of doc/structured.md, and changes them by at most 1 % on real image pairs.
+//! takes STEPS steps. Halving any one of the three constants raises the errors of H by 3 to 8 % on
+//! the scenes of doc/structured.md, and changes them by at most 1 % on real image pairs.
 constexpr double FIRST_VARIANCE = 0.15, FIRST_PART = 0.7;
 constexpr int STEPS = 4;
 //! The tail consists of the errors from CORE standard deviations of the noise up to the threshold.
-//! It is significant if it has more points than a limit: the expected number of outliers in it,
-//! plus DEVIATIONS standard deviations of this number, plus PART_OF_CORE times the number of points
-//! with smaller errors. Halving or doubling one of the three constants changes the errors of models
+//! The tail is significant if it has more errors than the expected number of outliers in the tail,
+//! plus DEVIATIONS standard deviations of this number, plus PART_OF_CORE times the number of
+//! smaller errors. Halving or doubling any one of the three constants changes the errors of models
 //! on real image pairs by at most 1 %.
 constexpr double CORE = 4, DEVIATIONS = 2, PART_OF_CORE = 0.02;
 

@@ -17,10 +17,10 @@ Only the first #MOST errors are used. With fewer than #LEAST errors, the result 
 which the threshold corresponds, 1 / thresholdInSigmas(degrees).
 
 A sigma below #leastSigma is returned only if the number of errors between 4 sigma and the threshold
-is hardly higher than the expected number of outliers there; the density of outliers is measured
-beyond the threshold. If there are more errors, the noise has long tails, or the model does not fit
-all points equally well (for example H for a surface that is not quite a plane). A fit with a small
-sigma would then fit only a part of the scene, and #leastSigma is returned. */
+is hardly higher than the expected number of outliers with such errors; the density of outliers is
+measured beyond the threshold. If there are more errors, the noise has long tails, or the model does
+not fit all points equally well (for example H for a surface that is not quite a plane). A fit with
+a small sigma would then fit only a part of the scene, so #leastSigma is returned instead. */
 class NoiseScale
 {
 public:
@@ -28,13 +28,14 @@ public:
     of doc/structured.md are 17 % larger; with 8, they are 4 % smaller. Other effects are in
     doc/constants.md. */
     enum { REACH = 4 };
-    //! Minimum and maximum number of errors that are used. Halving or doubling one of them changes
-    //! the time by at most 3 % and the errors of models by at most 1 %.
+    //! Minimum and maximum number of errors that are used. Halving or doubling one of these numbers
+    //! changes the time by at most 3 % and the errors of models by at most 1 %.
     enum { LEAST = 20, MOST = 200 };
 
-    //! Smallest sigma that is returned without the test of the tail, in units of the threshold.
-    //! Without this test, smaller values would increase the errors of H on photographs, for example
-    //! the value 0.1 by 8 %. With the test, halving or doubling the value increases them by 1 %.
+    //! A sigma below this value (in units of the threshold) is returned only if hasTail() is false.
+    //! Without this test, the value would be a lower bound of sigma, and values below 0.27 would
+    //! increase the errors of H on photographs, for example 0.1 by 8 %. With the test, halving or
+    //! doubling the value increases these errors by 1 %.
     static double leastSigma() { return 0.27; }
 
     //! @param squaredErrors, count squared errors of the points, in random order

@@ -14,13 +14,13 @@ namespace usacv20 {
 namespace {
 
 //! Permitted deviations, relative to the largest entry: SAME for models that should be equal,
-//! DERIVATIVE for derivatives compared with central differences of step STEP. Both are far above
-//! rounding errors (1e-16 and 1e-10) and far below the deviations of a wrong formula.
+//! DERIVATIVE for derivatives compared with central differences of step STEP. These deviations are
+//! far above rounding errors (1e-16 and 1e-10) and far below those of a wrong formula.
 constexpr double SAME = 1e-9, DERIVATIVE = 1e-5, STEP = 1e-5;
 //! Columns count as linearly dependent if the ratio of the smallest to the largest singular value
 //! is at most this number.
 constexpr double DEPENDENT = 1e-10;
-//! Absolute value of the largest parameter for which plus() is tested to return a valid model.
+//! Absolute value of the largest parameter in the test whether plus() returns a valid model.
 constexpr double FAR = 0.1;
 
 typedef Eigen::Map<const Eigen::VectorXd> Entries;

@@ -14,8 +14,8 @@ namespace {
 //! * 2^e, 2^(e+1)) for e = LOWEST, LOWEST + 1, ...; the first bin also has all smaller errors.
 constexpr int LOWEST = -4, BINS = 128;
 //! Median error within the estimated radius r, in standard deviations of the noise, for one to
-//! three degrees of freedom; see the comment of the class. Smaller values would lead to a larger
-//! sigma.
+//! three degrees of freedom; see the comment of the class. The estimated sigma is inversely
+//! proportional to this value.
 constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
 //! Index of the bin of a squared error, from the exponent and the first bit of the mantissa. The
@@ -51,19 +51,19 @@ void countInBins(const float* squaredErrors, int count, float scale, int* member
     }
 }
 
-//! r^degrees for a squared radius r^2 = `square`, which is proportional to the length, area or
-//! volume within r (one to three degrees of freedom).
+//! r^degrees for the radius r = sqrt(`square`). This is proportional to the length, area or volume
+//! within r (one to three degrees of freedom).
 double volumeOf(double square, int degrees)
 {
     return degrees == 2 ? square : degrees == 1 ? std::sqrt(square) : square * std::sqrt(square);
 }
 
 //! The median error of the points in the bins up to `last`, in thresholds. Within a bin, errors are
-//! assumed to be uniform over its length, area or volume.
+//! assumed to be uniformly distributed over the length, area or volume of the bin.
 //! @param members number of points in each bin
 //! @param within number of points in the bins up to `last`
-//! @param exact number of points with the smallest errors that do not count for the median, see
-//! `exactSample` of SignificantScale::estimate()
+//! @param exact number of smallest errors that do not count for the median, see `exactSample` of
+//! SignificantScale::estimate()
 double medianOf(const int* members, int last, int within, int degrees, int exact)
 {
     const double half = 0.5 * (within + exact);

@@ -23,8 +23,8 @@ inline Eigen::Matrix3d rotationOf(const Eigen::Vector3d& w)
     return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
 }
 
-//! Derivative of a matrix with respect to the angle by which it is rotated about an axis: the cross
-//! product of the axis with each column.
+//! Derivative of a matrix with respect to the angle by which it is rotated about an axis of unit
+//! length, at angle 0: the cross product of the axis with each column.
 inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Matrix3d& matrix)
 {
     Eigen::Matrix3d turned;
