@@ -17,32 +17,33 @@ namespace {
 
 // doc/constants.md lists the effects of halving or doubling each constant.
 
-//! Fraction of the inliers that is fitted first: the inliers with the lowest leverage.
+//! Fraction of the inliers to which the first fit is made: the inliers with the lowest leverage.
 constexpr double BULK = 0.85;
-//! A point with at least this leverage (which is at most 1) may determine a parameter alone.
+//! If no inlier has at least this leverage, the model is not changed. The leverage of a point is at
+//! most 1; a point with a high leverage may determine a parameter alone.
 constexpr double HIGH = 0.4;
 //! A point is included again if its error is at most DEVIATIONS times the standard deviation that
-//! the fit predicts for this error. In the first of two rounds, the leverage of the point must also
-//! be at most PREDICTED.
+//! the fit predicts for this error, and within the threshold. In the first of two rounds, the
+//! leverage of the point must also be at most PREDICTED.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 /** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
-less than HOPE, the attempt ends; the result must gain GAIN. Changing two parameters gains 6 by
-chance in one of 20 cases; the changed model is then as good as the original one. */
+less than HOPE, the attempt ends; the result must gain at least GAIN. Changing two parameters gains
+6 or more by chance in one of 20 cases; the changed model is then as good as the original one. */
 constexpr double HOPE = 3, GAIN = 6;
 /** Stricter conditions if nearly all inliers leave parameters undetermined (Problem::leavesFree),
 as points on a plane leave the epipole undetermined. The gain must be at least FREE_GAIN. It must
 also be at least TURNED sqrt(n) for n points: another epipole changes the direction in which all
 errors are measured, and the difference of two sums of n squares has a standard deviation of at most
-2 sqrt(n) noise variances. The evidence of the lost inliers (surpriseOf()) must be at most gain /
-FREE_AGAINST, because only inliers off the plane determine the epipole. With GAIN alone, an F whose
-right matches are nearly all on a plane may lose the right matches off the plane. An ambiguous model
-(E) is not changed if parameters are undetermined, because fits may end between its two solutions.
-*/
+2 sqrt(n) noise variances. The evidence of the lost inliers against the fit (surpriseOf()) must be
+at most gain / FREE_AGAINST, because only inliers off the plane determine the epipole. With GAIN
+alone, an F whose right matches are nearly all on a plane may lose the right matches off the plane.
+If parameters are undetermined, an ambiguous model (E) is not changed, because fits may end between
+the two possible models. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! Lower bound of the standard deviation of the noise, in thresholds: the accuracy of errors in
 //! single precision.
 constexpr double LEAST_NOISE = 1e-3;
-//! Steps of a fit. A fit need not converge, because the result is polished.
+//! Maximum number of steps of a fit. It does not have to converge, because the result is polished.
 constexpr int LEVERAGE_STEPS = 5;
 
 }  // namespace
@@ -242,7 +243,7 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
 }
 
 //! Uses derivatives with respect to all entries of the model, although the model has fewer degrees
-//! of freedom. This increases the leverages of all points alike.
+//! of freedom. This increases the leverages of all points similarly.
 template <int ENTRIES>
 bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Points& points,
                            double* result) const
@@ -253,8 +254,9 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     NormalEquationsOf<ENTRIES> sums;
     sums.accumulate(*parts.residual,
                     PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
-    // Errors do not depend on the scale of the model; the added term makes A regular in this
-    // direction. If a custom residual is undefined, the trace is NaN and the factorization fails.
+    // Errors do not depend on the scale of the model; the added term makes A regular in the
+    // direction of a change of scale. If a custom residual is undefined, the trace of A is NaN and
+    // the factorization fails.
     const Row scale = Eigen::Map<const Row>(model.val);
     Square A = sums.JtJ;
     A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());

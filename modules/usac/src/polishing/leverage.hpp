@@ -15,25 +15,26 @@ namespace usacv20 {
 If the right matches hardly determine some parameters of a model (the epipole of F for a short
 baseline), the model can be distorted to fit wrong matches as well. The errors of the right matches
 then grow, but stay far below a threshold that is wide for the noise. Such a model has a lower cost
-than the true model for the loss of every score and polisher and for the likelihood of the true
-noise, so that no search can prefer the true model by its cost. But the wrong matches alone
-determine these parameters. Therefore they have a high leverage (the fraction of its own error that
-a point removes from a fit), and without them, the other inliers have another optimum with clearly
-lower errors.
+than the true model under every score, under the loss of every polisher, and even under the
+likelihood of the true noise, so that no search can prefer the true model by its cost. But the wrong
+matches alone determine these parameters. Therefore the wrong matches have a high leverage (the
+fraction of its own error that a point removes from a fit), and without the wrong matches, the other
+inliers have another optimum with clearly lower errors.
 
-So the inliers with the highest leverage are left out. Fits to the remaining inliers start from the
-model and from samples of these inliers. Points with small errors under the fit are included again,
-at first only points of low leverage, as in a forward search @cite atkinson2000robust. A fit to all
-points that are included is polished. The result replaces the model on two conditions:
+Therefore the inliers with the highest leverage are left out. Fits to the remaining inliers start
+from the model and from samples of these inliers. Points with small errors under the best fit are
+included again, at first only points of low leverage, as in a forward search @cite
+atkinson2000robust. A fit to all included points is polished. The result replaces the model on two
+conditions:
 - The errors of the included points that are inliers of the original model decrease by more than
 chance explains.
-- The inliers that are lost are no evidence against the fit: the best of all models through two
-wrong matches would have as many inliers by chance, and the loss is less improbable than the
-decrease of the errors.
+- The inliers that are lost are no evidence against the fit: among all models through two wrong
+matches, the best one has as many additional inliers by chance, and that is not less probable than
+the decrease of the errors.
 
-If most right matches are on a plane, those off the plane have a high leverage, too. But there are
-more of them than wrong matches that fit one epipole by chance. If most inliers are on a plane, the
-errors must decrease more, and E is not changed.
+If most right matches are on a plane, the right matches off the plane have a high leverage, too. But
+these are more than the wrong matches that fit one epipole by chance. If most inliers are on a
+plane, the errors must decrease more, and E is not changed.
 
 The method is used only for errors with one component: with more components, a wrong match is rarely
 within the threshold by chance. To limit the time, the first fit uses at most #MOST inliers. Later
@@ -41,7 +42,8 @@ fits use only the first points, four times as many as were needed to find these 
 class Leverage
 {
 public:
-    /** @param search context of the search: its points, solver and checks
+    /** @param search context of the search, for its points, from which the minimal solver computes
+    models
     @param polish context in which models are polished and rated
     @param threshold inlier threshold of the mask, in the coordinates of `polish` */
     Leverage(const Context& search, const Context& polish, double threshold);
@@ -64,26 +66,29 @@ private:
         int count;
     };
 
-    //! Finds the inliers that are used. @return false if there are too few inliers, if all points
-    //! are inliers, or if the loss of even one inlier would be evidence against a fit
+    //! Finds the inliers of the model, of which at most #MOST are stored in `inliers`. @return
+    //! false if there are too few inliers, if all points are inliers, or if the loss of even one
+    //! inlier would be evidence against a fit
     bool look(const Model& model);
-    //! True if a fit is better than the model for the points that agree with the fit, and if the
-    //! lost inliers are no evidence against the fit.
+    //! True if a fit is clearly better than the model for `points`, which agree with the fit, and
+    //! if the lost inliers are no evidence against the fit.
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
     //! Evidence of lost inliers against a fit: minus the logarithm of Chernoff's bound (see
     //! SignificantScale) of the probability that `lost` of the points that are not inliers of the
     //! fit are inliers of the model by chance.
     double surpriseOf(int lost) const;
-    //! Value of surpriseOf() that the best of all models through two outliers reaches by chance.
+    //! The value of surpriseOf() that the best of all models through two outliers reaches by
+    //! chance.
     double byChance() const;
-    //! Finds the inliers with the lowest leverage in a fit to all inliers. @return false if no
-    //! inlier has a high leverage
+    //! Finds the elements of `inliers` with the lowest leverage in a fit to `inliers`. @return
+    //! false if no inlier has a high leverage
     bool findBulk(const Model& model);
     //! Least squares over `points`, which starts from `model` and from the result of sampled(). The
-    //! fit with the lower sum of squared errors is returned in `model`.
+    //! fit with the lower sum of squared errors is returned in `model`. @return false if both fits
+    //! fail
     bool fit(const Points& points, int first, Model& model) const;
-    //! Finds the best model of #STARTS samples of the points.
-    //! @param first number of the first sample, which selects the random numbers
+    //! Computes the models of #STARTS samples of the points and finds the best of these models.
+    //! @param first number of the first of these samples, which selects the random numbers
     bool sampled(const Points& points, int first, Model& model) const;
     //! Finds the points that agree with `model`, which is a fit to `fitted`, and whose leverage in
     //! this fit is at most `most`. @return false if there are too few such points or if the
@@ -97,7 +102,7 @@ private:
                    double* result) const;
     //! Sum of the squared errors of the points, each capped at the squared threshold.
     double sumOf(const Points& points, const Model& model) const;
-    //! Estimates the noise variance of a fit to `count` points for which sumOf() is `sum`.
+    //! Estimates the noise variance from a fit to `count` points whose sumOf() is `sum`.
     double variance(double sum, int count) const;
     //! Number of inliers of `model` among all points.
     int inliersOf(const Model& model) const;
@@ -107,7 +112,7 @@ private:
     const Components& parts;
     const double limit;  //!< squared threshold
     float* errors;       //!< squared errors; the array has the size of all points
-    int looked;          //!< fits use only the first `looked` points
+    int looked;          //!< only the first `looked` points are used in fits
     Points inliers;      //!< at most MOST inliers among the first `looked` points
     Points bulk;         //!< the elements of `inliers` with low leverage
     int all;             //!< number of inliers of the model among all points

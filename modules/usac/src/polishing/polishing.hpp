@@ -10,12 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-//! Work per point of a fit that runs to convergence, in tests of one point (the unit of Watch). It
-//! corresponds to 100 ns per point with a million points. It affects only how late a time limit
-//! ends a run.
+//! Work per point of a fit that runs to convergence, in point tests, the unit of Watch: 100 ns with
+//! a million points. The value only affects how late a time limit ends a run.
 constexpr double FIT_WORK = 50;
 
-//! Creates the polisher that fits to all inliers, see LeastSquaresPolisher.
+//! Creates the polisher that makes least-squares fits to all inliers, see LeastSquaresPolisher.
 Ptr<Polisher> createLeastSquaresPolisher();
 //! Creates the polisher with the weights of MAGSAC++, see ReweightedPolisher.
 Ptr<Polisher> createReweightedPolisher();

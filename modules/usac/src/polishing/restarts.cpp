@@ -23,15 +23,15 @@ constexpr double WIDE = 0.2;
 constexpr double CLEAR = 0.9;
 /** A minimum reached from a model that the checks reject must have an even lower loss: the
 probability that the decrease is chance must be at most UNLIKELY. This probability is the ratio of
-the losses to the power of half the remaining degrees of freedom. */
+the new to the old loss, raised to the power of half the remaining degrees of freedom. */
 constexpr double UNLIKELY = 0.1;
-//! For begin(): maximum probability that random points have as low a loss as the model.
+//! For begin(): maximum probability that the loss of a model of random points is as low.
 constexpr double CHANCE = 1e-6;
-//! Largest loss that an additional point may add per component of its error, in units of the
-//! inliers' loss per degree of freedom. If ten degrees of freedom are left, one right point in a
-//! hundred exceeds 8.
+//! Maximum increase of the loss by an additional point, per component of its error and in units of
+//! the inliers' loss per degree of freedom. If ten degrees of freedom are left, one right point in
+//! a hundred exceeds 8.
 constexpr double GROWN = 8;
-//! Number of points whose errors are computed together. It has no effect on the result.
+//! Number of points whose errors are computed together. The value has no effect on the result.
 constexpr int ERROR_BLOCK = 1024;
 
 }  // namespace
@@ -161,7 +161,8 @@ bool Restarts::restart(int index, int size, Model& model, Quality& quality)
         sample[k] = members[places[k]];
     Model models[MAX_MODELS];
     const int found = parts.minimalSolver->solve(search.points, sample, models);
-    int best[2] = {-1, -1};  // best model that the checks reject, and best one that they accept
+    int best[2] = {-1, -1};  // best model that the checks reject, and best model that the checks
+                             // accept
     double least[2] = {DBL_MAX, DBL_MAX};
     for (int k = 0; k < found; ++k)
     {

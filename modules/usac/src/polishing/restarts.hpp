@@ -14,25 +14,27 @@ namespace usacv20 {
 few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
-the best minimum. A search that ends after its first sample may have missed it, for example because
-the errors of ten points are below the threshold for every model. Orientation checks make this worse
-if they reject right models: for an H whose horizon lies between the points, they reject all samples
-except those on one side of the horizon, which may all lead to one wrong minimum.
+the best minimum. A search that ends after its first sample may have missed the best minimum, for
+example because the errors of all of ten points are below a wide threshold for any model.
+Orientation checks make this worse if they reject right models: for an H whose horizon lies between
+the points, they reject all samples except those on one side of the horizon, which may all lead to
+one wrong minimum.
 
 Least squares over the inliers (at most #MOST) starts from the models of random samples of inliers,
 including models that the checks reject. A clearly lower minimum is polished and replaces the model
-if its cost is not higher. If the fit starts from a rejected model, the minimum must be much lower,
-because there are more such models.
+if its cost is not higher. If the fit starts from a rejected model, the minimum must be much lower:
+more models are rejected than accepted, so that one of the rejected models reaches a lower minimum
+by chance more often.
 
-A few inliers close to each other determine the model poorly far from them. The outliers with the
-smallest errors are therefore tried: a fit to the inliers and one such outlier replaces the model if
-all of these points are inliers of the fit, with hardly larger errors. */
+A few inliers close to each other determine the model poorly far from them. Therefore the outliers
+with the smallest errors are tried, too: a fit to the inliers and one such outlier replaces the
+model if all of these points are inliers of the fit, with hardly larger errors. */
 class Restarts
 {
 public:
     /** @param search context of the search: its points, solver and checks
-    @param polish context in which models are polished and rated; its points are those of `search`,
-    possibly before undistortion
+    @param polish context in which models are polished and rated; its points are the points of
+    `search`, possibly before undistortion
     @param state state of the run */
     Restarts(const Context& search, const Context& polish, State& state);
 
@@ -40,9 +42,9 @@ public:
     //! @param quality quality of the model in the context `polish`
     void improve(Model& model, Quality& quality);
 
-    /** To be called if there are only a few points and the checks have rejected all samples: finds
-    a model that fits all points better than the model of random points would. @return false if no
-    such model is found */
+    /** To be called if the search has found no model, for example because the checks have rejected
+    all samples: if there are at most #MOST points, finds a model that fits all points better than
+    the model of random points would. @return false if no such model is found */
     bool begin(Model& model, Quality& quality);
 
 private:
@@ -66,14 +68,14 @@ private:
     void restartOutside(Model& model, Quality& quality);
     //! Tries fits to the inliers and one outlier at a time that start from the model.
     void extendInliers(Model& model, Quality& quality);
-    //! Least squares over the first `size` members, which starts from the models of a sample of
-    //! these members. If the last of them is an outlier, the sample contains it. `index` is the
-    //! number of the sample. @return true if the model was replaced
+    //! Least squares over the first `size` members, which starts from the best models of a sample
+    //! of these members. If `size` includes an outlier, the sample contains the outlier. `index` is
+    //! the number of the sample. @return true if the model was replaced
     bool restart(int index, int size, Model& model, Quality& quality);
-    //! True if the checks accept a sample and its model.
+    //! True if the degeneracy checks accept a sample and its model.
     bool isValid(const int* sample, const Model& model) const;
-    //! Least squares over the inliers and one outlier, which starts from the model. @return true if
-    //! the model was replaced
+    //! Least squares over the inliers and one outlier, which starts from the model; only for errors
+    //! with several components. @return true if the model was replaced
     bool extend(int outside, Model& model, Quality& quality);
     //! Degrees of freedom that are left after a fit to `size` points.
     int freedom(int size) const;
@@ -85,7 +87,7 @@ private:
     //! polishing, is below `limit`, the checks accept the result, and its cost is not higher than
     //! that of the model. @return true if the model was replaced
     bool accept(const Model& fitted, int size, double limit, Model& model, Quality& quality);
-    //! Lets the checks update model and quality. False if they reject the model.
+    //! Lets the degeneracy checks update model and quality. False if they reject the model.
     bool check(Model& model, Quality& quality);
 
     const Context& search;
@@ -93,7 +95,7 @@ private:
     const Components& parts;
     State& state;
     const int m;            //!< sample size
-    int members[MOST + 1];  //!< inliers that are used; the last element is for an outlier
+    int members[MOST + 1];  //!< inliers that are used, followed by an outlier if one is tried
     int next[NEXT];         //!< outliers with the smallest errors, in ascending order of the error
     int count, all;         //!< number of inliers in `members`, and of all inliers
     int outside;            //!< number of outliers in `next`

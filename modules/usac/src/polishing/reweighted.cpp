@@ -17,7 +17,7 @@ constexpr double SETTLED_LOSS = 1e-5;
 
 /** Iteratively re-weighted least squares over all points within the threshold of the score, with
 the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted as long as they lower the loss
-that belongs to these weights, even if the cost by the score of the run increases. */
+that belongs to these weights, even if the cost under the score of the run increases. */
 class ReweightedPolisher : public Polisher
 {
 public:

@@ -17,35 +17,36 @@ namespace {
 /** Support of the biweight in standard deviations of the noise. With 5.3, fits are 1.6 % (F, E) or
 2.3 % (H) less accurate than least squares under Gaussian noise. */
 constexpr double SUPPORT = 5.3;
-/** All steps except the last two use only the first points: so many that FEW points, or 1 / PART of
-all points if this number is larger, are within REACH thresholds. */
+/** Until the model has settled, all steps except the last two use only the first points: so many
+that FEW points, or 1 / PART of all points if this is more, are within REACH thresholds. */
 constexpr int REACH = 3, FEW = 500, PART = 8;
 /** If there are more than MANY points, the search has used only a part of them
 (ProblemData::SEARCHED). The model is then further from the minimum, compared with the standard
-error of a fit to all points. Therefore MORE steps are added, which nearly all use only the first
+error of a fit to all points. Therefore MORE steps are added, nearly all of which use only the first
 points. */
 constexpr int MANY = 1 << 15, MORE = 6;
-//! BLOCK points are passed to each call of the kernel. The last fit has at most LAST steps, which
-//! are enough to converge.
+//! Errors are computed for BLOCK points at a time. The last fit has at most LAST steps, which are
+//! enough to converge.
 constexpr int BLOCK = 256, LAST = 10;
 //! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
 //! point within the support, or if the scale changes by at least the fraction SAME_SCALE.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! The noise is also estimated again if the loss has decreased by more than this fraction of the
-//! loss of the points within the support.
+//! The noise is estimated in the first step, in the middle step, when the loss has settled, and
+//! when the loss has decreased by more than MARKED times the loss of the points within the support.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
 by re-weighting with w = (1 - (error / support)^2)^2 in each step. The support is #SUPPORT standard
-deviations of the noise (NoiseScale); with this value, the biweight is nearly as accurate as least
+deviations of the noise (NoiseScale); with this support, the biweight is nearly as accurate as least
 squares under Gaussian noise. Points beyond the support have no influence: a wrong match far from
 the other points in the images (for example near the epipole) would distort F even with a hundredth
 of its weight.
 
 The iteration ends when the last step has lowered the loss by less than a tenth of the mean loss of
-a point within the support (which does not depend on the threshold) and the scale of the noise no
-longer changes, but at the latest after Params::polishingSteps steps, or #MORE steps later if there
-are more than #MANY points. The last of these steps is a fit that runs to convergence. */
+a point within the support (a limit that does not depend on the threshold) and the scale of the
+noise hardly changes, but at the latest after Params::polishingSteps steps, or #MORE steps later if
+there are more than #MANY points. The last of these possible steps is a fit that runs to
+convergence. */
 class RobustPolisher : public Polisher
 {
 public:
@@ -116,7 +117,7 @@ private:
         return looked;
     }
 
-    /** Finds the points within the support among the first `looked` ones, and their weights.
+    /** Finds the points within the support among the first `looked` points, and their weights.
     @return sum of the losses of the first `looked` points, each at most 1 */
     double weigh(const Correspondences& p, double sigma, int looked)
     {
@@ -125,7 +126,8 @@ private:
         const float* const e = errors;
         int* const members = near;
         int size = 0;
-        for (int i = 0; i < looked; ++i)  // without branches, which would often be mispredicted
+        for (int i = 0; i < looked; ++i)  // without branches, because these would often be
+                                          // mispredicted
         {
             members[size] = i;
             size += e[i] < limit;  // NaN is not within the support
@@ -142,7 +144,7 @@ private:
         return lossNear + looked - count;
     }
 
-    // The following are valid only during polish().
+    // The following members are valid only during polish().
     float* errors;    //!< squared errors of the points
     int* near;        //!< points within the support: the first `count` elements
     double* weights;  //!< weights of the points in `near`
