@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Minimum number of wrong matches that are made with each point of array 1.
+//! Minimum number of wrong matches with each point of array 1, if there are enough points.
 constexpr int PARTNERS = 4;
 
 //! First column of array 2, or the last column of the only array.
@@ -21,8 +21,8 @@ int firstOfPartner(const Correspondences& p)
 }
 
 /** Makes wrong matches: pairs points of array 1 with points of other matches in array 2. T is float
-for built-in residuals and double for a custom residual. A custom residual may depend on the
-Correspondences of the run; therefore only columns are passed to it. */
+for built-in residuals, and double for a custom residual, which has no kernels. A custom residual
+may depend on the Correspondences of the run; therefore only columns are passed to it. */
 template <typename T>
 class WrongPairs
 {
@@ -48,7 +48,7 @@ public:
     }
 
     //! Removes the marked points and appends a copy of array 2 to itself, so that agreeing() finds
-    //! a partner for the last points, too. If there is only one array, its last column serves as
+    //! a partner for the last points, too. If there is only one array, its last column is used as
     //! array 2. @return number of points left
     int drop(const uchar* repeated)
     {
@@ -66,8 +66,8 @@ public:
         return size;
     }
 
-    //! Number of wrong matches within the threshold if each point i of array 1 is paired with the
-    //! point i + `partner` of array 2. To be called after drop().
+    //! Number of wrong matches within the threshold if each point i of array 1 is paired with point
+    //! i + `partner` of array 2. To be called after drop().
     int agreeing(int partner)
     {
         computeErrors(partner);

@@ -13,35 +13,37 @@ namespace usacv20 {
 //! Numbers of matches and of artificial wrong matches: in total, and within a model's threshold.
 struct Agreement
 {
-    int points;    //!< number of matches that are independent of each other
+    int points;    //!< number of matches, without inliers that repeat another inlier
     int inliers;   //!< number of these matches within the threshold
     int pairs;     //!< number of wrong matches, each made of points of two different matches
     int agreeing;  //!< number of the wrong matches within the threshold
 };
 
-/** @brief Compares the errors of the first `count` matches with those of wrong matches of the same
-points.
+/** @brief Compares the errors of the first `count` matches with the errors of wrong matches of the
+same points.
 
-If the matches are random, any other pairing of their points is as likely as the pairing given. The
-wrong matches thus tell how often a random match is within the threshold of this very model,
+If the matches are random, any other pairing of their points is as likely as the given pairing. The
+wrong matches thus tell how often a random match is within the threshold of this particular model,
 whatever the positions of the points and the model are (even if the model maps everything to a
-single point, or has an epipole amid the points). Right matches do not distort the result, because
+single point, or has an epipole amid the points). Right matches do not distort this result, because
 their points are paired anew, too.
 
-Of several inliers in the same cell of an image (see #markRepeated), only one is counted. Each point
-is paired with 4 other points, or with more of them to get `pairs` wrong matches, but at most with
-all others. Takes O(count + pairs). */
+Of several inliers in the same cell of a grid over an array (see #markRepeated), only one is
+counted. Each point of array 1 is paired with points of 4 other matches, or of as many as are needed
+to get about `pairs` wrong matches, or of all other matches if these are fewer. Takes O(count +
+pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);
 
 /** Computes the squared errors of wrong matches. Each wrong match is made of two of the first
-`count` matches: it has the point of one match in array 1 and of another match in array 2.
+`count` matches: it has the point of one match in array 1 and the point of another match in array 2
+(if there is only one array: in its last column).
 @param errors output, at most #WRONG_PARTNERS squared errors per match
 @return number of errors written */
 int wrongErrors(const Residual& residual, const Model& model, const Correspondences& points,
                 int count, float* errors, Arena& arena);
-//! Maximum number of wrong matches per point of array 1 that wrongErrors() makes.
+//! Maximum number of wrong matches that wrongErrors() makes per point of array 1.
 enum { WRONG_PARTNERS = 4 };
 
 }  // namespace usacv20

@@ -22,20 +22,23 @@ namespace {
 //! The smallest threshold that is estimated is the widest one divided by FINEST; data without noise
 //! give this threshold.
 constexpr int FINEST = 1024;
-//! Number of inliers, in addition to those of a sample, that are needed to estimate the noise. With
-//! fewer, the estimate may come from wrong matches that the model of a sample fits exactly.
+//! Number of inliers, in addition to the points of a sample, that are needed to estimate the noise.
+//! With fewer inliers, the estimate may come from wrong matches that the model of a sample fits
+//! exactly.
 constexpr int BEYOND = 10;
 //! Threshold of the rough estimate, in standard deviations of the noise.
 constexpr double IN_SIGMAS = 2.2;
 //! The mixture is fitted only if there are at least LEAST inliers, in STEPS steps of the EM
-//! algorithm, to the errors within WINDOW times the first estimate of sigma. The initial fractions
-//! are FIRST_PART inliers among these points and FIRST_TAIL badly located points among the inliers.
+//! algorithm, to the errors within WINDOW times the first estimate of sigma. The initial value of
+//! the fraction of inliers among these points is FIRST_PART, that of the fraction of badly located
+//! points among the inliers FIRST_TAIL.
 constexpr int LEAST = 50, STEPS = 20, WINDOW = 8;
 constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple
 //! (table 4.2).
 constexpr double WITHIN = 0.95;
-//! Number of inliers at which errorsGoOn() computes how the model changes the noise of points.
+//! Maximum number of inliers at which errorsGoOn() computes how the model changes the noise of
+//! points.
 constexpr int CHANGES = 20;
 
 //! The errors of the first points, and the scale at which they differ most from the errors of wrong
@@ -63,8 +66,8 @@ public:
             find();
     }
 
-    //! Ratio of the noise to the errors, which are smaller because the model was fitted to the
-    //! inliers.
+    //! Ratio of the noise to the errors of the inliers, which are smaller because the model was
+    //! fitted to them.
     double correction() const
     {
         return std::sqrt((double)found.inliers / std::max(found.inliers - sampleSize, 1));
@@ -94,8 +97,9 @@ private:
                                            sampleSize, FINEST / 4, true);
     }
 
-    //! Removes all but one of the inliers in the same cell of an array: copies of a match have the
-    //! same error, which may look like small noise. @return false if nothing was removed
+    //! Of the inliers in the same cell of a grid over one of the arrays, removes all but one:
+    //! copies of a match have the same error, which may look like small noise. @return false if
+    //! nothing was removed
     bool dropRepeated(const Correspondences& p, double threshold, Arena& arena)
     {
         Arena::Scope local(arena);
@@ -150,8 +154,8 @@ double relativeNoise(const Correspondences& points, int column)
 namespace {
 
 /** Effective degrees of freedom of the error of a point, by Satterthwaite's formula, for noise in
-both images: 2 if the error has the same variance in all directions of the plane, and nearly 1 if
-the model enlarges the noise in one direction.
+both arrays. For an error in the plane: 2 if the error has the same variance in all directions, and
+nearly 1 if the model enlarges the noise in one direction.
 @param step step of the finite differences, which should be below the noise */
 double degreesAt(const Context& context, const Model& model, int point, double step)
 {

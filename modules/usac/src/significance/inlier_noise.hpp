@@ -10,57 +10,62 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief The noise of the inliers of a model, estimated from its errors alone.
+/** @brief The noise of the inliers of a model, estimated from the errors of the points, without a
+known threshold.
 
 SignificantScale separates inliers from wrong matches: inliers are the points within the radius for
-which their number is least likely by chance @cite moisan2004probabilistic. Chance is measured by
-the errors of wrong matches made of the same points, see wrongErrors(). The model was fitted to
-these inliers or computed from some of them. Therefore their errors are smaller than the noise by a
-factor of sqrt(1 - m / inliers), where m is the sample size, and sigma is corrected for this factor.
+which their number is least likely by chance @cite moisan2004probabilistic. What happens by chance
+is measured with wrong matches made of the same points, see wrongErrors(). The model was fitted to
+the inliers or computed from some of them. Therefore the errors of the inliers are smaller than the
+noise by a factor of sqrt(1 - m / inliers), where m is the sample size, and sigma is corrected for
+this factor.
 
-All lengths are in the unit of the threshold of the points. */
+All lengths are in the coordinates of the points, like Correspondences::threshold. */
 struct InlierNoise
 {
-    double sigma;      //!< standard deviation of an inlier's error in each component; 0: unknown,
-                       //!< as the model is no better than chance or has too few inliers
+    double sigma;      //!< standard deviation of each component of an inlier's error; 0: unknown,
+                       //!< because the model is no better than chance or has too few inliers
     double threshold;  //!< error that few inliers exceed
     double part;       //!< fraction of inliers among the points
-    int beyond;        //!< number of inliers minus the sample size: the larger, the more precise
+    int beyond;        //!< number of inliers minus the sample size: the larger it is, the more
+                       //!< precise is sigma
 };
 
-/** @brief Quick estimate: sigma by the median of the inliers' errors, and a threshold of 2.2 sigma.
+/** @brief Quick estimate: sigma from the median of the inliers' errors, and a threshold of 2.2
+sigma.
 @param context, model the points and the residual, and the model
-@param widest upper bound of the radius and of the threshold
+@param widest upper bound of the radius of SignificantScale and of the threshold
 @param most use only the first `most` points
-@param once count only one of the inliers in the same cell of an array: copies of a match have the
-same error, which may look like small noise */
+@param once count inliers with nearly the same position in one of the arrays (the same cell, see
+#markRepeated) only once: copies of a match have the same error, which may look like small noise */
 InlierNoise roughNoise(const Context& context, const Model& model, double widest, int most,
                        bool once);
 
-/** @brief Precise estimate: sigma of an ErrorMixture with a tail of badly located points, which is
-fitted to the errors in a wider range than those of the inliers.
+/** @brief Precise estimate: sigma of an ErrorMixture with a tail of badly located points. The
+mixture is fitted to errors in a range wider than that of the inliers' errors.
 
-Keypoints on photographs need the tail: its weight is 0.2 to 0.4 for them, and 0 for Gaussian noise.
-The threshold is the error that 95 % of all inliers, including the tail, do not exceed. With fewer
-than 50 inliers, no mixture is fitted: sigma is that of roughNoise(), and the threshold follows from
-it for Gaussian noise. */
+The tail is needed for keypoints on photographs: the fraction of the inliers in it is 0.2 to 0.4 for
+these, and 0 for Gaussian noise. The threshold is the error that 95 % of all inliers, including the
+tail, do not exceed. With fewer than 50 inliers, no mixture is fitted: sigma is that of
+roughNoise(), and the threshold follows from sigma for Gaussian noise. */
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
 
 /** @brief Noise of the numbers in a column of the points, divided by the noise of the last array.
 
 The noise is assumed to be the same in both images, in the caller's pixels. The ratio thus differs
-from 1 if the arrays are scaled by different factors. It is 0 for an array that does not have the
-unit of the threshold. */
+from 1 if the arrays are scaled by different factors. The ratio is 0 for the first array if its unit
+is not that of the threshold (Problem::commonUnit). */
 double relativeNoise(const Correspondences& points, int column);
 
 /** @brief True if a threshold is too narrow for the noise by more than `factor`.
 
 The number of points within the threshold is divided by the number within half of it. If the
 threshold is too narrow, the errors continue beyond it, and this ratio is large. The result is true
-if the ratio is larger than expected if the right threshold were `factor` times as wide. Matches of
-another motion or plane are not taken for noise, because few of them have small errors. The noise of
-the points is assumed to be Gaussian and equal in all directions in both images; the model may
-enlarge it in one direction (strongly tilted views). With heavy tails, the result is false. */
+if the ratio is larger than it would be if the right threshold were `factor` times as wide. Matches
+of another motion or plane are not taken for noise, because few of them have small errors. The noise
+of the points is assumed to be Gaussian and equal in all directions in both images; the model may
+enlarge the noise in one direction (strongly tilted views). With heavy tails, the result is false.
+*/
 bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor);
 
 }  // namespace usacv20

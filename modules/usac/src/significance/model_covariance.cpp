@@ -21,16 +21,17 @@ namespace {
 //! NOISE_STEPS steps, until its variance changes by less than the fraction SETTLED.
 constexpr double NOISE_WINDOW = 2, SETTLED = 1e-3;
 constexpr int NOISE_STEPS = 30;
-//! Number of rounds. Each round computes the leverages and then, from them, the probabilities.
+//! Number of rounds. Each round computes the leverages of the points and from these the
+//! probabilities that the points are inliers.
 constexpr int ROUNDS = 3;
 //! The probability that a point is an inlier depends on the numbers of inliers and of outliers that
-//! have at least 1 / SIMILAR times its leverage. ALONE is the number of inliers that are expected
-//! to have a leverage that no other inlier has. With 0.05 instead of 0.01, only 79 instead of 87 %
-//! of the essential matrices in tests of forward motion with 30 % wrong matches are within their
-//! 95 % confidence region.
+//! have at least 1 / SIMILAR times its leverage. ALONE is added to the number of other inliers with
+//! such a leverage, because a point may be the only inlier with a high leverage. With 0.05 instead
+//! of 0.01, only 79 instead of 87 % of the essential matrices in tests of forward motion with 30 %
+//! wrong matches are within their 95 % confidence region.
 constexpr double SIMILAR = 10, ALONE = 0.01;
-//! Largest fraction of the information on a parameter that may come from the noise, and the number
-//! of points from which the information of the noise is computed.
+//! NOISE_SHARE: maximum fraction of the information on a parameter that may come from the noise.
+//! NOISE_POINTS: maximum number of points from which the information of the noise is computed.
 constexpr double NOISE_SHARE = 0.25;
 constexpr int NOISE_POINTS = 128;
 //! Number of cells of the numerical integrals over the distribution of the errors.
@@ -53,10 +54,10 @@ Eigen::MatrixXd carried(const Eigen::MatrixXd& A, const Eigen::MatrixXd& C)
     return half * A.transpose();
 }
 
-//! Computes two expected values over the errors of inliers within the support. `slope` is that of
-//! the derivative of weight times error; for Gaussian noise, it equals the expected value of weight
-//! times squared error divided by the variance. `square` is that of the square of weight times
-//! error. Both are for one component of the error.
+//! Computes two expected values over the errors of inliers. `slope` is the expected derivative of
+//! weight times error; for Gaussian noise, it equals the expected value of weight times squared
+//! error, divided by the variance. `square` is the expected square of weight times error. Both are
+//! for one component of the error, and points outside of the support contribute 0.
 void expectations(const Polisher& polisher, double support, double sigma, int degrees,
                   double& slope, double& square)
 {
@@ -190,7 +191,8 @@ bool ModelCovariance::takeRows()
     return rows.allFinite();
 }
 
-//! Computes the probabilities `shares` and the information sum p J^T J. False if it is singular.
+//! Computes the probabilities `shares` and the matrix sum p J^T J (`information`). False if this
+//! matrix is singular.
 bool ModelCovariance::judge(Arena::Scope& scope)
 {
     double* const levers = scope.take<double>(count);
@@ -221,8 +223,8 @@ bool ModelCovariance::judge(Arena::Scope& scope)
     }
 }
 
-//! Computes the variances of the predicted errors of some points outside of the support, relative
-//! to the variance of the noise. @return their number, at most OTHERS
+//! Computes, for some points outside of the support, the variance of the predicted error relative
+//! to the variance of the noise. @return number of these points, at most OTHERS
 int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* levers)
 {
     const float limit = (float)(support * support);
@@ -265,7 +267,7 @@ void ModelCovariance::likelihoods(const double* levers, double* others, int othe
     }
 }
 
-//! Computes the information N that comes from noise, see ModelCovariance. False if it is more than
+//! Computes the information N that comes from noise, see ModelCovariance. False if N is more than
 //! NOISE_SHARE of the total information on some parameter.
 bool ModelCovariance::noiseInformation(Square& N)
 {
@@ -298,7 +300,8 @@ bool ModelCovariance::combine(const Polisher& polisher)
     expectations(polisher, support, noise, degrees, slope, square);
     for (int i = 0; i < count; ++i)
         inliers += shares[i];
-    const double each = (double)points.size / looked;  // number of points that a member represents
+    const double each = (double)points.size / looked;  // number of points for each of the first
+                                                       // `looked` points
     const double freedom = degrees * inliers * each - dimension;
     if (!(freedom > 2))
         return false;

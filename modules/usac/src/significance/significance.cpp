@@ -16,15 +16,16 @@ namespace {
 // doc/constants.md lists the effects of halving or doubling each constant.
 
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
-//! among them. While a test does not decide, the next test has MORE times as many points. A test
-//! of all points makes at least about PAIRS wrong matches, which give their inlier probability with
-//! a standard deviation of at most 0.01.
+//! among them. While a test does not decide, the next test has MORE times as many points. The final
+//! tests, of all points, make at least about PAIRS wrong matches, which give the inlier probability
+//! of a wrong match with a standard deviation of at most 0.01.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
 //! Wider thresholds that are tried, too, as multiples of the given threshold.
 constexpr double WIDE[] = {4, 16};
-//! Work of look() per point in point tests, the unit of Watch: 90 ns with a million points.
+//! Work of look() per point, in point tests, the unit of Watch: 90 ns with a million points. The
+//! value only affects when a run with a time limit ends.
 constexpr double LOOK_WORK = 45;
-//! Number of calls of look() for all points, including a pass over all points by decisive().
+//! Maximum number of passes over all points that remain: three calls of look(), and decisive().
 constexpr int LOOKS = 4;
 
 //! The number T of trials, see Significance.
@@ -80,9 +81,9 @@ double Significance::chance(int inliers, double clear)
 
 bool Significance::decisive(double inlierRatio, double limit) const
 {
-    // The fraction of independent matches is taken from the inliers, or from all matches if the
-    // latter is larger: a model that maps everything to a single point has few independent inliers,
-    // even if many matches are independent.
+    // The fraction of independent matches is that of the inliers, or that of all matches if the
+    // latter fraction is larger: a model that maps everything to a single point has few independent
+    // inliers, even if many matches are independent.
     const double inliers = size - last.points + last.inliers,
                  different = inliers > 0 ? last.inliers / inliers : 1;
     Arena::Scope scope(arena);

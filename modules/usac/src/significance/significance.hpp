@@ -23,29 +23,29 @@ struct SearchEffort
 /** @brief Tests whether the best model of a search is better than the best model that the same
 search would find in random matches.
 
-The m points of the sample are inliers in any case. Each other point is an inlier of a model of
-random matches with the same, unknown probability as a wrong match. This probability is estimated by
-testing some wrong matches, see Agreement. The probability p that one such model has at least as
-many inliers as the given model is thus a beta-binomial tail. The probability that the best of T
-models has as many inliers is at most 1 - (1 - p)^T.
+The m points of a sample are inliers of its model in any case. Each other point is an inlier of a
+model of random matches with the same, unknown probability as a wrong match. This probability is
+estimated by testing some wrong matches, see Agreement. The probability p that one such model has at
+least as many inliers as the given model is thus a beta-binomial tail. The probability that the best
+of T such models has as many inliers is at most 1 - (1 - p)^T.
 
 T is the number of models that were compared with the points (scaled down if more samples were drawn
-than the C(n, m) different samples), times a factor for local optimization and polishing, which may
-give a model more inliers than the model of any sample has. Such an optimum is determined by m + 1
-points (for example, a line by two points, but the narrowest strip around points by three). The
+than the C(n, m) different samples), times a factor for local optimization and polishing, because an
+optimized model can have more inliers than the model of any sample. An optimum is determined by m +
+1 points (for example, a line by two points, but the narrowest strip around points by three). The
 number of sets of m + 1 points is C(n, m + 1) / C(n, m) = (n - m) / (m + 1) times the number of
 samples. The factor is this quotient if the local optimization maximizes the number of inliers,
 otherwise its square root: T = models min(1, C(n, m) / samples) factor. The probability was checked
-on random points (doc/design.md): with n = 1000, LO-RANSAC needs a factor of 30 (F) and 40 (E), and
-the formula gives 124 and 166; USACV20 needs 10, and the formula gives 11 and 13. The bound of @cite
-moisan2004probabilistic counts all possible samples, even those that were not drawn.
+on random points (doc/design.md): with n = 1000, LO-RANSAC needs a factor of 30 (F) or 40 (E), and
+the formula gives 124 or 166; USACV20 needs a factor of 10, and the formula gives 11 or 13. The
+bound of @cite moisan2004probabilistic counts all possible samples, even those that were not drawn.
 
 With a threshold far below the noise, a right model has few inliers. Therefore 4 and 16 times the
 threshold are tried, too, each with a tenth of the allowed error probability. If the threshold was
 chosen from the errors, T is n - m times as large @cite moisan2004probabilistic.
 
-Takes O(n), or O(1) if a few points are enough to decide. Such points are a random subset of all
-points, so that their result is an upper bound of the probability. */
+Takes O(n), or O(1) if a few points are enough to decide. These points are a random subset of all
+points; their result is an upper bound of the probability. */
 class Significance
 {
 public:
@@ -69,9 +69,10 @@ public:
 
 private:
     Agreement look(int count, double scale, int pairs) const;
-    //! True if there is no time to test `count` points. All later tests then use fewer points.
+    //! True if there is no time to test `count` points. All later tests then use at most ENOUGH
+    //! points (see Watch).
     bool shorten(double count);
-    //! @param share the fraction of the allowed error probability for this threshold, because
+    //! @param share the fraction of the allowed error probability that this threshold has, because
     //! several thresholds are tried
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;
 
