@@ -14,26 +14,26 @@ namespace usacv20 {
 namespace {
 
 //! From @cite rousseeuw1984least: inliers have errors of at most DEVIATIONS standard deviations of
-//! the noise. The estimated standard deviation is multiplied by 1 + SMALL_SETS / (n - m) for n
-//! points and samples of m points.
+//! the noise. The estimate of this standard deviation is multiplied by 1 + SMALL_SETS / (n - m) for
+//! n points and samples of m points.
 constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
 
 /** Least median of squares @cite rousseeuw1984least. It needs no threshold, but at least half of
 the points must be inliers.
 
 The cost of a model is s / (s + extent) for each point, where s is the square root of the median
-squared error and `extent` the size of the image (outlierExtent). For small s this is the median
-error divided by the image size. Quality::inliers counts the points with errors up to the median,
-because the method assumes that half of the points are inliers. It does not count points with errors
-up to a multiple of the median: a wrong model has a large median, most points would be inliers, and
-the termination criterion would end the search too early.
+squared error and `extent` the size of the image (Problem::outlierExtent). For small s this is about
+the median error divided by the image size. Quality::inliers counts the points with errors up to the
+median, because the method assumes that half of the points are inliers. Points with errors up to a
+multiple of the median do not count: a wrong model has a large median, so that most points would be
+inliers, and the termination criterion would end the search too early.
 
 The threshold of the final inliers is q c (1 + 5 / (n - m)) s for n points and samples of m points.
 The factor c converts s to the standard deviation of Gaussian noise (1.4826 for F and E). The factor
 in parentheses is Rousseeuw's correction for small sets of points. The factor q is 2.5 for one
-degree of freedom (F, E), and the quantile of the same probability for more degrees of freedom (H
-has two). The threshold is at least as large as the rounding error of the residuals. Score and
-threshold take linear time. */
+degree of freedom (F, E), and the quantile of the chi distribution for the same probability for more
+degrees of freedom (H has two). The threshold is at least as large as the rounding error of the
+residuals. Computing score and threshold takes linear time. */
 class LmedsScore : public Score
 {
 public:

@@ -13,32 +13,33 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of cells of the table over u = error / threshold.
+//! Number of cells of the table over u = error / threshold, see MagsacScore.
 constexpr int SIZE = 1024;
 
-/** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over a noise level
-sigma that is uniform in 0 .. sigma_max.
+/** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over the noise level
+sigma, which is uniformly distributed in 0 .. sigma_max.
 
-Given sigma, points with errors up to k sigma (thresholdInSigmas) are inliers with Gaussian noise;
-the other points are outliers, uniformly distributed on the area of the points (outlierExtent). The
-log-likelihood of all points is a sum over the points, and so is its average. For n degrees of
-freedom, a point with error r contributes, relative to an outlier, the integral over sigma = r/k ..
-sigma_max of
+Given sigma, points with errors up to k sigma (k = thresholdInSigmas()) are inliers with Gaussian
+noise; the other points are outliers, uniformly distributed over the area of the points
+(Problem::outlierExtent). The log-likelihood of all points is a sum over the points, and so is its
+average. For n degrees of freedom, a point with error r contributes, relative to an outlier, the
+integral over sigma = r/k .. sigma_max of
 
     n log(extent / (sqrt(2 pi) sigma)) - r^2 / (2 sigma^2).
 
-The density of the inliers is that of the error vector. The paper uses the density of its length r.
-For n = 2, the latter vanishes at 0, so that a point without error would get the worst score; for n
-= 1, both densities are the same.
+The density of the inliers is that of the error vector. The paper uses the density of the length r
+of this vector. For n = 2, the density of the length vanishes at 0, so that a point without error
+would get the worst score; for n = 1, the two densities differ only by a factor of 2.
 
 With u = r / threshold and L = logDensityRatio(sigma_max) the integral has a closed form. Scaled to
 a loss from 0 to 1 it is
 
     u + (k^2 / (2 n) u (1 - u) - u log(u)) / (1 + L).
 
-It increases strictly, because L is at least k^2 / (2 n), the value for which an inlier at the
-threshold is as likely as an outlier. The term in parentheses is tabulated over u and interpolated
-linearly, which takes a square root and a table lookup for each inlier. */
+The loss increases strictly with u, because L is at least k^2 / (2 n), the value for which an inlier
+at the threshold is as likely as an outlier. The numerator of the fraction is tabulated over u and
+interpolated linearly, which takes a square root and a table lookup for each point within the
+threshold. */
 class MagsacScore : public Score
 {
 public:

@@ -12,8 +12,8 @@ namespace usacv20 {
 namespace {
 
 /** MAGSAC++ @cite barath2020magsac: the cost of a point is the robust loss that belongs to weights
-marginalized over the scale of the noise, see MarginalizedWeights. It takes a table lookup for each
-inlier. */
+marginalized over the scale of the noise, see MarginalizedWeights. The cost takes a table lookup for
+each point within the threshold. */
 class MagsacPlusPlusScore : public Score
 {
 public:

@@ -33,28 +33,28 @@ inline int countWithin(const float* squaredErrors, int count, float squaredThres
 }
 
 //! Sum of the interpolated values at `count` positions. There are four partial sums, so that an
-//! addition need not wait for the result of the previous addition.
+//! addition does not have to wait for the result of the previous addition.
 double sumOfLookUps(const float* table, const float* positions, int count);
 
 /** @brief Weights and loss of MAGSAC++ @cite barath2020magsac.
 
 The error r of an inlier is distributed as sigma times chi with n degrees of freedom, cut off at k
-sigma (thresholdInSigmas); sigma is uniform in 0 .. sigma_max. The weight of a point is its
-likelihood, marginalized over sigma: the integral of sigma^-n r^(n-1) exp(-r^2 / (2 sigma^2)) over
-sigma = r/k .. sigma_max. With a = (n - 1)/2, x = r^2 / (2 sigma_max^2), K = k^2/2 and the upper
-incomplete gamma function G this is proportional to
+sigma (k = thresholdInSigmas()); sigma is uniformly distributed in 0 .. sigma_max. The weight of a
+point is its likelihood as an inlier, marginalized over sigma: the integral of sigma^-n r^(n-1)
+exp(-r^2 / (2 sigma^2)) over sigma = r/k .. sigma_max. With a = (n - 1)/2, x = r^2 / (2
+sigma_max^2), K = k^2/2 and the upper incomplete gamma function G, the weight is proportional to
 
     G(a, x) - G(a, K).
 
-Least squares that are re-weighted with these weights minimize a loss, which is the integral of the
-weight over x, proportional to
+Iteratively re-weighted least squares with these weights minimizes a loss, the integral of the
+weight over x, which is proportional to
 
     x (G(a, x) - G(a, K)) + g(a + 1, x)
 
 with the lower incomplete gamma function g. Weight and loss are functions of u = x/K, the squared
 error in units of the squared threshold. The loss is scaled to 1 at u = 1, and the weight is its
-derivative with respect to u. For n = 1 the weight grows like -log(u) towards u = 0; below u =
-1/2048, that is, for errors below 1/45 of the threshold, the weight is constant instead.
+derivative with respect to u. For n = 1 the weight grows like -log(u) toward u = 0. Therefore, for
+any n, the weight is constant below u = 1/2048, that is, for errors below 1/45 of the threshold.
 
 The tables have 2048 cells of equal length, in u for the loss and in sqrt(u) for the weight, with
 linear interpolation. The interpolation error is below 1e-3: absolute for the loss, relative for the

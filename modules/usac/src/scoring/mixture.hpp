@@ -8,11 +8,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** Logarithm of the ratio of two densities, that of an inlier at an error of 0 and that of an
-outlier, divided by the degrees of freedom: log(extent / (sqrt(2 pi) sigma)). If the threshold is
-wide and the points lie close together, an inlier with an error equal to the threshold
-(thresholdInSigmas) would be less likely than an outlier; then the value for which they are equally
-likely is returned instead.
+/** Logarithm of the ratio of two densities, divided by the degrees of freedom: the density of an
+inlier at an error of 0 and that of an outlier. It is log(extent / (sqrt(2 pi) sigma)). If the
+threshold is wide and the points lie close together, an inlier with an error equal to the threshold
+(sigma times thresholdInSigmas()) would be less likely than an outlier. Then the value for which
+both are equally likely is returned instead.
 @param extent side of the cube in which errors of outliers are uniform, see Problem::outlierExtent
 @param sigma standard deviation of the noise, in the same unit */
 double logDensityRatio(double extent, double sigma, int degrees);

@@ -12,17 +12,18 @@ namespace usacv20 {
 
 namespace {
 
-//! Points whose density as inliers is below this multiple of their density as outliers count as
-//! outliers.
+//! A point counts as a certain outlier if its density as an inlier is below this multiple of its
+//! density as an outlier.
 constexpr double NEGLIGIBLE = 1e-6;
 //! Number of likelihoods that are multiplied before a logarithm is taken. A product of 4 floats
 //! does not overflow a double.
 constexpr int GROUP = 4;
 
 /** MLESAC @cite torr2000mlesac: likelihood under a mixture of inliers and outliers. Inliers have
-Gaussian noise with sigma = threshold / thresholdInSigmas; outliers are uniformly distributed on the
-area of the points (outlierExtent). Let q be the density of an inlier at an error of 0 divided by
-that of an outlier. Then the log-likelihood of a point, relative to that of an outlier, is
+Gaussian noise with sigma = threshold / thresholdInSigmas(); outliers are uniformly distributed over
+the area of the points (Problem::outlierExtent). Let q be the density of an inlier at an error of 0
+divided by that of an outlier. Then the log-likelihood of a point, relative to that of an outlier,
+is
 
     l = log(gamma q exp(-error^2 / (2 sigma^2)) + 1 - gamma),
 
@@ -30,8 +31,8 @@ where the inlier ratio gamma is found for each model by expectation maximization
 sum of 1 - l / log(q) over the points: 0 if all errors are 0, and at most the number of points,
 which is the cost for gamma = 0.
 
-There is one pass over all points, with an exponential for each point near the model, and then
-several passes over the points near the model. */
+There is one pass over all points, with an exponential for each point near the model (that is not a
+certain outlier, see NEGLIGIBLE), and then several passes over the points near the model. */
 class MlesacScore : public Score
 {
 public:
@@ -63,7 +64,7 @@ public:
         const double gamma = mixingWeight(squaredErrors, near, count);
         double likelihood = near < count ? (count - near) * std::log1p(-gamma) : 0;
         for (int i = 0; i < near;
-             i += GROUP)  // one logarithm per group, because logarithms are slow
+             i += GROUP)  // one logarithm for each group, because logarithms are slow
         {
             double product = 1;
             for (int j = i; j < std::min<int>(i + GROUP, near); ++j)

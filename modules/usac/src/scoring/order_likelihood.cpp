@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Log-likelihood of `ones` set flags among `count` flags, for the most likely common probability
+//! Log-likelihood of `count` flags, of which `ones` are set, for the most likely common probability
 //! that a flag is set.
 double logLikelihood(int ones, int count)
 {
@@ -32,7 +32,7 @@ double orderLogLikelihood(const uchar* inliers, int size, int* blocks)
         ones[last] = inliers[i] != 0;
         counts[last] = 1;
         all += ones[last];
-        // a block whose inlier ratio is not lower than that of the block before is merged with it
+        // merges a block with the block before it unless the inlier ratio of the latter is higher
         for (; last > 0 &&
                (double)ones[last] * counts[last - 1] >= (double)ones[last - 1] * counts[last];
              --last)

@@ -11,11 +11,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of points in a block, so small that their errors stay in the L1 cache.
+//! Maximum number of points in a block; the errors of a block stay in the L1 cache.
 constexpr int BLOCK = 256;
 
-/** Scores one model on blocks of points: by the fused kernel if score and residual have one,
-otherwise by computing first the errors and then their score. */
+/** Scores one model on blocks of points: with the fused kernel if score and residual have one,
+otherwise by first computing the errors and then their score. */
 class BlockScorer
 {
 public:
@@ -50,7 +50,7 @@ private:
 };
 
 //! Scores the model block by block, beginning at point `start`. @param verifier may be null
-//! @return false if the verifier has rejected the model or if its cost has reached `bound`
+//! @return false if the verifier has rejected the model or if the cost has reached `bound`
 bool rateBlocks(const BlockScorer& scorer, int size, const Verifier* verifier, double bound,
                 int start, Rating& rating)
 {
@@ -78,8 +78,8 @@ bool rateBlocks(const BlockScorer& scorer, int size, const Verifier* verifier, d
     return true;
 }
 
-//! Scores the model by a score that needs all errors at once. The verifier, if any, first tests the
-//! model by the numbers of inliers in blocks of points.
+//! Scores the model with a score that needs all errors at once. The verifier, if any, first tests
+//! the model with the numbers of inliers in blocks of points.
 void rateWhole(const Context& context, const Verifier* verifier, const Model& model, double bound,
                int start, Rating& rating, float* errors)
 {
@@ -88,7 +88,7 @@ void rateWhole(const Context& context, const Verifier* verifier, const Model& mo
     if (verifier && !rateBlocks(BlockScorer(context, counter, model), points.size, verifier,
                                 DBL_MAX, start, rating))
     {
-        rating.costBefore = 0;  // so far it was the number of outliers, not a cost of this score
+        rating.costBefore = 0;  // until now it was the number of outliers, not a cost of this score
         return;
     }
     context.components.residual->squaredErrors(points, model, 0, points.size, errors);

@@ -30,8 +30,8 @@ Ptr<Score> createMlesacScore();
 //! See LmedsScore.
 Ptr<Score> createLmedsScore();
 //! See MagsacScore. @param errorDimension Problem::errorDimension
-//! @param reach Params::reach: inliers are the points with an error of at most 1 / reach times the
-//! threshold of the cost
+//! @param reach Params::reach: inliers are the points with errors of at most the threshold of the
+//! search divided by `reach`
 Ptr<Score> createMagsacScore(int errorDimension, double reach);
 //! See MagsacPlusPlusScore. @param errorDimension, reach as above
 Ptr<Score> createMagsacPlusPlusScore(int errorDimension, double reach);
@@ -50,12 +50,12 @@ struct Rating
     double costBefore;  //!< cost before the last evaluated block
 };
 
-/** Scores one model block by block and lets the verifier (null: none) test it: lines 11 and 13 of
+/** Scores one model block by block and lets the verifier (null: none) test it: lines 10 to 12 of
 Algorithm 1 of @cite ivashechkin2021usacv20 in one pass over the points. The evaluation ends early
-if the verifier rejects the model after a block, or if its cost reaches `bound`. The blocks begin at
-point `start` and wrap around, so that not always the same points are tested first. `errors` is
-temporary memory with one number per point, for scores that need all errors at once
-(Score::wholeModel); for other scores it may be null. */
+if the verifier rejects the model after a block, or if the cost of the model reaches `bound`. The
+blocks begin at point `start` and wrap around, so that the points tested first are not always the
+same. `errors` is temporary memory with one number per point, for scores that need all errors at
+once (Score::wholeModel); for other scores it may be null. */
 Rating rate(const Context& context, const Verifier* verifier, const Model& model, double bound,
             int start, float* errors);
 
