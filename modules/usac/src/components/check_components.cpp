@@ -27,7 +27,8 @@ void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
 
 }  // namespace
 
-//! Calls the score for points without error and for points with the largest possible error.
+//! Checks inlierPart(), and calls the score for points without error and for points with the
+//! largest possible error.
 void checkScore(const Score& score)
 {
     if (!(score.inlierPart() > 0 && score.inlierPart() <= 1))

@@ -10,9 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Raises a cv::Exception with the name of a caller's problem if its numbers are
-inconsistent: errors must have one to three dimensions, a sample must determine a model, and
-Problem::sampleCost must be positive.
+/** @brief Raises a cv::Exception with the name of a problem if it is invalid: it must create a
+residual and a minimal solver, points must have one to three coordinates (the second array: none to
+three), errors must have one to three dimensions and no more than a point, a sample must determine a
+model, and Problem::sampleCost must be positive.
 @param residual @ref ResidualType of the run */
 void checkProblem(const Problem& problem, int residual);
 
@@ -21,14 +22,16 @@ void checkProblem(const Problem& problem, int residual);
 void checkComponents(const Components& parts);
 
 /** @brief Raises a cv::Exception for an invalid score of the caller: points without error must be
-inliers, and costs must lie between 0 and 1. To be called after Score::start(). */
+inliers, the cost of a point must be 0 to 1, and Score::inlierPart() must be above 0 and at most 1.
+To be called after Score::start(). */
 void checkScore(const Score& score);
 
-//! Raises a cv::Exception if a sample of a caller's sampler does not have m distinct indices in 0
-//! .. size-1.
+//! Raises a cv::Exception if a sample of a caller's sampler does not have m distinct indices from 0
+//! to size - 1.
 void checkSample(const int* sample, int m, int size);
 
-//! Raises a cv::Exception if a minimal solver has returned too many models or an empty model.
+//! Raises a cv::Exception if a minimal solver has returned more than #MAX_MODELS models or an empty
+//! model.
 void checkModels(const Model* models, int count);
 
 }  // namespace usacv20

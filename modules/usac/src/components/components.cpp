@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-// The destructors are defined here so that the virtual table of each class is emitted once, in this
-// library, and not again in libraries that use it.
+// The destructors are defined here so that the virtual table of each class is emitted only once, in
+// this library, and not in other libraries that use the class.
 Component::~Component() {}
 Ordering::~Ordering() {}
 bool Ordering::informative(const Context&) const { return true; }
@@ -43,7 +43,7 @@ namespace {
 
 //! Time per point to sort the points, in point tests of 2 ns (see Watch). For a million points,
 //! sorting takes 130 ns per point by scores and 80 ns by density. The value only affects when a run
-//! with a time limit skips or ends this step.
+//! with a time limit skips this step or ends.
 constexpr double SORT_WORK = 65;
 
 }  // namespace
@@ -113,7 +113,7 @@ double Context::randomInlierRatio() const
 bool Context::mustStop() const
 {
     constexpr double FIT = 2000;  // about the time of a fit to a subset of the points, in point
-                                  // tests of 2 ns (see Watch)
+                                  // tests of 2 ns, the unit of Watch
     return watch->stop(points.size + FIT);
 }
 
@@ -142,7 +142,7 @@ bool Residual::homogeneous() const { return true; }
 int Residual::error(const Model& model, const double* datum, double* error) const
 {
     const double* columns[MAX_COLUMNS];  // columns with a single datum; the residual reads only as
-                                         // many columns as a datum has numbers
+                                         // many columns as there are numbers in the datum
     for (int k = 0; k < MAX_COLUMNS; ++k)
         columns[k] = datum + k;
     squaredErrors(model, columns, 1, error);

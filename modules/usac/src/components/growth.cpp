@@ -8,8 +8,9 @@
 namespace cv {
 namespace usacv20 {
 
-//! T_N of PROSAC, about the number of samples after which the set contains all points
-//! @cite chum2005matching. The larger it is, the more slowly the set grows. See doc/constants.md.
+//! T_N of PROSAC, see Growth: about the number of samples after which the set of the best points
+//! contains all points @cite chum2005matching. The larger T_N is, the more slowly the set grows.
+//! See doc/constants.md.
 constexpr double UNIFORM_SAMPLES = 200000;
 
 Growth::Growth(int sampleSize, int pointCount)

@@ -10,12 +10,12 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief How PROSAC's set of the best points grows @cite chum2005matching.
+/** @brief The growth of PROSAC's set of the best points @cite chum2005matching.
 
 A sample has m points. Of T_N uniform samples of all N points, T_n = T_N prod_{i<m} (n - i)/(N - i)
-lie on average within the n best points; T_N is 200 000, or the number of different samples if that
-is smaller. The set grows from n to n + 1 points after T'_n samples, with T'_{n+1} = T'_n +
-ceil(T_{n+1} - T_n). */
+consist, on average, only of the n best points; T_N is 200 000, or the number of different samples
+if this number is smaller. The set grows from n to n + 1 points after T'_n samples, with T'_{n+1} =
+T'_n + ceil(T_{n+1} - T_n). */
 class Growth
 {
 public:
@@ -25,7 +25,7 @@ public:
     void grow();
     //! Number n of points in the set.
     int size() const { return n; }
-    //! T'_n: number of samples that are drawn before the set grows to n + 1 points.
+    //! T'_n: number of samples after which the set grows to n + 1 points.
     double samples() const { return limit; }
     //! T_n. The T'_n samples drawn so far contain, on average, at least as many all-inlier samples
     //! as T_n uniform samples of the n best points.
@@ -57,11 +57,11 @@ public:
 private:
     Growth growth;
     int total;
-    double drawn;  //!< number of samples including the current one, t in the paper
+    double drawn;  //!< number of samples including the current sample; t in the paper
 };
 
-//! True if the order of the points is known from scores or from the caller; false if it is guessed
-//! from the points, or if there is no ordering.
+//! True if the order of the points is known from scores or from the caller; false if the order is
+//! guessed from the points, or if there is no ordering.
 inline bool orderIsKnown(const Context& context)
 {
     const Ptr<Ordering>& ordering = context.components.ordering;

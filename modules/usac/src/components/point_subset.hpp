@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 //! A subset of the points, copied to columns for a residual. The memory is valid until the scope
-//! ends.
+//! passed to the constructor ends.
 class PointSubset
 {
 public:
@@ -45,12 +45,12 @@ private:
     double *columns[MAX_COLUMNS], *const errors;
 };
 
-/** @brief Lowers the quality (inliers and cost) of a model as if a subset of the points had at most
-`kept` inliers, because its points are no independent evidence for the model: they are repetitions
-of a match, or matches at nearly the same position.
+/** @brief Lowers the number of inliers and raises the cost of a model as if a subset of the points
+had at most `kept` inliers, because the points of the subset are not independent evidence for the
+model: they are repetitions of a match, or matches at nearly the same position.
 
-@param kept 1: the inliers of the subset count as one inlier; 0: they do not count, because a point
-outside the subset represents them
+@param kept 1: the inliers of the subset count as one inlier; 0: these inliers do not count, because
+a point outside the subset represents them
 @param subset the points that depend on each other
 @param model the model that was scored
 @param quality input and output: inliers and cost of all points. The score must be a sum over the

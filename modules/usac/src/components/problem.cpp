@@ -34,8 +34,8 @@ public:
     }
 
     //! Upper bound of the length of a line or the area of a plane inside the box. `codimension` is
-    //! the dimension of the box minus that of the line or plane. If it equals the dimension of the
-    //! box, the section is a point, and the result is 1.
+    //! the dimension of the box minus that of the line or plane. If the codimension equals the
+    //! dimension of the box, the section is a point, and the result is 1.
     double largestSection(int codimension) const
     {
         double squares = 0;

@@ -15,16 +15,16 @@ uint64 hashOf(const Vec<double, DIMENSIONS>& cell)
 {
     uint64 bits[DIMENSIONS];
     std::memcpy(bits, cell.val, sizeof(bits));
-    // in a small integer as double, only high bits are set; the product below moves bits only
-    // upwards, so the high half is mixed into the low half first
+    // a small integer stored as double has only high bits set; the product below moves bits only
+    // upward, so the high half is mixed into the low half first
     uint64 h = bits[0];
     for (int k = 1; k < DIMENSIONS; ++k)
         h ^= bits[k] << k | bits[k] >> (64 - k);
     return ((h ^ h >> 32) * 0x9e3779b97f4a7c15ULL) >> 40;
 }
 
-/** Marks the points whose cell contains an earlier point, by a hash table with linear probing. Cell
-indices are doubles, because with small cells they may exceed the range of int. */
+/** Marks the inliers whose cell contains an earlier inlier, with a hash table and linear probing.
+Cell indices are doubles, because with small cells they may exceed the range of int. */
 template <int DIMENSIONS>
 void markInCells(const double* const* columns, const int* order, const uchar* mask, int count,
                  double side, uchar* repeated, Arena& arena)
@@ -42,7 +42,7 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
             for (int k = 0; k < DIMENSIONS; ++k)
                 cells[marked][k] = (side > 0 ? std::floor(columns[k][point] / side)
                                              : columns[k][point]) +
-                                   0.;  // turns -0 into 0, because their bits differ
+                                   0.;  // turns -0 into 0, because the bits of the two differ
             rows[marked++] = i;
         }
     while (size < 2 * marked)

@@ -10,27 +10,28 @@
 namespace cv {
 namespace usacv20 {
 
-//! Time per point to find repetitions in both arrays, in point tests of 2 ns (see Watch); it is 150
-//! ns for a million points. The value only affects when a run with a time limit ends.
+//! Time per point to find repetitions in both arrays, in point tests of 2 ns, the unit of Watch:
+//! 150 ns for a million points. The value only affects when a run with a time limit ends.
 constexpr double REPETITION_WORK = 75;
 
-/** @brief Number of independent inliers: inliers in the same cell count once.
+/** @brief Number of independent inliers: inliers in the same cell of an array count once.
 
 Array 1 is divided into cells of side `threshold1` and array 2 into cells of side `threshold2`. The
 cells that contain inliers are counted in each array, and the smaller of the two numbers is
-returned, so that neither repeated matches nor many points matched to a single point support a
-model.
+returned, so that neither repeated matches nor many points matched to a single point add support to
+a model.
 @param columns columns of array 1, then of array 2
 @param coordinates number of coordinates per point in each array
 @param mask marks the inliers among the `count` points
-@param threshold1, threshold2 sides of the cells; 0: only equal points count as one. O(count). */
+@param threshold1, threshold2 sides of the cells; 0: only equal points count as one. Takes O(count).
+*/
 int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
                        int count, double threshold1, double threshold2, Arena& arena);
 
 /** Marks in `repeated` the inliers of one array that lie in the same cell as an earlier inlier.
-@param order the entries i of `mask` and `repeated` are for the point order[i]; null: for point i
+@param order entry i of `mask` and of `repeated` is for the point order[i]; null: for point i
 @param mask marks the inliers
-@param side side of the cells; 0: only points equal to an earlier one are repeated
+@param side side of the cells; 0: only points equal to an earlier point are marked
 @return number of marked points, including points that were marked before the call */
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);

@@ -16,7 +16,7 @@ double goodSampleProbability(double inliers, int n, int m, bool exact = true);
 //! that a sample is good and logFailure = log(failure). INT_MAX if k would be larger, or if p is 0.
 int samplesNeeded(double p, double logFailure);
 
-/** @brief Probability that a wrong model, computed from m of n points, has at least this many
+/** @brief Probability that a wrong model, computed from m of n points, has at least `inliers`
 inliers: P(Binomial(n - m, randomRatio) >= inliers - m) @cite chum2005matching.
 
 The points of the sample are inliers in any case; each other point is an inlier by chance with

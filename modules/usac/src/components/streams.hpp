@@ -11,18 +11,21 @@ namespace cv {
 namespace usacv20 {
 
 //! Purposes for which random numbers are drawn. The samples of the main loop are not listed: they
-//! use the streams 0 .. 2^31 of Rng. Each purpose has its own streams.
+//! use the streams 0 to INT_MAX of Rng. Each purpose has its own range of streams.
 enum Stream {
-    STREAM_ROTATION = 1,  //!< index of the point at which the verification of a model begins
+    STREAM_ROTATION = 1,  //!< point at which the verification of a model begins, and points of
+                          //!< Verifier::preTest
     STREAM_REFINEMENT,    //!< local optimization and degeneracy checks of an iteration
-    STREAM_UNEXPLAINED,   //!< samples of the outliers of the best model
+    STREAM_UNEXPLAINED,   //!< samples of the points that the best model does not explain
     STREAM_PLANE,         //!< triples of points, to find a plane
     STREAM_RESTARTS,      //!< restarts of the final polishing
     STREAM_FIT,           //!< samples from which a fit without a search (Usac::fit) starts
-    STREAM_LEVERAGE  //!< check for points of high leverage: planes, and samples of other points
+    STREAM_LEVERAGE  //!< correction of models with points of high leverage: planes, and samples of
+                     //!< points
 };
 
-//! Stream number for Rng. Each purpose has 2^40 streams; `number` is the index among them.
+//! Stream number for Rng. Each purpose has 2^40 streams; `number` is the index of the stream among
+//! these.
 inline uint64 streamOf(Stream stream, uint64 number = 0) { return ((uint64)stream << 40) + number; }
 
 }  // namespace usacv20
