@@ -27,9 +27,10 @@ model, and no search can recognize it as wrong by its cost. But if the order of 
 known, the inliers of the right model come earlier in the order: the descriptor of a repeated corner
 has two nearly equally close neighbors, so that matches of repeated corners have bad scores.
 Therefore a model other than that of lowest cost is chosen on three conditions: its gain is nearly
-as large; the two models share half of its inliers; and the log-likelihood of the order
-(orderLogLikelihood()) is higher with its inliers, by more than the difference of the gains plus the
-effect of chance. As the gains are nearly equal, misleading scores can do little harm. */
+as large; at least half of its inliers are inliers of the model of lowest cost, too; and with its
+inliers, the log-likelihood of the order (orderLogLikelihood()) is higher by more than the
+difference of the gains plus the effect of chance. As the gains are nearly equal, misleading scores
+can do little harm. */
 class Alternatives
 {
 public:

@@ -19,7 +19,7 @@ constexpr int GC_FIT_STEPS = 3;
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in this paper;
 GraphCutOptimizer is a faster variant.
 
-Each iteration finds the inliers of the model by a graph cut (Labeling) and fits models to random
+Each iteration finds the inliers of the model with a graph cut (Labeling) and fits models to random
 samples of these inliers. A sample has Params::localSampleMultiple times the minimal size, or
 contains all inliers if there are fewer. The first iteration without a better model is the last one.
 Params::localIterations bounds the number of iterations, Params::localSamples the number of samples

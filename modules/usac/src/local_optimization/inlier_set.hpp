@@ -33,8 +33,8 @@ public:
     //! in at most `iterations` steps.
     //! @return false if these members do not determine a model
     bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
-    //! The same, but the fit replaces the model only if its quality is better. @return true if the
-    //! model was replaced
+    //! The same, but the fit replaces the model only if the quality of the fit is better. @return
+    //! true if the model was replaced
     bool improve(const Context& context, int first, Model& model, Quality& quality,
                  int iterations = 10) const;
 
@@ -47,7 +47,7 @@ private:
     float* errors;
 };
 
-//! Replaces the model by `candidate` if `candidate` has a better score. @return true if the model
+//! Replaces the model with `candidate` if `candidate` has a better score. @return true if the model
 //! was replaced
 bool keepBetter(const Context& context, const Model& candidate, Model& model, Quality& quality);
 

@@ -47,7 +47,7 @@ private:
     void weigh(const Context& context, const Model& model);
     //! Labels the points whose label the edges cannot change. The other points become nodes.
     void labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda);
-    //! Labels the nodes by a minimum cut.
+    //! Labels the nodes with a minimum cut.
     void labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda);
 
     // The following members are valid only during cut(), except for the memory of `graph`.

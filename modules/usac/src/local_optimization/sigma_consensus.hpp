@@ -14,16 +14,16 @@ namespace usacv20 {
 
 The range 0 .. sigma_max of scales is divided into #PARTITIONS equal parts. The model of a part is
 the least-squares fit to the points whose error under the initial model is at most thresholdInSigmas
-times the largest sigma of the part. If there are too few such points to determine a model, or if
-they are the same as for the previous part, the model of the previous part is used (for the first
+times the largest sigma of the part. If these points are not more than those of a minimal sample, or
+if they are the same as for the previous part, the model of the previous part is used (for the first
 part, the initial model). The weight of a point is its likelihood under the model of each scale,
 marginalized over the scale as in MarginalizedWeights: the contribution of a part is the difference
 of the weights of MarginalizedWeights for the two ends of the part. The result is the fit with these
 weights.
 
-Only points within the threshold of the initial model are used, at most #MAX_FIT random ones. This
-bounds the time of the fits (one per part and a final one). There is also one pass over all
-points. */
+Only points within the threshold under the initial model are used, or #MAX_FIT random points of
+these if there are more. This bounds the time of the fits (one per part and a final one). There is
+also one pass over all points. */
 class SigmaConsensus
 {
 public:
@@ -56,7 +56,8 @@ private:
 
     //! @param all array for all points, used as temporary memory
     void select(const Context& context, Rng& rng, const Model& model, Near* all);
-    //! Adds to the weights the likelihoods of the points under the model of a part of the scales.
+    //! Adds to the weights the likelihoods of the points under `model`, the model of one part of
+    //! the scales; the first part has the number 1.
     void marginalize(const Context& context, PointSubset& subset, const Model& model, int part);
 
     const int partitions;

@@ -19,10 +19,10 @@ namespace {
 
 //! Maximum number of points that the guess uses.
 constexpr int POINTS = 512;
-//! Maximum number of samples of the guess, unless Params::maxIterations is smaller.
+//! Maximum number of samples of the guess; Params::maxIterations also bounds this number.
 constexpr int GUESS_SAMPLES = 1000;
-//! The guess ends as soon as one of its samples has, with this probability, consisted only of
-//! inliers of the best model.
+//! The guess ends as soon as, with this probability, at least one of its samples has consisted only
+//! of inliers of the best model.
 constexpr double CONFIDENCE = 0.9;
 //! Number of points from which the noise is estimated: for each new best model of the guess (FEW),
 //! and after its last sample (SOME).

@@ -50,7 +50,7 @@ private:
     ProblemData& data;
     const Ptr<Residual> residual;  //!< residual from which the mask is computed
     const bool asSeen;             //!< true if `residual` is for the original image points
-    const Correspondences points;  //!< in the coordinates of `residual`
+    const Correspondences points;  //!< the points, in the coordinates of `residual`
     const NonMinimalSolver& solver;
     const Problem& problem;
     const int64 start;

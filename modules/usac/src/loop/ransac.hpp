@@ -179,7 +179,7 @@ private:
     int required, requiredReason, requiredOfAll, reasonOfAll;
     int ending;         //!< StopReason when terminate() was last true
     bool anyModel;      //!< true if a sample has led to a model
-    double localTicks;  //!< duration of local optimization in ticks
+    double localTicks;  //!< duration of all local optimizations, in ticks
     const bool checkSamples;
 };
 

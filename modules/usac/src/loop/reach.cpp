@@ -12,12 +12,12 @@ namespace usacv20 {
 
 namespace {
 
-/** Suitable threshold of the search in standard deviations sigma of the noise. It is about the
-search threshold of Params::magsacPlusPlus for a mask threshold of 2 sigma. The reach is the ratio
-of the search threshold to the mask threshold. The reach grows if the search threshold is less than
-two thirds of the suitable threshold. It shrinks if the search threshold is more than 1.4 times the
-suitable one; too large a reach costs time rather than accuracy. A constant far above 5 fails: a
-wider threshold contains larger errors, so that the reach grows again and again. See
+/** Suitable threshold of the search, as a multiple of the standard deviation sigma of the noise. It
+is about the search threshold of Params::magsacPlusPlus for a mask threshold of 2 sigma. The reach
+is the ratio of the search threshold to the mask threshold. The reach grows if the search threshold
+is less than two thirds of the suitable threshold. It shrinks if the search threshold is more than
+1.4 times the suitable one; too large a reach costs time rather than accuracy. A constant far above
+5 fails: a wider threshold contains larger errors, so that the reach grows again and again. See
 doc/constants.md. */
 constexpr double REACH = 5;
 

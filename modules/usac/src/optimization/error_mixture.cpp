@@ -13,7 +13,7 @@ namespace {
 
 // doc/constants.md lists the effects of halving and doubling each constant.
 
-//! The noise of inliers in the tail has TAIL times the standard deviation of that of the other
+//! The noise of inliers in the tail has TAIL times the standard deviation of the noise of the other
 //! inliers. At most the fraction LARGEST_TAIL of all inliers are in the tail.
 constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
 //! Number of halvings of the interval that contains a quantile. After them, its length is 2^-30 of

@@ -43,7 +43,8 @@ constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! Lower bound of the standard deviation of the noise, in thresholds: the accuracy of errors in
 //! single precision.
 constexpr double LEAST_NOISE = 1e-3;
-//! Maximum number of steps of a fit. It does not have to converge, because the result is polished.
+//! Maximum number of steps of a fit. The fit does not have to converge, because the result is
+//! polished.
 constexpr int LEVERAGE_STEPS = 5;
 
 }  // namespace

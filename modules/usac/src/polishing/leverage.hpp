@@ -28,7 +28,7 @@ atkinson2000robust. A fit to all included points is polished. The result replace
 conditions:
 - The errors of the included points that are inliers of the original model decrease by more than
 chance explains.
-- The inliers that are lost are no evidence against the fit: among all models through two wrong
+- The inliers that are lost are not evidence against the fit: among all models through two wrong
 matches, the best one has as many additional inliers by chance, and that is not less probable than
 the decrease of the errors.
 
@@ -48,7 +48,7 @@ public:
     @param threshold inlier threshold of the mask, in the coordinates of `polish` */
     Leverage(const Context& search, const Context& polish, double threshold);
 
-    //! Replaces a polished model by a better one if one is found.
+    //! Replaces a polished model with a better model if such a model is found.
     //! @param quality quality of the model in the context `polish`
     void improve(Model& model, Quality& quality);
 
@@ -71,7 +71,7 @@ private:
     //! inlier would be evidence against a fit
     bool look(const Model& model);
     //! True if a fit is clearly better than the model for `points`, which agree with the fit, and
-    //! if the lost inliers are no evidence against the fit.
+    //! if the lost inliers are not evidence against the fit.
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
     //! Evidence of lost inliers against a fit: minus the logarithm of Chernoff's bound (see
     //! SignificantScale) of the probability that `lost` of the points that are not inliers of the

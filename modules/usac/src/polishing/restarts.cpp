@@ -25,7 +25,8 @@ constexpr double CLEAR = 0.9;
 probability that the decrease is chance must be at most UNLIKELY. This probability is the ratio of
 the new to the old loss, raised to the power of half the remaining degrees of freedom. */
 constexpr double UNLIKELY = 0.1;
-//! For begin(): maximum probability that the loss of a model of random points is as low.
+//! For begin(): maximum probability that the loss of a model of random points is as low as that of
+//! the model.
 constexpr double CHANCE = 1e-6;
 //! Maximum increase of the loss by an additional point, per component of its error and in units of
 //! the inliers' loss per degree of freedom. If ten degrees of freedom are left, one right point in

@@ -15,7 +15,7 @@ few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
 the best minimum. A search that ends after its first sample may have missed the best minimum, for
-example because the errors of all of ten points are below a wide threshold for any model.
+example because there are only ten points, whose errors are below a wide threshold under any model.
 Orientation checks make this worse if they reject right models: for an H whose horizon lies between
 the points, they reject all samples except those on one side of the horizon, which may all lead to
 one wrong minimum.
@@ -38,7 +38,7 @@ public:
     @param state state of the run */
     Restarts(const Context& search, const Context& polish, State& state);
 
-    //! Replaces a polished model by a better one if one is found.
+    //! Replaces a polished model with a better model if such a model is found.
     //! @param quality quality of the model in the context `polish`
     void improve(Model& model, Quality& quality);
 

@@ -53,8 +53,7 @@ MarginalizedWeights::MarginalizedWeights(int degrees) : a(0.5 * (degrees - 1))
     K = 0.5 * k * k;
     scale = 1 / lowerGamma(a + 1, K);
     atEnd = upperGamma(a, K);
-    for (int i = 0; i < SIZE + 2; ++i)  // interpolation reads the last entry, but multiplies it by
-                                        // 0
+    for (int i = 0; i < SIZE + 2; ++i)  // interpolation multiplies the last entry by 0
     {
         const double at = (double)i / (int)SIZE;
         losses[i] = (float)loss(at);

@@ -11,8 +11,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Interpolates linearly in a table at a position >= 0, where 1 is the length of a cell. The table
-//! has one more entry than cells.
+//! Interpolates linearly in a table at a position >= 0, where 1 is the length of a cell. A table
+//! with n cells must have n + 1 entries, or n + 2 if the position n occurs.
 inline float lookUp(const float* table, float position)
 {
     const int cell = (int)position;

@@ -30,8 +30,8 @@ constexpr int BEYOND = 10;
 constexpr double IN_SIGMAS = 2.2;
 //! The mixture is fitted only if there are at least LEAST inliers, in STEPS steps of the EM
 //! algorithm, to the errors within WINDOW times the first estimate of sigma. The initial value of
-//! the fraction of inliers among these points is FIRST_PART, that of the fraction of badly located
-//! points among the inliers FIRST_TAIL.
+//! the fraction of inliers among these points is FIRST_PART; that of the fraction of badly located
+//! points among the inliers is FIRST_TAIL.
 constexpr int LEAST = 50, STEPS = 20, WINDOW = 8;
 constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple

@@ -44,10 +44,10 @@ InlierNoise roughNoise(const Context& context, const Model& model, double widest
 /** @brief Precise estimate: sigma of an ErrorMixture with a tail of badly located points. The
 mixture is fitted to errors in a range wider than that of the inliers' errors.
 
-The tail is needed for keypoints on photographs: the fraction of the inliers in it is 0.2 to 0.4 for
-these, and 0 for Gaussian noise. The threshold is the error that 95 % of all inliers, including the
-tail, do not exceed. With fewer than 50 inliers, no mixture is fitted: sigma is that of
-roughNoise(), and the threshold follows from sigma for Gaussian noise. */
+The tail is needed for keypoints on photographs: it then contains 20 to 40 % of the inliers, while
+Gaussian noise has no tail. The threshold is the error that 95 % of all inliers, including the tail,
+do not exceed. With fewer than 50 inliers, no mixture is fitted: sigma is that of roughNoise(), and
+the threshold follows from sigma for Gaussian noise. */
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
 
 /** @brief Noise of the numbers in a column of the points, divided by the noise of the last array.

@@ -39,12 +39,13 @@ constexpr int CELLS = 64;
 //! Step of the finite differences for the derivative of the caller's parameters with respect to
 //! those of the search; the derivative has an error of about 1e-10.
 constexpr double STEP = 1e-6;
-//! Maximum number of Gauss-Newton steps that compute the parameters of a prior, and the difference
-//! from the prior, relative to its norm, at which they end. Convergence is quadratic.
+//! STEPS_TO_PRIOR: maximum number of Gauss-Newton steps that compute the parameters of a prior.
+//! REACHED: these steps end at this difference from the prior, relative to its norm. Convergence is
+//! quadratic.
 constexpr int STEPS_TO_PRIOR = 20;
 constexpr double REACHED = 1e-9;
-//! Largest difference between opposite entries of a prior's covariance, relative to its largest
-//! entry; more than the rounding of single precision.
+//! Largest accepted difference between opposite entries of a prior's covariance, relative to the
+//! largest entry; more than the rounding of single precision.
 constexpr double ASYMMETRY = 1e-5;
 
 //! The covariance of A x if C is that of x.
@@ -300,8 +301,8 @@ bool ModelCovariance::combine(const Polisher& polisher)
     expectations(polisher, support, noise, degrees, slope, square);
     for (int i = 0; i < count; ++i)
         inliers += shares[i];
-    const double each = (double)points.size / looked;  // number of points for each of the first
-                                                       // `looked` points
+    const double each = (double)points.size / looked;  // ratio of all points to those that were
+                                                       // examined
     const double freedom = degrees * inliers * each - dimension;
     if (!(freedom > 2))
         return false;
@@ -414,7 +415,8 @@ double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
     const Eigen::MatrixXd T = change(at);
     if (T.size() == 0)
         return 0;
-    // from the caller's parameters at the prior to those of the search at `here`
+    // derivatives of the search's parameters, at the prior (`back`) and at `here` (`toHere`), with
+    // respect to the caller's parameters at the prior
     const Eigen::MatrixXd back = solveLeastSquares(T, Square::Identity(dimension, dimension)),
                           toHere = solveLeastSquares(tangent, there) * back;
     const Eigen::LLT<Square> sum(own + carried(toHere, given));

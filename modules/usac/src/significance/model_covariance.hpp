@@ -78,7 +78,7 @@ private:
     typedef AnyParameterization::Basis Basis;
     typedef AnyParameterization::Step Vector;
     typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Rows;
-    //! The rows of one point, without heap memory.
+    //! The rows of J of one point; no heap memory is needed.
     typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor,
                           Residual::MAX_COMPONENTS, MAX_MODEL_SIZE>
         FewRows;
@@ -105,7 +105,7 @@ private:
                                    //!< among the first `looked` points
     bool known;
     float* squared;     //!< squared errors of all points
-    int* members;       //!< indices of `count` points: the first ones within the support
+    int* members;       //!< indices of `count` points within the support
     double* shares;     //!< for each member, the probability that it is an inlier
     double* rowMemory;  //!< the rows of J of the members, scaled by `scale`
     int count, looked, components;

@@ -76,7 +76,8 @@ private:
     //! several thresholds are tried
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;
 
-    //! Fractions of the allowed error probability for the threshold itself and for each wider one.
+    //! Fractions of the allowed error probability for the threshold itself and for each wider
+    //! threshold.
     static const double MAIN_SHARE, WIDE_SHARE;
 
     const Residual& residual;
@@ -87,7 +88,7 @@ private:
     const double trials;
     Arena& arena;
     const Context* const context;
-    int size;        //!< number of points that may be tested
+    int size;        //!< maximum number of points in a test
     Agreement last;  //!< result of the last test with the threshold itself
 };
 
