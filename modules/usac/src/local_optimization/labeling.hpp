@@ -56,7 +56,7 @@ private:
     int* node;                     //!< node of each point in the graph, or its label (negative)
     int* pointOfNode;              //!< point of each node
     int size, nodeCount;           //!< numbers of points and of nodes
-    detail::GCGraph<float> graph;  //!< a member in order to reuse its memory
+    detail::GCGraph<float> graph;  //!< a member, so that its memory is reused
 
     int degree;  //!< at least the largest number of edges of a point; -1: not yet known
 };

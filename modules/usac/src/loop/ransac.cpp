@@ -20,7 +20,7 @@ namespace {
 //! Number of samples in the largest batch: enough work for several threads.
 constexpr int LARGEST_BATCH = 256;
 /** Number of samples in the first batch; half as many if samples are expensive, as for E. The batch
-is small because only its best model is optimized at once. */
+is small because only the best of its models is optimized at once. */
 constexpr int FIRST_BATCH = 8;
 //! A sample is expensive if SampleCost::time exceeds this many point tests: for E (1500), but not
 //! for F (300).

@@ -53,8 +53,8 @@ public:
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
     //! To be called before run(): scores and optimizes an initial model.
-    //! @param drawn number of uniform samples of which `initial` is the best model; they count for
-    //! the confidence if most points are inliers of the best model, see samplesThatCount()
+    //! @param drawn number of uniform samples whose best model is `initial`; these samples count
+    //! for the confidence if most points are inliers of the best model, see samplesThatCount()
     void begin(const Model& initial, int drawn = 0);
     /** Searches until a criterion ends the search, or until at least `pause` samples have been
     drawn. The result is State::best; the cost of State::bestQuality stays infinite if no model is

@@ -60,7 +60,7 @@ public:
         keepsImage = !imageResidual.empty();
         setPoints(points1, points2);
         parts = made = createComponents(*problem, params);
-        imageParts = parts;  // so that its lists are allocated before the first run
+        imageParts = parts;  // so that the lists in imageParts are allocated before the first run
         fitted = rated = made.residual;
         if (params.thresholdType == THRESHOLD_ESTIMATED)
             automatic = makePtr<AutomaticThreshold>(*problem, params);

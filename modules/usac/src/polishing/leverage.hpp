@@ -42,8 +42,7 @@ fits use only the first points, four times as many as were needed to find these 
 class Leverage
 {
 public:
-    /** @param search context of the search, for its points, from which the minimal solver computes
-    models
+    /** @param search context of the search, whose points the minimal solver uses
     @param polish context in which models are polished and rated
     @param threshold inlier threshold of the mask, in the coordinates of `polish` */
     Leverage(const Context& search, const Context& polish, double threshold);

@@ -32,7 +32,7 @@ model if all of these points are inliers of the fit, with hardly larger errors. 
 class Restarts
 {
 public:
-    /** @param search context of the search: its points, solver and checks
+    /** @param search context of the search, whose points the minimal solver and the checks use
     @param polish context in which models are polished and rated; its points are the points of
     `search`, possibly before undistortion
     @param state state of the run */
