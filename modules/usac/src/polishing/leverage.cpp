@@ -23,8 +23,8 @@ constexpr double BULK = 0.85;
 //! most 1; a point with a high leverage may determine a parameter alone.
 constexpr double HIGH = 0.4;
 //! A point is included again if its error is at most DEVIATIONS times the standard deviation that
-//! the fit predicts for this error, and within the threshold. In the first of two rounds, the
-//! leverage of the point must also be at most PREDICTED.
+//! the fit predicts for this error. In the first of two rounds, its error must also be within the
+//! threshold, and its leverage at most PREDICTED.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 /** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
 less than HOPE, the attempt ends; the result must gain at least GAIN. Changing two parameters gains
