@@ -19,7 +19,7 @@ double product(const double* a, const double* b)
 }
 
 //! Gram-Schmidt step: makes the k-th vector orthogonal to the vectors before it, which are
-//! orthonormal, and scales it to unit length. @return its length before this scaling
+//! orthonormal, and scales it to unit length. @return the length before this scaling
 double orthonormalize(double (*vectors)[9], int k)
 {
     double* const v = vectors[k];
@@ -55,8 +55,8 @@ Matx33d rotationOf(const Correspondences& p, const int* sample)
 
 void align(const Correspondences& points, const int* sample, EssentialBasis& basis)
 {
-    //! Three times a 3x3 rotation matrix without small entries. It mixes the basis vectors, so that
-    //! x, y and z are finite even if t is parallel to an axis.
+    //! Three times a 3x3 rotation matrix without small entries. It mixes the matrices [t]x R of the
+    //! three axes, so that x, y and z are finite even if t is parallel to an axis.
     static const double ROTATION[3][3] = {{2, -2, 1}, {2, 1, -2}, {1, 2, 2}};
     const double SMALLEST = 1e-6;  // lower bound of the length of Z, because of rounding errors
     EssentialBasis q;

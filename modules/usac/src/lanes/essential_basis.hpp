@@ -16,14 +16,15 @@ large or if all solutions are close together. */
 typedef double EssentialBasis[4][9];
 
 /** Changes the basis to one that suits points that a rotation R alone (nearly) explains; R is
-estimated from the points. Then E = [t]x R is near a solution for every t. X, Y and W span the part
-of the space that is closest to these matrices, and Z is the remaining direction, scaled so that z
-is neither large nor small. With the basis of mix() (five_points.inl.hpp), all solutions lie close
-to one plane, on which the constraints nearly hold everywhere, so that digits are lost.
+estimated from the points. For such points, E = [t]x R is nearly a solution for every t. X, Y and W
+span the part of the space that is closest to these matrices, and Z is the remaining direction,
+scaled so that z is neither large nor small. With the basis of mix() (five_points.inl.hpp), all
+solutions lie close to one plane, on which the constraints on E nearly hold everywhere, so that
+digits are lost.
 @param points the correspondences
 @param sample indices of the five points
-@param basis input: any basis; output: an orthogonal basis of unit vectors, except for the length of
-Z, which is between 1e-6 and 1 */
+@param basis input: any basis; output: an orthogonal basis; X, Y and W are unit vectors, and the
+length of Z is between 1e-6 and 1 */
 void align(const Correspondences& points, const int* sample, EssentialBasis& basis);
 
 }  // namespace usacv20

@@ -3,24 +3,24 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* The five-point solver @cite nister2004efficient for several samples at once. The epipolar
-constraints are satisfied by all E = x X + y Y + z Z + W. Ten cubic constraints on E are reduced to
-a 3x3 matrix B(z) of polynomials with a determinant of degree 10. The real roots of the determinant
-are the values of z; the null vectors of B(z) give x and y. Solutions that violate the constraints
-even after a correction are rejected. No include guard: compiled once for each instruction set by
-lanes/lane_kernels.inl.hpp. */
+constraints of five points are satisfied by all E = x X + y Y + z Z + W (see EssentialBasis). Ten
+cubic constraints on E are reduced to a 3x3 matrix B(z) of polynomials with a determinant of degree
+10. The real roots of the determinant are the values of z; the null vectors of B(z) give x and y.
+Solutions that violate the constraints even after a correction are rejected. No include guard:
+lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-/** Scales the vectors of a basis to unit length and mixes them by a rotation. The basis from
+/** Scales the vectors of a basis to unit length and mixes them with a rotation. The basis from
 nullSpace() has zeros at positions that depend on the motion; without mixing, x, y or z would be
 infinite for rectified cameras and for a camera that moves forward or sideways. */
 void mix(FiveBasis& basis)
 {
-    // The four-dimensional rotation v -> p v q with the quaternions p = 3 + 5i + 7j + 11k and q =
-    // 13 - 4i + 6j + 9k, times sqrt(61608). Any other rotation without small entries would be
-    // suitable, too.
+    // The mapping v -> p v q with the quaternions p = 3 + 5i + 7j + 11k and q = 13 - 4i + 6j + 9k:
+    // a four-dimensional rotation times |p| |q| = sqrt(61608). Any other rotation without small
+    // entries would be suitable, too.
     static const double ROTATION[4][4] = {
         {-82, -56, -198, -112}, {50, 200, -118, 72}, {20, 114, 76, -206}, {228, -74, -52, -38}};
     for (int k = 0; k < 4; ++k)
@@ -98,8 +98,8 @@ struct Violation
     Pack squares;        //!< the squared norm of E
 };
 
-//! Computes the Gauss-Newton step in x, y and z for the ten constraints; infinite or NaN in lanes
-//! where it is not determined.
+//! Computes the Gauss-Newton step for the ten constraints, to be subtracted from x, y and z. It is
+//! infinite or NaN in lanes where the matrix of the normal equations is singular.
 void stepOf(const FiveBasis& basis, const Violation& at, Pack (&step)[3])
 {
     Pack g[3][10], A[9], b[3], c[9];
@@ -132,8 +132,8 @@ inline void combine(const FiveBasis& basis, const Pack& x, const Pack& y, const 
         E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
 }
 
-//! Solutions (x, y, z) that need a correction. Several solutions are corrected at once, one in each
-//! lane, even if they belong to different roots.
+//! Solutions (x, y, z) of all samples that need a correction. They are corrected together, one in
+//! each lane. lanes[i] is the lane of the sample to which solution i belongs.
 struct Inexact
 {
     enum { MOST = MAX_MODELS * WIDTH };
@@ -190,16 +190,16 @@ void correct(const FiveBasis& all, const Inexact& solutions, int first, Violatio
         stepOf(basis, at, step);
         for (int i = 0; i < 9; ++i)
             change[i] = dot3(step[0], basis[0][i], step[1], basis[1][i], step[2], basis[2][i]);
-        active &= dot9(change, change) < 0.1 * at.squares;  // no step that is large or NaN
+        active &= dot9(change, change) < 0.1 * at.squares;  // refuses a step that is large or NaN
         x = active ? x - step[0] : x;
         y = active ? y - step[1] : y;
         z = active ? z - step[2] : z;
     }
 }
 
-//! If the smallest pivot of the elimination, relative to the largest coefficient, is below this
-//! number, solutions may be lost; the elimination is then repeated with a basis from align(). In a
-//! scene with parallax this happens for less than one sample in a hundred.
+//! If the smallest pivot, relative to the largest coefficient (the result of eliminate()), is below
+//! this number, solutions may be lost; the elimination is then repeated with a basis from align().
+//! In a scene with parallax this happens for less than one sample in a hundred.
 constexpr double SMALL_PIVOT = 5e-4;
 
 //! Solves up to WIDTH samples.
@@ -240,7 +240,8 @@ struct FivePoints
     }
 
 private:
-    //! Computes the basis and B. @return the lanes with finitely many solutions, a bit for each
+    //! Computes the basis and B. @return the lanes in which the five epipolar constraints are
+    //! independent and no pivot counts as 0, a bit for each
     int build()
     {
         Pack A[9][5];
@@ -280,8 +281,8 @@ private:
                 setLane(basis[v][i], k, own[v][i]);
     }
 
-    //! Appends the matrices for a root z in each of the lanes `wanted` to the models. Solutions
-    //! that need a correction are added to `inexact` instead.
+    //! Computes a solution from the root z of each lane in `wanted` and appends its matrix to the
+    //! models. Solutions that need a correction are added to `inexact` instead.
     void addExact(const Pack& z, int wanted, double (*models)[MAX_MODELS][9], int* found,
                   Inexact& inexact) const
     {
@@ -302,7 +303,7 @@ private:
     }
 
     //! Scales the matrices in the lanes `wanted` to unit norm and appends them to the models. The
-    //! matrix in lane k belongs to the sample lanes[k].
+    //! matrix in lane k belongs to the sample with the index lanes[k].
     static void add(Violation& at, const int* lanes, int wanted, double (*models)[MAX_MODELS][9],
                     int* found)
     {

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* The polynomials of the five-point solver, for several samples at once. No include guard: compiled
-once for each instruction set by lanes/lane_kernels.inl.hpp. */
+/* The polynomials of the five-point solver, for several samples at once. No include guard:
+lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {
@@ -118,11 +118,11 @@ void constraints(const FiveBasis& basis, TenCubics& C)
     }
 }
 
-//! A step of eliminate(), with column K. K is a template argument so that loops have a constant
-//! length, which saves a tenth of the time.
-//! @param tiny pivots up to this value count as 0
-//! @param least the smallest pivot so far
-//! @param regular lanes in which no pivot counted as 0 so far
+//! A step of eliminate(), with column K. K is a template argument so that the loops have a constant
+//! length, which makes them faster.
+//! @param tiny pivots of at most this magnitude count as 0
+//! @param least input and output: magnitude of the smallest pivot so far
+//! @param regular input and output: lanes in which no pivot has counted as 0 so far
 template <int K>
 inline void eliminateColumn(TenCubics& C, const Pack& tiny, Pack& least, Mask& regular)
 {
@@ -151,8 +151,9 @@ inline void eliminateColumn(TenCubics& C, const Pack& tiny, Pack& least, Mask& r
 }
 
 /** Gaussian elimination of the left 10x10 block with partial pivoting. Only the last six rows are
-brought to reduced form, because the solver uses only these. @return the smallest pivot divided by
-the largest absolute coefficient of the block; 0 in lanes where the block is singular */
+brought to reduced form, because the solver uses only these. @return the magnitude of the smallest
+pivot divided by that of the largest coefficient of the block; 0 in lanes where a pivot counts as 0
+*/
 Pack eliminate(TenCubics& C)
 {
     Pack largest = Pack(), least = everywhere(DBL_MAX);
@@ -178,9 +179,10 @@ Pack eliminate(TenCubics& C)
 //! polynomials in the three columns have degree 3, 3 and 4.
 typedef Pack ThreeRows[3][3][5];
 
-/** Computes a row of the 3x3 matrix B(z) with B(z) (x, y, 1)^T = 0, which is the eliminated row of
-a leading monomial with z, minus z times the eliminated row of the same monomial without z.
-@param withZ, without the two rows, for example of x^2 z and of x^2 */
+/** Computes a row of the 3x3 matrix B(z), for which B(z) (x, y, 1)^T = 0. The row is the eliminated
+polynomial that begins with a monomial with the factor z, minus z times the eliminated polynomial
+that begins with the same monomial without this factor.
+@param withZ, without the two polynomials, which begin for example with x^2 z and x^2 */
 void linkRows(const Pack (&withZ)[20], const Pack (&without)[20], Pack (&B)[3][5])
 {
     for (int k = 0; k < 2; ++k)
@@ -224,8 +226,8 @@ inline Pack horner(const Pack (&c)[5], const Pack& z)
 }
 
 //! Computes x and y from the null vector (x, y, 1) of B(z), which is the cross product of two rows
-//! up to scale; of the three cross products, the one with the largest third entry is used. @return
-//! the lanes in which x and y are finite and not extremely large
+//! up to scale; of the three cross products, the one whose third entry has the largest magnitude is
+//! used. @return the lanes in which the magnitudes of x and y are below 1e12
 Mask backSubstitute(const ThreeRows& B, const Pack& z, Pack& x, Pack& y)
 {
     Pack v[3][3], best = Pack(), p = Pack(), q = Pack(), w = everywhere(1);

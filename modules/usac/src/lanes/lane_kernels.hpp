@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Smallest ratio of the second to the first singular value of a fundamental matrix that counts as
-//! rank 2.
+//! A fundamental matrix counts as a matrix of rank 2 if the ratio of its second to its first
+//! singular value is above this number.
 constexpr double LEAST_RATIO = 1e-6;
 
 /** Solves several samples at once, each in one lane of the vector registers. The models of a sample
@@ -41,7 +41,7 @@ Kernels avx2Kernels();
 Kernels avx512Kernels();
 #endif
 
-//! The fastest kernels for this many samples.
+//! The processor's fastest kernels for this many samples.
 const Kernels& kernelsFor(int samples);
 
 }  // namespace lanes

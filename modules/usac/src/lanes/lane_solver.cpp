@@ -14,7 +14,7 @@ namespace lanes {
 
 Kernels baselineKernels() { return allKernels(); }
 
-//! @param widest true: AVX-512 may be used, too, which is slower than AVX2 if there are few samples
+//! @param widest true: AVX-512 is allowed; it is slower than AVX2 if there are few samples
 static Kernels bestKernels(bool widest)
 {
     const InstructionSet instructions = fastestInstructions();
@@ -34,7 +34,7 @@ static Kernels bestKernels(bool widest)
 const Kernels& kernelsFor(int samples)
 {
     static const Kernels few = bestKernels(false), many = bestKernels(true);
-    return samples <= 4 ? few : many;  // a register of AVX2 has 4 lanes
+    return samples <= 4 ? few : many;  // AVX2 solves 4 samples at once
 }
 
 }  // namespace lanes

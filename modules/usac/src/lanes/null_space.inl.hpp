@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* Computes the matrices that satisfy the epipolar constraints of the points of a sample, for
-several samples at once. No include guard: compiled once for each instruction set by
-lanes/lane_kernels.inl.hpp. */
+several samples at once. No include guard: lanes/lane_kernels.inl.hpp includes this file once for
+each instruction set. */
 
 namespace cv {
 namespace usacv20 {
@@ -34,12 +34,12 @@ void epipolarRows(const Correspondences& points, const int* const* samples, int 
 }
 
 /** @brief Null space of a matrix with more columns than rows, by Gauss-Jordan elimination; the
-pivot of a row is its largest element @cite golub2013matrix.
+pivot of a row is its element of largest magnitude @cite golub2013matrix.
 
 @param A columns of the matrix; overwritten
 @param basis output, 9 - ROWS vectors; each has a 1 at a position where the other vectors have a 0
-@return the lanes in which the rank is ROWS: all pivots are more than 1e-9 times the largest element
-of A. */
+@return the lanes in which the rank is ROWS, that is, the magnitudes of all pivots are more than
+1e-9 times the largest magnitude in A. */
 template <int ROWS>
 Mask nullSpace(Pack (&A)[9][ROWS], Pack (&basis)[9 - ROWS][9])
 {
@@ -58,7 +58,7 @@ Mask nullSpace(Pack (&A)[9][ROWS], Pack (&basis)[9 - ROWS][9])
             best = size > most ? everywhere(j) : best;
             most = largerOf(most, size);
         }
-        full &= most > least;  // a lane with NaN does not have full rank
+        full &= most > least;  // false in a lane with NaN
         chosen[k] = best;
         for (int j = k + 1; j < 9; ++j)
             exchange(best == (double)j, 0, A[k], A[j]);

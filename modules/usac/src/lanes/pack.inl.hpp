@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* Pack, a vector register: each of its lanes holds a number that belongs to one of several samples,
-which are solved together. No include guard: compiled once for each instruction set by
-lanes/lane_kernels.inl.hpp. No operation mixes lanes, so that the result of a sample is
-bit-identical for every number of lanes. */
+which are solved together. No operation mixes lanes, so that the result of a sample is bit-identical
+for every number of lanes. No include guard: lanes/lane_kernels.inl.hpp includes this file once for
+each instruction set. */
 
 #if defined __SSE2__
 #include <immintrin.h>
@@ -16,7 +16,8 @@ namespace usacv20 {
 namespace {
 
 //! For roughCubeRoot(): 2 / 3 of the upper half of the bits of the number 1, reduced so that the
-//! root becomes 3 % smaller, which makes the largest positive and negative errors about equal.
+//! roots become about 3 % smaller, which makes the largest positive and negative errors about
+//! equal.
 constexpr unsigned long long THIRD_OF_ONE = 715094163;
 
 #if defined __GNUC__
@@ -76,7 +77,8 @@ public:
     Pack count() const { return (Pack)bits - FIRST; }
 
 private:
-    // 2^52: the last bit of a double of this size has the value 1, so integer additions count
+    // 2^52: the last bit of a double of this size has the value 1, so that adding an integer to the
+    // bits adds the same number to the double
     static constexpr double FIRST = 4503599627370496.;
     Bits bits;
 };
@@ -127,8 +129,8 @@ inline Pack load(const double (&values)[WIDTH])
 
 inline Pack everywhere(double value) { return Pack() + value; }
 
-//! largerOf() and smallerOf(): maximum and minimum in each lane; where `b` is NaN, the result is
-//! `a`.
+//! largerOf() and smallerOf(): maximum and minimum in each lane; where `a` or `b` is NaN, the
+//! result is `a`.
 inline Pack largerOf(const Pack& a, const Pack& b) { return b > a ? b : a; }
 inline Pack smallerOf(const Pack& a, const Pack& b) { return b < a ? b : a; }
 
@@ -157,7 +159,7 @@ inline Pack dot9(const Pack (&a)[9], const Pack (&b)[9])
     return sum;
 }
 
-//! Exchanges the elements first .. COUNT-1 of two arrays in the lanes of a mask.
+//! Exchanges the elements first .. COUNT-1 of two arrays in the lanes that are set in a mask.
 template <int COUNT>
 inline void exchange(const Mask& mask, int first, Pack (&a)[COUNT], Pack (&b)[COUNT])
 {

@@ -5,8 +5,9 @@
 /* Real roots of polynomials of degree 10, one polynomial in each lane of the vector registers.
 Sturm's theorem isolates the roots in about [-1, 1]. The other roots are inverses of roots of the
 reversed polynomial, which has the same coefficients in reverse order. Halley's method inside a
-bracket refines all roots to double precision @cite press2007numerical. No include guard: compiled
-once for each instruction set by lanes/lane_kernels.inl.hpp. */
+bracket refines the roots to double precision @cite press2007numerical. rootsNearZero() solves the
+rare polynomials for which Sturm's sequence is not suitable. No include guard:
+lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {
@@ -28,15 +29,16 @@ struct Polynomials
     Pack c[DEGREE + 1];  //!< coefficients, the constant term first
 };
 
-/** Sturm's sequence f[0] = p, f[1] = p', f[2] = -(p mod p'), ... Consecutive elements are linked by
-f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0. These links are used to evaluate the sequence at x,
-from the last element to the first, with three multiplications per element. */
+/** Sturm's sequence f[0] = p, f[1] = p', f[2] = -(p mod p'), ..., up to positive factors.
+Successive elements are linked by f[k-1] = (a x + b) f[k] - s f[k+1] with s > 0. These links are
+used to evaluate the sequence at x, from the last element to the first, with three multiplications
+per element. */
 struct Sturm
 {
     /** Computes the links of the sequences. A sequence ends early if an element divides the
     elements before it up to rounding errors.
-    @return the lanes in which all links exist; they do not exist if the degree decreases by more
-    than 1 (or nearly so) between two elements, as for x^10 - 1. */
+    @return the lanes in which all links exist. A link does not exist if the leading coefficient of
+    the next element is (nearly) 0, so that the degree decreases by more than 1, as for x^10 - 1. */
     Mask build(const Polynomials& p)
     {
         Pack f[DEGREE + 1], g[DEGREE + 1];
@@ -126,7 +128,8 @@ inline double boundOf(int cell)
     return cell == CELLS ? HIGHEST : LOWEST + cell * ((HIGHEST - LOWEST) / CELLS);
 }
 
-//! Brackets: intervals (low, high] with one root each, in which the polynomial changes its sign.
+//! Brackets: intervals (low, high] with one root each, in which the polynomial changes its sign. If
+//! low = high, this number approximates a multiple root or several nearly equal roots.
 struct Brackets
 {
     enum { PER_LANE = 2 * DEGREE, MOST = PER_LANE * WIDTH };
@@ -167,9 +170,9 @@ struct Isolation
     Sturm sturm[2];
     Brackets brackets;
 
-    //! Adds brackets of the roots of lane k in (low, high]. The number of roots is fromLow -
-    //! fromHigh, the difference of the numbers of sign changes at the two ends. At most `depth`
-    //! halvings.
+    //! Adds brackets of the roots of lane k in (low, high]. `fromLow` and `fromHigh` are the
+    //! numbers of sign changes in Sturm's sequence at the two ends; their difference is the number
+    //! of roots. Halves the interval at most `depth` times.
     void split(int part, int k, double low, double high, double fromLow, double fromHigh, int depth)
     {
         if (!(fromLow > fromHigh))
@@ -245,7 +248,8 @@ struct Refinement
         low = load(numbers[DEGREE + 1]);
         high = load(numbers[DEGREE + 2]);
         atLow = load(numbers[DEGREE + 3]);
-        // start where the chord between the ends crosses zero, or else in the middle
+        // start where the chord between the ends crosses zero, or in the middle if rounding errors
+        // move this point out of the bracket
         const Pack chord = low - atLow / (load(numbers[DEGREE + 4]) - atLow) * (high - low);
         x = ((chord > low) & (chord < high)) ? chord : 0.5 * (low + high);
         active = low == low;
@@ -263,7 +267,7 @@ struct Refinement
         next = inside ? next : 0.5 * (low + high);
         active &= value != 0.;
         // Halley's method converges cubically: a step of 1e-7 times x leaves a relative error far
-        // below 1e-16
+        // below 1e-16. Bisection goes on until the bracket is as short as rounding errors.
         const Pack limit = (inside ? everywhere(1e-7) : everywhere(4e-16)) * absolute(x);
         const Mask moving = absolute(next - x) > limit;
         x = active ? next : x;
@@ -276,7 +280,7 @@ struct Refinement
 
 void Isolation::refine()
 {
-    enum { PACKS = 2 };  // registers that are processed together, to hide the latency of operations
+    enum { PACKS = 2 };  // packs that are processed together, to hide the latency of operations
     for (int first = 0; first < brackets.count; first += PACKS * WIDTH)
     {
         Refinement r[PACKS];
@@ -338,7 +342,7 @@ struct Roots
             all.p[0].c[i] = all.p[1].c[DEGREE - i] = coefficients[i] * inverse;
         for (int part = 0; part < 2; ++part)
         {
-            // where `full` is false, the degree is lower than the Sturm sequence assumes
+            // where `full` is false, the degree is lower than Sturm::build() assumes
             const Mask full = absolute(all.p[part].c[DEGREE]) > 1e-14;
             const int regular = wanted & bitsOf(full & all.sturm[part].build(all.p[part]));
             all.isolate(part, regular);
@@ -355,7 +359,7 @@ private:
     //! Adds a root to lane k.
     //! @param part 0: `near` is the root; 1: 1 / `near` is the root
     //! @param near root of the polynomial or of the reversed polynomial. A root 1 / `near` in
-    //! (LOWEST, HIGHEST] is not added, because part 0 finds it, too.
+    //! (LOWEST, HIGHEST] is not added, because it is also found in part 0.
     void add(int part, int k, double near)
     {
         const double root = part == 0 ? near : 1 / near;
@@ -363,7 +367,8 @@ private:
             setLane(at[count[k]++], k, root);
     }
 
-    //! Finds the roots in one lane by a slower method that works for every polynomial.
+    //! Finds the roots near zero of one part in one lane with rootsNearZero(), which is slower, but
+    //! works for every polynomial.
     void addSlowly(int part, int k, const Polynomials& p)
     {
         double c[DEGREE + 1], roots[MAX_DEGREE];

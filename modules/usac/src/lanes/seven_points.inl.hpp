@@ -4,15 +4,16 @@
 
 /* The seven-point solver @cite hartley2003multiple for several samples at once. The epipolar
 constraints are satisfied by all F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t).
-Repeated points lower the rank of the constraints, so that the sample is degenerate. If the points
-are collinear, on lines l1 and l2, one solution is l2 l1^T, which has rank 1 and is no fundamental
-matrix. No include guard: compiled once for each instruction set by lanes/lane_kernels.inl.hpp. */
+Repeated points lower the rank of the constraints, so that the sample is degenerate. If each point
+is on a line l1 in image 1 or on a line l2 in image 2, for example if five points are collinear, one
+solution is l2 l1^T, which has rank 1 and is not a fundamental matrix. No include guard:
+lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {
 namespace {
 
-//! Real roots of cubic polynomials, one in each lane.
+//! Real roots of cubic polynomials, one polynomial in each lane.
 struct CubicRoots
 {
     //! Computes `at` and `lanes`.
@@ -29,8 +30,8 @@ struct CubicRoots
         const Pack shift = a / 3.;
         const Pack first = R > 0. ? -outermost(Q, absolute(R), excess)
                                   : outermost(Q, absolute(R), excess);
-        // the other two roots, if they are real, are those of t^2 + first t + first^2 - 3 Q, the
-        // cubic divided by t - first
+        // in t = x + shift, the other two roots, if they are real, are those of
+        // t^2 + first t + first^2 - 3 Q, the cubic divided by t - first
         const Pack half = 0.5 * squareRoot(largerOf(Pack(), 12. * Q - 3. * first * first));
         at[0] = polish(a, b, d, first - shift);
         at[1] = polish(a, b, d, -0.5 * first + half - shift);
@@ -46,11 +47,11 @@ struct CubicRoots
     }
 
     Pack at[3];    //!< first, second and third root
-    int lanes[3];  //!< lanes in which this root exists, a bit for each
+    int lanes[3];  //!< for each root, the lanes in which it exists, a bit for each lane
 
 private:
-    /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: an approximation with an error of a few
-    thousandths is refined by two steps of Halley's method. If there are three real roots (excess
+    /** The largest root of u^3 - 3 Q u - 2 W with W >= 0: an approximation with an error of less
+    than 1 % is refined by two steps of Halley's method. If there are three real roots (excess
     W^2 - Q^3 < 0), the largest root grows nearly linearly with W, from sqrt(3 Q) to 2 sqrt(Q), and
     is approximated by this line; else Cardano's formula gives the approximation. */
     static Pack outermost(const Pack& Q, const Pack& W, const Pack& excess)
@@ -71,7 +72,7 @@ private:
         return u;
     }
 
-    //! Two Newton steps towards a root of x^3 + a x^2 + b x + d. In each lane, a step is only taken
+    //! Two Newton steps toward a root of x^3 + a x^2 + b x + d. In each lane, a step is taken only
     //! if it reduces the absolute value of the polynomial.
     static Pack polish(const Pack& a, const Pack& b, const Pack& d, Pack x)
     {
@@ -87,7 +88,7 @@ private:
         return x;
     }
 
-    //! Finds the roots in one lane by a slower method that works for every polynomial.
+    //! Finds the roots in one lane with realRoots(), which is slower, but works for every cubic.
     void findOne(const Pack (&coefficients)[4], int k)
     {
         double c[4], roots[MAX_DEGREE];
@@ -102,8 +103,8 @@ private:
     }
 };
 
-//! Scales F in the lanes `wanted` to unit norm and appends it to the models of these samples,
-//! except where its rank is 1 or it is not finite.
+//! Scales the matrix F of each lane in `wanted` to unit norm and appends it to the models of the
+//! lane's sample, except where F has (nearly) rank 1 or is not finite.
 void addFundamental(Pack (&F)[9], int wanted, double (*models)[MAX_MODELS][9], int* found)
 {
     const Pack squares = dot9(F, F), inverse = 1. / squareRoot(squares);
@@ -111,7 +112,7 @@ void addFundamental(Pack (&F)[9], int wanted, double (*models)[MAX_MODELS][9], i
     for (int i = 0; i < 9; ++i)
         F[i] *= inverse;
     Pack c[9];
-    cofactors(F, c);  // as det F = 0, their norm is the product of the two nonzero singular values
+    cofactors(F, c);  // as det F = 0, |c| is the product of the two nonzero singular values
     wanted &= bitsOf(dot9(c, c) > LEAST_RATIO * LEAST_RATIO);
     for (int k = 0; k < WIDTH; ++k)
         if (wanted >> k & 1)
@@ -133,8 +134,8 @@ void solveSeven(const Correspondences& points, const int* const* samples, int co
     cofactors(F[0], c1);
     cofactors(F[1], c2);
     Pack cubic[4] = {dot9(c2, F[1]) / 3., dot9(c2, F[0]), dot9(c1, F[1]), dot9(c1, F[0]) / 3.};
-    // the unknown is s / t or t / s: the ratio whose cubic has the larger leading coefficient, so
-    // that no root is at infinity
+    // the unknown is s / t or t / s: the ratio whose cubic has the larger leading coefficient,
+    // which avoids roots at infinity
     const Mask other = absolute(cubic[0]) > absolute(cubic[3]);
     exchange(other, 0, F[0], F[1]);
     const Pack turned[4] = {cubic[3], cubic[2], cubic[1], cubic[0]};

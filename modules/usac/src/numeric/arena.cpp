@@ -14,7 +14,7 @@
 #include <sanitizer/asan_interface.h>
 #define USAC_FORBID(from, to) __asan_poison_memory_region(from, (size_t)((to) - (from)))
 #define USAC_ALLOW(from, bytes) __asan_unpoison_memory_region(from, bytes)
-#define USAC_GAP ALIGNMENT  // unused bytes behind each array, so that an overrun is detected
+#define USAC_GAP ALIGNMENT  // unused bytes behind each array: an overrun is detected there
 #else
 #define USAC_FORBID(from, to) (void)0
 #define USAC_ALLOW(from, bytes) (void)0
@@ -27,13 +27,13 @@ namespace usacv20 {
 namespace {
 
 constexpr int ALIGNMENT = 64;
-/** Smallest and largest size of a block in bytes; only a block for a single larger array exceeds
+/** Smallest and largest size of a block in bytes; only a block for a single larger request exceeds
 LARGEST. If glibc returns the memory of a destroyed Usac to the system, the next Usac causes a page
 fault for each page that it writes to; these faults take a quarter of the time of a call. glibc
 keeps the memory if a separately mapped block (128 kB to 32 MB) was freed before and at most twice
-its size is free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Block sizes are
-SMALLEST times a power of 2, so that calls with slightly different numbers of points use the same
-size. Pages that are never written to cost no time. */
+its size is free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Sizes in between
+are SMALLEST times a power of 2, so that calls with slightly different numbers of points use the
+same size. Pages that are never written to cost no time. */
 constexpr size_t SMALLEST = 256 << 10, LARGEST = 31 << 20;
 
 //! Size of a block that can hold `bytes`.
@@ -115,7 +115,7 @@ void* Arena::low(size_t bytes)
     return taken;
 }
 
-//! Memory at the high end is only in use in the block `top` and in the blocks before it.
+//! Only the block `top` and the blocks before it can have memory in use at their high ends.
 void* Arena::high(size_t bytes)
 {
     const size_t size = sizeOf(bytes);

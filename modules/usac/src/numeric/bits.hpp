@@ -32,9 +32,10 @@ inline int lowestOne(uint64 word)
 #endif
 }
 
-/** A word whose bit i is 1 if errors[i] <= limit, and 0 if not or if errors[i] is NaN; `count` is
-at most #WORD_BITS. Compilers vectorize the comparison; a multiplication then gathers the flags of
-eight bytes in the highest byte. */
+/** A word whose bit i is 1 if i < count and errors[i] <= limit, otherwise 0 (also if errors[i] is
+NaN); `count` is at most #WORD_BITS. The results of the comparisons are first stored as bytes 0 or
+1, which compilers vectorize; then a multiplication gathers eight of these bytes as the bits of the
+highest byte. */
 inline uint64 within(const float* errors, int count, float limit)
 {
 #if defined __BYTE_ORDER__ && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__

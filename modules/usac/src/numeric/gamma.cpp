@@ -10,9 +10,9 @@ namespace usacv20 {
 
 namespace {
 
-constexpr int MAX_TERMS = 1000;  // ends every loop; in practice, a few dozen terms are enough
+constexpr int MAX_TERMS = 1000;  // limit of every loop; usually a few dozen terms are enough
 
-//! x^a exp(-x) times the sum of x^n / (a (a+1) .. (a+n)).
+//! x^a exp(-x) times the sum of x^n / (a (a+1) .. (a+n)) over n >= 0.
 double lowerSeries(double a, double x)
 {
     double term = 1 / a, sum = term;
@@ -24,7 +24,8 @@ double lowerSeries(double a, double x)
     return sum * std::pow(x, a) * std::exp(-x);
 }
 
-//! The exponential integral E_1: -C - log(x) - the sum of (-x)^n / (n n!), with Euler's constant C.
+//! The exponential integral E_1: -C - log(x) - S, where C is Euler's constant and S is the sum of
+//! (-x)^n / (n n!) over n >= 1.
 double exponentialSeries(double x)
 {
     double power = 1, sum = -0.57721566490153286061 - std::log(x);

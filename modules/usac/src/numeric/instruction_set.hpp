@@ -11,7 +11,7 @@
 #define USAC_RESTRICT __restrict__
 #endif
 
-//! Written before a short loop: keeps GCC and Clang from unrolling it instead of vectorizing it.
+//! Written before a short loop, so that GCC and Clang vectorize the loop instead of unrolling it.
 //! Needs the compiler option -fopenmp-simd, but not the OpenMP library.
 #if defined __GNUC__
 #define USAC_SIMD _Pragma("omp simd")
@@ -22,10 +22,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Instruction sets for which some source files are compiled, see usac_options.cmake.
+//! Instruction sets for which some source files are compiled, see cmake/usac_options.cmake.
 enum InstructionSet { INSTRUCTIONS_BASELINE, INSTRUCTIONS_AVX2, INSTRUCTIONS_AVX512 };
 
-//! The fastest instruction set that compiler and processor support and that the environment
+//! The fastest instruction set that the compiler and the processor support and that the environment
 //! variable OPENCV_CPU_DISABLE does not exclude.
 InstructionSet fastestInstructions();
 

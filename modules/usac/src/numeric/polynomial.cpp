@@ -76,7 +76,7 @@ int betweenExtrema(const Polynomial& p, double* roots)
         p.evaluate(bounds[k], here, slope);
         if (k <= extrema && std::abs(here) <= 1e-15)
         {
-            roots[count++] = bounds[k];  // an extremum where the polynomial is 0: a multiple root
+            roots[count++] = bounds[k];  // the polynomial is 0 at an extremum: a multiple root
             here = 0;
         }
         else if (before != 0 && (before < 0) != (here < 0))

@@ -15,7 +15,8 @@ constexpr int MAX_DEGREE = 10;
 
 Roots in (#LOWEST, #HIGHEST], about -1 to 1, are isolated by the roots of the derivative; the other
 roots are inverses of roots of the polynomial with reversed coefficients. Newton's method inside a
-bracket refines all roots to double precision. A cubic is solved in closed form.
+bracket refines simple roots to double precision. A cubic whose leading coefficient is not small is
+solved in closed form.
 @param coefficients degree + 1 numbers, the constant term first
 @param degree at most #MAX_DEGREE
 @param roots output, at most `degree`
@@ -23,7 +24,7 @@ bracket refines all roots to double precision. A cubic is solved in closed form.
 @cite press2007numerical */
 int realRoots(const double* coefficients, int degree, double* roots);
 
-//! Roots outside these bounds are found by the polynomial with reversed coefficients. The bounds
+//! Roots outside these bounds are found from the polynomial with reversed coefficients. The bounds
 //! are not -1 and 1, because these are likely roots, and Sturm's theorem does not count a root at
 //! the lower end of an interval.
 constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;

@@ -10,11 +10,12 @@ namespace usacv20 {
 
 namespace {
 
-//! For n above this number, log(n!) is computed by Stirling's series. The first omitted term is
-//! below 1 / (1188 n^9), which is at most 2.2e-14.
+//! For n above this number, log(n!) is computed with Stirling's series. The first omitted term,
+//! 1 / (1188 n^9), is at most 2.2e-14.
 constexpr double LARGE = 15;
 
-//! log(n!) minus Stirling's formula, by a series; n > LARGE.
+//! log(n!) minus the logarithm of Stirling's formula sqrt(2 pi n) (n / e)^n, from a series;
+//! n > LARGE.
 double stirlingSeries(double n)
 {
     const double r = 1 / (n * n);
@@ -29,7 +30,7 @@ double logOfSmallFactorial(double n)
     return std::log(factorial);
 }
 
-//! log(n!) minus Stirling's formula, n > 0.
+//! The same difference for n > 0.
 double stirlingError(double n)
 {
     if (n > LARGE)
@@ -74,7 +75,8 @@ double sumOfTerms(bool upper, double k, double n, double term, const Ratio& rati
 
 }  // namespace
 
-//! std::lgamma is not used, because it writes to a global variable in some C libraries.
+//! std::lgamma is not used, because it writes to a global variable in some C libraries and is then
+//! not safe in several threads.
 double logFactorial(double n)
 {
     if (n <= LARGE)

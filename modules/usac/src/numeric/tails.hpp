@@ -10,10 +10,10 @@ namespace usacv20 {
 
 /** @brief P(Binomial(n, p) >= k), 0 <= k <= n, 0 < p < 1.
 
-Sums the probabilities on the side of the distribution where they decrease. The first of them is
-computed in the form of @cite loader2000fast, which avoids cancellation, the others by the ratios
-of neighboring probabilities. The result is 0 if it is below the range of double. Takes at most O(n)
-time, usually O(sqrt(n)). */
+Sums the probabilities of k, k + 1, ... or, if k is not above the mean, those of k - 1, k - 2, ...,
+which are then subtracted from 1. The first probability is computed in the form of @cite
+loader2000fast, which avoids cancellation, and each other one from its ratio to the one before. The
+result is 0 if it is below the range of double. Takes at most O(n) time, usually O(sqrt(n)). */
 double binomialTail(int k, int n, double p);
 
 /** @brief Probability that at least `successes` of `trials` trials succeed, given that
@@ -22,7 +22,7 @@ of success is uniform: the upper tail of the beta-binomial distribution @cite ge
 
 With many earlier trials it is close to the tail of the binomial distribution. With few earlier
 trials the tail is heavier, because the common probability of success is then hardly known. The sum
-is computed like binomialTail(); its first term has a relative error of up to 1e-9. Takes at most
+is computed as in binomialTail(); its first term has a relative error of up to 1e-9. Takes at most
 O(trials) time, usually O(sqrt(trials)). */
 double betaBinomialTail(int successes, int trials, int earlierSuccesses, int earlierTrials);
 
