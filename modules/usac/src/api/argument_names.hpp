@@ -5,23 +5,24 @@
 #ifndef OPENCV_USACV20_ARGUMENT_NAMES_HPP
 #define OPENCV_USACV20_ARGUMENT_NAMES_HPP
 
-// Some functions (those of calib3d, for example) have other argument names than the estimation that
-// they call. The functions of this file translate the names in error messages.
+// Some functions, for example those with the signatures of calib3d, call an estimation function
+// whose arguments have other names. The functions of this file translate the names in its error
+// messages.
 
 #include <opencv2/core.hpp>
 
 namespace cv {
 namespace usacv20 {
 
-//! Name of an argument in the estimation (`inner`), and in the function that the caller has called
-//! (`callers`).
+//! Name of an argument in the estimation function (`inner`), and in the function that the caller
+//! has called (`callers`).
 struct ArgumentName
 {
     const char *inner, *callers;
 };
 
-//! Names of arguments that some problems use in messages, and their names in functions for all
-//! problems, such as #fitModel.
+//! Argument names that appear in the messages of some problems only, and the names of the same
+//! arguments in functions for all problems, such as #fitModel.
 const ArgumentName ANY_PROBLEM[] = {{"objectPoints", "points1"},
                                     {"imagePoints", "points2"},
                                     {"cameraMatrix", "cameraMatrix1"},
@@ -32,8 +33,8 @@ const ArgumentName ANY_PROBLEM[] = {{"objectPoints", "points1"},
 //! text before the colon is not a list of names.
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 
-//! Calls an estimation and translates the argument names in its exceptions. A handler installed
-//! with cv::redirectError sees the original messages.
+//! Calls an estimation function and translates the argument names in its exceptions. A handler
+//! installed with cv::redirectError sees the original messages.
 template <size_t COUNT, class Call>
 auto calling(const ArgumentName (&names)[COUNT], const Call& call) -> decltype(call())
 {

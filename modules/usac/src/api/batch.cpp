@@ -35,7 +35,8 @@ bool isList(InputArrayOfArrays list)
            kind == _InputArray::STD_ARRAY_MAT;
 }
 
-//! A list of arrays with one entry for each task, a single entry for all tasks, or no entry.
+//! A list of arrays with one entry for each task, a single entry for all tasks, or, if
+//! `noneIsRight`, no entry.
 class OneOrEach
 {
 public:
@@ -90,7 +91,7 @@ std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1,
     return tasks;
 }
 
-//! Sets the first or only camera of each task.
+//! Sets the first or only camera of each task, with its distortion.
 void setCameras(InputArrayOfArrays matrices, const char* nameOfMatrices, InputArrayOfArrays lenses,
                 const char* nameOfLenses, std::vector<Task>& tasks)
 {
@@ -104,7 +105,7 @@ void setCameras(InputArrayOfArrays matrices, const char* nameOfMatrices, InputAr
     }
 }
 
-//! Sets the camera of the second image of each task if the lists are not empty.
+//! Sets the second camera of each task, with its distortion, if the lists are not empty.
 void setSecondCameras(InputArrayOfArrays matrices, InputArrayOfArrays lenses,
                       std::vector<Task>& tasks)
 {

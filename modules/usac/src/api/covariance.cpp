@@ -16,7 +16,7 @@ namespace {
 
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Numbers;
 
-//! Step of the parameters for derivatives by central differences, whose relative error is about
+//! Step of the parameters in central differences. The relative error of the derivatives is about
 //! 1e-10.
 constexpr double STEP = 1e-6;
 //! Largest accepted Frobenius norm of two differences: between the essential matrix of the caller
@@ -88,7 +88,7 @@ public:
         return result * solveLeastSquares(own, callers);
     }
 
-    //! The derivatives only of those entries that Problem::toOutput() returns to the caller.
+    //! The derivatives of only those entries that Problem::toOutput() returns to the caller.
     Numbers tangentOfOutput() const { return tangent().topRows(problem->toOutput(normal).total()); }
 
     Numbers covariance(InputArray given) const
@@ -115,7 +115,7 @@ private:
 
     const Ptr<Problem> problem;
     const Ptr<Parameterization> rule;
-    const Correspondences points;  //!< no points; its frames keep the caller's coordinates
+    const Correspondences points;  //!< no points; coordinates are not normalized
     Model normal, here;
 };
 
@@ -160,7 +160,8 @@ Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R, 
     const double sign = normal.cwiseProduct(turnedAbout(direction, turn)).sum() < 0
                             ? -std::sqrt(0.5)
                             : std::sqrt(0.5);
-    // derivatives of E with respect to the rotation vector and two directions perpendicular to t
+    // derivatives of E with respect to the rotation vector and to changes of t in two directions
+    // perpendicular to t
     Eigen::Matrix<double, 9, 5> byMotion;
     const Eigen::Vector3d across[2] = {direction.unitOrthogonal(),
                                        direction.cross(direction.unitOrthogonal())};

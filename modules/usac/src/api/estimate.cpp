@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "api/argument_names.hpp"
 
-// The functions estimate<NAME> of all problems, and estimateModel(), which takes the problem as an
+// The functions estimate<NAME> of all problems, and estimateModel(), which has the problem as an
 // argument.
 
 namespace cv {
@@ -24,7 +24,7 @@ Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2, c
     });
 }
 
-// Each problem has two functions: one with a report, and one without a report.
+// Two functions: with and without a report.
 #define USACV20_IMAGES(TYPE, NAME)                                                                 \
     Mat estimate##NAME(InputArray points1, InputArray points2, const Params& params,               \
                        OutputArray mask, Report& report)                                           \
@@ -39,7 +39,8 @@ Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2, c
 
 #define USACV20_SPACES(TYPE, NAME) USACV20_IMAGES(TYPE, NAME)
 
-// Problems with cameras have a third function, for one camera matrix that holds for both images.
+// Three functions: one with two camera matrices and a report, and two with one camera matrix for
+// both images, with and without a report.
 #define USACV20_CAMERAS(TYPE, NAME)                                                                \
     Mat estimate##NAME(InputArray points1, InputArray points2, InputArray cameraMatrix1,           \
                        InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,   \

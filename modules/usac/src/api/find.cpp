@@ -14,7 +14,7 @@ using usacv20::Params;
 using usacv20::paramsOf;
 
 // Argument names of calib3d's functions. For functions with a Params, only the names of the arrays
-// are translated, since the fields of Params keep their names.
+// are translated, because the caller knows the fields of Params by their own names.
 static const ArgumentName HOMOGRAPHY_NAMES[] = {{"points1", "srcPoints"},
                                                 {"points2", "dstPoints"},
                                                 {"threshold", "ransacReprojThreshold"},
@@ -29,7 +29,7 @@ static const ArgumentName FOCAL[] = {{"cameraMatrix", "focal, pp"}};
 static const ArgumentName CAMERAS_OF_PARAMS[] = {{"distCoeffs1", "dist_coeff1"},
                                                  {"distCoeffs2", "dist_coeff2"}};
 
-//! Estimates the essential matrix of two cameras.
+//! Estimates the essential matrix of two images with different cameras.
 static Mat estimate(InputArray points1, InputArray points2, InputArray cameraMatrix1,
                     InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
                     OutputArray mask, const Params& params)

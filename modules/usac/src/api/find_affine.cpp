@@ -14,8 +14,8 @@ using usacv20::ArgumentName;
 using usacv20::calling;
 using usacv20::Params;
 
-// Argument names of calib3d's functions. For functions with a Params, the fields of Params keep
-// their names.
+// Argument names of calib3d's functions. For functions with a Params, only the names of the arrays
+// are translated, because the caller knows the fields of Params by their own names.
 static const ArgumentName AFFINE_NAMES[] = {{"points1", "from"},
                                             {"points2", "to"},
                                             {"threshold", "ransacReprojThreshold"},
@@ -24,7 +24,7 @@ static const ArgumentName AFFINE_NAMES[] = {{"points1", "from"},
 static const ArgumentName ARRAYS_OF_PARAMS[] = {{"points1", "pts1"}, {"points2", "pts2"}};
 
 //! Converts a `size_t` argument of calib3d's functions to int. A number above INT_MAX raises
-//! cv::Exception, in particular a negative number, which the conversion to `size_t` has made huge.
+//! a cv::Exception; so does a negative number, which its conversion to `size_t` has made huge.
 static int countOf(const char* name, size_t count)
 {
     if (count > (size_t)INT_MAX)

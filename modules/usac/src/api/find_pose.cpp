@@ -10,7 +10,7 @@ namespace cv {
 
 using usacv20::Params;
 
-//! Argument names of calib3d's function, as far as they differ. The arrays have the same names.
+//! Arguments to which calib3d's function gives other names. The arrays have the same names.
 static const usacv20::ArgumentName POSE_NAMES[] = {{"threshold", "reprojectionError"},
                                                    {"maxIterations", "iterationsCount"}};
 

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Raises a cv::Exception if `model` cannot be a model. Called before the points are read, because
-//! the caller may have passed points as the model.
+//! Raises a cv::Exception if `model` cannot be a model. Called before the points are read, so that
+//! the message is about `model` if the caller has passed points in its place.
 void checkModel(InputArray model)
 {
     if (model.channels() != 1 || model.total() > MAX_MODEL_SIZE)

@@ -53,7 +53,7 @@ struct FieldChecker
     {}
 };
 
-//! Raises a cv::Exception for options that contradict each other.
+//! Raises a cv::Exception if a combination of options is impossible.
 void checkCombination(bool impossible, const char* message)
 {
     if (impossible)
@@ -106,8 +106,9 @@ void checkCombinations(const Params& p)
                      "not have yet");
 }
 
-//! Raises a cv::Exception unless there is one score for each correspondence; for
-//! #SAMPLER_IMPORTANCE they must also be finite and not negative.
+//! Raises a cv::Exception if there are scores, but not one for each of the `count` correspondences
+//! (negative: unknown number), or if #SAMPLER_IMPORTANCE has a score that is not finite or is
+//! negative.
 void checkScores(const Params& p, int count)
 {
     if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)
@@ -123,7 +124,7 @@ void checkScores(const Params& p, int count)
                        p.scores[i]));
 }
 
-//! Bounds of Params::sigmas, so that squares of their ratios are finite as float.
+//! Bounds of Params::sigmas, so that the squared ratio of any two sigmas is finite as a float.
 constexpr float SMALLEST_SIGMA = 1e-6f, LARGEST_SIGMA = 1e6f;
 
 void checkSigmas(const Params& p, int count)
@@ -149,8 +150,9 @@ void checkFinite(const char* name, const std::vector<double>& numbers, int most)
                       ("%s: finite numbers are expected, not %g", name, numbers[i]));
 }
 
-//! Checks that there are not too many entries and that all are finite. The run checks whether they
-//! are a model of the problem and a covariance of this model.
+//! Checks that there are not too many entries, that all are finite, and that there is no covariance
+//! without a model. The run checks whether the entries are a model of the problem and a covariance
+//! of this model.
 void checkInitialModel(const Params& p)
 {
     checkFinite("initialModel", p.initialModel, MAX_MODEL_SIZE);
@@ -185,7 +187,7 @@ void Params::setInitialModel(InputArray model, InputArray itsCovariance)
 {
     const std::vector<double> entries = entriesOf(model, "model");
     initialCovariance = entriesOf(itsCovariance,
-                                  "covariance");  // if one raises, nothing is changed
+                                  "covariance");  // if it throws, *this is unchanged
     initialModel = entries;
 }
 

@@ -181,7 +181,7 @@ Params Params::magsacPlusPlus()
 
 Params Params::fromMethod(UsacV20Method method)
 {
-    switch (methodFromInt((int)method))  // checked, because a cast can make it any number
+    switch (methodFromInt((int)method))  // checked, because any int can be cast to the type
     {
     case USACV20: break;
     case USACV20_FAST: return fast();
@@ -198,7 +198,7 @@ Params Params::fromMethod(int method) { return fromMethod(methodFromInt(method))
 
 namespace {
 
-//! Selects LMedS and turns off the options that cannot be combined with LMedS.
+//! Selects LMedS and turns off the other options that cannot be combined with it.
 void useLmeds(Params& params)
 {
     const Params lmeds = Params::lmeds();

@@ -11,10 +11,11 @@ namespace usacv20 {
 namespace {
 
 /** A plane with more than this fraction of the inliers is dominant, as in PlanarMotion. If there is
-a dominant plane, the second motion that explains it is reported, too. See doc/constants.md. */
+a dominant plane, the second motion that explains it is reported, too.
+doc/measurements/constants_tables.md shows the effects of other values. */
 constexpr double DOMINANT = 0.8;
-//! A point is on the plane if it is within this many thresholds of its image under the homography.
-//! See doc/constants.md.
+//! A match is on a plane if its error under the plane's homography is at most this many thresholds.
+//! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr double ON_PLANE = 2;
 
 //! The essential matrix of two views and the motion derived from it.
@@ -38,7 +39,7 @@ public:
         }
     }
 
-    //! A model with its mask, its motion and the report of the search.
+    //! A model with its mask, its motion and the report of the search or refinement that found it.
     struct Solution
     {
         Mat essential, mask;
@@ -58,7 +59,7 @@ public:
     }
 
     //! Finds the second motion that explains a dominant plane. @return number of inliers on the
-    //! plane; 0: no plane is dominant
+    //! plane; 0: no plane is dominant, or its homography is that of a rotation or singular
     int otherOfPlane(const Solution& found, Solution& other)
     {
         Matx33d H;
@@ -80,7 +81,7 @@ public:
         return onPlane;
     }
 
-    //! Removes points behind a camera from the mask. @return number of points removed
+    //! Removes inliers that are behind a camera from the mask. @return number of inliers removed
     int hideBehind(Solution& solution) const
     {
         int behind = 0;
@@ -134,8 +135,8 @@ private:
     //! Inlier threshold on the normalized image planes.
     double limit(const Solution& solution) const { return unit * solution.report.threshold; }
 
-    //! Finds the homography of the plane with the largest number of inliers, and one point of this
-    //! plane. @return number of inliers on the plane
+    //! Finds the homography of the plane with the largest number of inliers, and the image of one
+    //! point of this plane in image 1. @return number of inliers on the plane; 0: none was found
     int plane(const Solution& found, Matx33d& H, Vec3d& point) const
     {
         const double pixels = found.report.threshold / limit(found);
@@ -175,8 +176,8 @@ private:
     const Ptr<Usac> usac;
     const double unit;          //!< see Correspondences::unit: about the size of a pixel on the
                                 //!< normalized image planes
-    std::vector<Vec3d> x1, x2;  //!< undistorted points on the normalized image planes; NaN if the
-                                //!< point is not finite
+    std::vector<Vec3d> x1, x2;  //!< undistorted points on the normalized image planes; NaN for
+                                //!< matches that are not finite
 };
 
 }  // namespace
@@ -199,7 +200,7 @@ bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cam
         if (!other.essential.empty() && other.cost < best.cost)
         {
             std::swap(best, other);
-            std::swap(best.report, other.report);  // `best` has the report of the search again
+            std::swap(best.report, other.report);  // `best` gets the report of the search back
             best.report.cost = other.report.cost;
         }
         pose.behind = views.hideBehind(best);

@@ -9,11 +9,11 @@ namespace usacv20 {
 
 namespace {
 
-//! Report::chance above which a model is called no better than chance: the limit for
-//! Params::significance 0.
+//! describe() calls a model no better than chance if its Report::chance is above this number, which
+//! is also the usual bound for Params::significance 0.
 constexpr double SIGNIFICANT = 0.01;
-//! describe() says that few inliers are independent of each other (most of them share a few points
-//! up to noise) if there are more than this many inliers for each independent inlier.
+//! describe() says that few inliers are independent of each other (most are nearly equal to other
+//! inliers) if there are more than this many inliers for each independent inlier.
 constexpr int FEW = 4;
 
 }  // namespace

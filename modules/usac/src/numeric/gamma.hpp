@@ -8,8 +8,8 @@
 namespace cv {
 namespace usacv20 {
 
-/* Incomplete gamma functions, from power series for x < a + 1 and from continued fractions for larger
-x @cite press2007numerical. The relative error is about 1e-14. */
+/* Incomplete gamma functions, from power series for x < a + 1 and from continued fractions for
+larger x @cite press2007numerical. The relative error is about 1e-14. */
 
 //! The gamma function, a > 0. std::tgamma is not used, because the last bit of its result differs
 //! between versions of glibc.
