@@ -19,15 +19,15 @@ struct SomeError
         NUMBERS,      // number of entries of a model
         COMPONENTS,   // number of components of the error vector
         HOMOGENEOUS,  // see Residual::homogeneous
-        PROJECTION    // 1: the error of a projection, summed by ProjectionSums; 0: any other
+        PROJECTION    // 1: the error of a projection, summed by ProjectionSums; 0: another error
     };
     template <class T> struct At  // T: float or double
     {
         At(const T* m, T x, ...);  // evaluates one datum under a model given row by row
         T squared() const;         // squared error; NaN or infinite where it is not defined
-        T cost() const;            // squared error for fits, which is always finite
-        // for T = double: writes the error vector, out.error(component), and its derivative by the
-        // entries of the model, out.derivative(component, number)
+        T cost() const;            // squared error for fits; finite at epipoles and behind cameras
+        // for T = double: writes the error vector, out.error(component), and its derivative with
+        // respect to the entries of the model, out.derivative(component, number)
         template <class Out> void linearize(Out& out) const;
     };
 };
@@ -37,13 +37,13 @@ set: the loops that compute errors and scores (kernels.inl.hpp) and the sums for
 (sums.inl.hpp). FormulaResidual is the Residual component of a formula.
 
 Formulas and all templates that use them are inside unnamed namespaces, because they are compiled
-several times for different instruction sets, and the linker would merge inline functions with
-external linkage. For the same reason, formulas call sqrtf() and fabsf() instead of std::sqrt() and
-std::abs() for float. */
+several times for different instruction sets, and the linker would keep only one version of an
+inline function with external linkage. For the same reason, formulas call sqrtf() and fabsf()
+instead of std::sqrt() and std::abs() for float. */
 
 namespace {
 
-//! Receives error and derivative of a datum from a formula, for Residual::linearize().
+//! Receives the error of a datum and its derivative from a formula, for Residual::linearize().
 template <class Error>
 struct ErrorAndDerivative
 {
@@ -66,7 +66,7 @@ struct ErrorOnly
     double& derivative(int, int) { return unused; }
 };
 
-/** The residual of a formula. */
+//! The residual whose error is given by a formula.
 template <class Error>
 class FormulaResidual : public Residual
 {

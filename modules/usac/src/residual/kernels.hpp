@@ -31,24 +31,25 @@ struct IndicesTo<0, K...>
 typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end,
                             float* errors);
 
-//! Number of points in one call of a SumsKernel; if there are fewer, points of weight 0 are added.
+//! Number of points in one call of a SumsKernel; missing points have the weight 0.
 constexpr int SUMS_CHUNK = 32;
-//! Number of partial sums of each sum; the caller adds them at the end.
+//! Number of partial sums of each sum; the caller of the kernels adds the partial sums at the end.
 constexpr int SUMS_LANES = 8;
 //! Maximum number of sums of a kernel: the lower triangle of a matrix of #MAX_MODEL_SIZE + 1 rows.
 constexpr int MAX_SUMS = (MAX_MODEL_SIZE + 1) * (MAX_MODEL_SIZE + 2) / 2;
 //! Maximum number of entries of the derivative of an error, see Residual::linearize().
 constexpr int MAX_DERIVATIVE = (int)Residual::MAX_COMPONENTS * (int)MAX_MODEL_SIZE;
-/** Adds the sums that the normal equations of the Gauss-Newton method consist of, for #SUMS_CHUNK
-points, to `sums`; or only the sum of their squared errors. See sums.inl.hpp.
-@param chunk a row of #SUMS_CHUNK numbers for each column of the points, and a last row with their
-weights */
+/** Computes, for #SUMS_CHUNK points, the sums from which the normal equations of the Gauss-Newton
+method are built, or only the sum of the weighted squared errors, and adds them to `sums`. See
+sums.inl.hpp.
+@param chunk a row of #SUMS_CHUNK numbers for each column of the points, and a last row with the
+weights of the points */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model,
                            double (*sums)[SUMS_LANES]);
 
 /** The loops over points that the module compiles from the formula of an error, once for each
-instruction set. Entries may be null. All versions return the same bits: they sum in the same lanes
-and order, and no multiplication is contracted with an addition. */
+instruction set. Entries can be null. All versions return the same bits: they sum in the same lanes
+and order, and no multiplication is fused with an addition. */
 struct ResidualKernels
 {
     ErrorKernel errors;   //!< squared errors
@@ -58,11 +59,11 @@ struct ResidualKernels
     SumsKernel cost;      //!< only the sum of the weighted squared errors
     int count;            //!< number of sums that the kernel `sums` computes
     /** Writes the normal equations of the Gauss-Newton method in the N = Model::size() entries of a
-    model, with the Jacobian J of the errors r.
+    model, for the weighted errors r with the Jacobian J.
     @param total the `count` sums
     @param JtJ output, J^T J, N x N, symmetric
     @param Jtr output, J^T r, N numbers
-    @param cost output, the sum of the weighted squared errors */
+    @param cost output, r^T r */
     void (*toEquations)(const double* total, double* JtJ, double* Jtr, double& cost);
 };
 

@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* The kernels of residual/kernels.hpp for a formula. No include guard: each source file that is
-compiled for an instruction set includes this file once. Only kernels may be instantiated here,
-because the linker would merge inline functions of other headers with those compiled for other
-instruction sets. */
+compiled for an instruction set includes this file once. It must not instantiate inline functions
+with external linkage: the linker keeps only one copy of such a function, perhaps one with
+instructions that the processor does not have. */
 
 #include <cmath>
 #include <limits>

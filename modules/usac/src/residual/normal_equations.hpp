@@ -23,8 +23,8 @@ struct NormalEquationsOf
     Eigen::Matrix<double, SIZE, 1, Eigen::ColMajor, MOST, 1> Jtr;
     double cost;
 
-    //! Computes the sums over the points by a kernel, or by Residual::linearize() if the residual
-    //! has no kernels. The model has `SIZE` entries.
+    //! Computes the sums over the points with a kernel, or with Residual::linearize() if the
+    //! residual has no kernels. The model has `SIZE` entries (Eigen::Dynamic: any number).
     void accumulate(const Residual& residual, const PointChunks& points, const Model& model);
 
     //! Computes only the cost, in a fraction of the time of accumulate().

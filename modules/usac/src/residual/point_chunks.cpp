@@ -24,8 +24,8 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
         weigh(points.exact[columns], indices);
 }
 
-//! @param width number of columns; a std::integral_constant for two views, so that the compiler
-//! knows it
+//! @param width number of columns; for two views, a std::integral_constant, so that the compiler
+//! knows the number
 template <class Width>
 void PointChunks::gather(const Correspondences& points, const int* indices, const double* weights,
                          Width width)
@@ -41,7 +41,7 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
                 chunk[column][k] = points.exact[column][i];
             chunk[width][k] = weights ? weights[first + k] : 1;
         }
-        for (int row = 0; row <= width; ++row)  // pads with copies of the last point of weight 0
+        for (int row = 0; row <= width; ++row)  // pads with copies of the last point
             std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK,
                       row < width ? chunk[row][here - 1] : 0.);
     }
@@ -84,7 +84,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, double*
     static const double zeros[MAX_SUMS][SUMS_LANES] = {{0}};
     double lanes[MAX_SUMS][SUMS_LANES];
     std::memcpy(lanes, zeros,
-                count * sizeof(lanes[0]));  // std::fill would compile to a slow instruction
+                count * sizeof(lanes[0]));  // std::fill would be compiled to a slow instruction
     for (int c = 0; c < chunks; ++c)
         kernel(rows + c * stride, model, lanes);
     for (int i = 0; i < count; ++i)

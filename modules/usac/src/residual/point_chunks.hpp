@@ -12,14 +12,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** The points of a fit and their weights, copied to chunks as a SumsKernel takes them. They are
-copied only once for all steps of the fit. */
+/** The points of a fit and their weights, copied to chunks in the layout that a SumsKernel expects.
+They are copied only once for all steps of the fit. */
 class PointChunks
 {
 public:
-    //! @param indices, count indices of the points; at least one
+    //! @param indices, count indices of the points, and their number, at least 1
     //! @param weights one for each index; null: all are 1
-    //! @param arena memory for more than a few points; null: the heap is used
+    //! @param arena provides the memory for more than a few points; null: the heap is used
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
@@ -27,8 +27,8 @@ public:
     //! (see Correspondences::numbers), squared, are part of the weights.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
-    //! Gets a point, Correspondences::numbers() numbers, and its weight. @return false if `index`
-    //! is beyond the last point
+    //! Gets a point, Correspondences::numbers() numbers, and its weight without the factor of the
+    //! error. @return false if `index` is beyond the last point
     bool get(int index, double* datum, double& weight) const;
 
 private:
@@ -42,7 +42,7 @@ private:
 
     const int size, chunks, columns;
     const int stride;  //!< rows of a chunk
-    Arena own;         //!< used if no arena was given
+    Arena own;         //!< used if the caller has no arena
     Arena::Scope scope;
     Row* rows;  //!< each chunk: columns and weights; if errors have factors, two more rows: the
                 //!< factors and the weights without them

@@ -4,8 +4,8 @@
 
 /* The sums for the normal equations of the Gauss-Newton method, for the error of a formula, over a
 chunk of points, in loops that compilers vectorize. Each sum consists of SUMS_LANES partial sums
-(lanes), which the caller adds in a fixed order. No include guard: compiled once for each
-instruction set by kernels.inl.hpp. */
+(lanes), which the caller adds in a fixed order. No include guard: kernels.inl.hpp includes this
+file once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {
@@ -63,7 +63,7 @@ inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
     }
 }
 
-//! Receives error and derivative of point i from a formula (formula_residual.hpp). For each
+//! Receives the error of point i and its derivative from a formula (formula_residual.hpp). For each
 //! component of the error, NUMBERS rows of a chunk have the derivatives and the next row the error.
 template <int NUMBERS>
 struct ChunkRows
@@ -145,12 +145,13 @@ struct GeneralSums
     }
 };
 
-/** The sums for the error of a projection (u, v) by a matrix of three rows. The derivatives of u
+/** The sums for the error of a projection (u, v) with a matrix of three rows. The derivatives of u
 and v with respect to these rows are p / d times (1, 0, -u) and (0, 1, -v), where p is the
 homogeneous point and d its depth, so that all blocks of J^T J are multiples of p p^T / d^2. There
 are COUNT sums: the upper triangle of p p^T / d^2 times 1, u, v and u^2 + v^2, then the gradient,
 then the cost. They take a third of the time of GeneralSums. `Error::At` has the members p(0) ..
-p(POINT - 1), w (1 / d, or 0 for a point that contributes nothing), u, v and the error (du, dv). */
+p(POINT - 1), w (1 / d, or 0 for a point that contributes only to the cost), u, v and the error (du,
+dv). */
 template <class Error>
 struct ProjectionSums
 {
@@ -196,7 +197,7 @@ struct ProjectionSums
         return n - row * POINT + row * (row + 1) / 2;
     }
 
-    //! Writes the factors of the sums for point i. @return its weighted squared error
+    //! Writes the factors of the sums for point i. @return the weighted squared error of the point
     template <typename... Numbers>
     static inline double project(double (*USAC_RESTRICT pp)[SUMS_CHUNK],
                                  double (*USAC_RESTRICT factor)[SUMS_CHUNK],

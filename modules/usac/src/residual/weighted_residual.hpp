@@ -14,7 +14,7 @@ namespace usacv20 {
 the coordinates of a datum, see Correspondences::numbers. Scores, fits, mask and covariance that use
 this residual thus weight each match by its noise.
 @param residual the residual without weights; may be empty
-@param problem its problem, for the number of coordinates
+@param problem the problem of the residual, for the number of coordinates
 @param params options
 @return `residual` itself if it is empty or if there are no sigmas. */
 Ptr<Residual> weightedResidual(const Ptr<Residual>& residual, const Problem& problem,

@@ -12,8 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Among the first FIRST_ORDERED samples, every second one follows the order of the points; see
-//! doc/constants.md.
+//! Among the first FIRST_ORDERED samples, every second one follows the order of the points.
+//! doc/measurements/constants_tables.md shows the effects of other values of all constants.
 constexpr int FIRST_ORDERED = 480;
 //! Minimum evidence for the order, in standard deviations of the rank sum. One random order in 1000
 //! reaches this value.
@@ -48,7 +48,7 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
         return other > left;
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
     const double chance = rest.expected * (1 - part * part);  // without pairs of the other motion
-    // a lower bound, because points that are not spread evenly share cells more often
+    // pairs of the other motion: a lower bound, because uneven points share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
                         own.cells;  // other points in the cell of a point increase the variance
@@ -89,17 +89,18 @@ confirm the order of the points and if the outliers of the best model cannot hid
 1. Of the first #FIRST_ORDERED samples, every second one follows the order; later, one in
 Params::orderedEvery does.
 2. The order is confirmed if the inliers of a new best model come early in it (orderEvidence()).
-Then all samples follow the order until PROSAC's criterion is fulfilled, see prosacSamples().
-3. The inliers may still be a wrong group with the best scores, for example the matches of another
+Then all samples follow the order until PROSAC's criterion is fulfilled (prosacSamples()), unless
+uniform samples would end the search earlier.
+3. The inliers might still be a wrong group with the best scores, for example the matches of another
 motion. The search therefore ends only after samples of the best model's outliers have led to no
 model with significantly more inliers (State::unexplainedSamples, significantInliers()). Among these
-outliers, such a model has a higher inlier ratio than among all points. It may share with the best
+outliers, such a model has a higher inlier ratio than among all points. It can share with the best
 model the inliers that are spread over the whole order (otherInliers()). No such samples are needed
 if neighboring matches would reveal the other model among the outliers, but do not
 (otherMotionWouldShow()).
 
-The other criteria end the search if they need fewer samples, or if an all-inlier sample may lead to
-another model than the best one (State::successProbability; two motions are compatible with a
+The other criteria end the search if they need fewer samples, or if an all-inlier sample can lead to
+a model other than the best one (State::successProbability; two motions are compatible with a
 plane). Takes at most O(N) per batch of samples. */
 class ConfirmedOrderTermination : public Termination
 {
@@ -210,7 +211,7 @@ private:
 
     //! To be called when enough samples have followed the order. Ends the search after samples of
     //! the outliers, or immediately if the outliers cannot contain another motion. If uniform
-    //! samples end the search earlier, it continues with uniform samples.
+    //! samples would end the search earlier, it continues with mostly uniform samples.
     void end(const Context& context, State& state)
     {
         const int size = context.points.size, m = context.components.minimalSolver->sampleSize();
@@ -275,9 +276,9 @@ private:
     double randomRatio, cost;
     int orderedNeeded;  //!< number of samples that must follow the order; INT_MAX: such samples do
                         //!< not end the search
-    int enough;         //!< number of samples after which the search may end; INT_MAX: not known
+    int enough;         //!< number of samples after which the search can end; INT_MAX: not known
     int late;           //!< number of inliers of the best model in the last part of the order
-    bool manyRepeated;  //!< more than the fraction #MOST_REPEATED of the inliers repeat others
+    bool manyRepeated;  //!< more than the fraction #MOST_REPEATED of the inliers repeat other ones
 };
 
 }  // namespace

@@ -13,26 +13,26 @@ namespace usacv20 {
 
 /** @brief Tells whether the inliers of a model come early in an order: the Mann-Whitney rank-sum
 statistic of inliers against outliers, as its deviation from the mean over random orders, in
-standard deviations. It is positive if the inliers come early.
+standard deviations. It is positive if the inliers come early, and 0 if there are no inliers that
+count or no outliers.
 
 The first m inliers do not count, because the model may have been computed from them. Inliers that
 repeat an earlier inlier do not count either.
-@param inliers which of the `size` points are inliers, best point first
-@param repeated which of the inliers repeat an earlier inlier
+@param inliers marks the inliers among the `size` points, best point first
+@param repeated marks inliers that repeat an earlier inlier
 @param size number of points
 @param m size of a sample */
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
 
-/** @brief True if the outliers of the best model cannot contain another motion, because its matches
-would be neighbors in both arrays, and too few outliers are neighbors. Matches of a motion that is
-about as smooth as the best model share cells of both arrays about as often as inliers of the best
-model.
+/** @brief True if the outliers of the best model cannot contain another motion, because too few
+pairs of outliers share a cell in both arrays (see CellPairs). Matches of a motion that is about as
+smooth as the best model share cells of both arrays about as often as inliers of the best model.
 @param own pairs of inliers of the best model
 @param rest pairs of outliers of the best model
 @param other number of matches of the other motion among these outliers
 @param left number of these outliers
-@return true if clearly fewer pairs of outliers share cells than with the other motion, or if
-`other` exceeds `left`; false also if the best model has too few pairs to decide */
+@return true if `other` exceeds `left`, or if clearly fewer pairs of outliers share cells than with
+the other motion. Otherwise false, also if too few pairs of inliers share cells to decide */
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left);
 
 }  // namespace usacv20

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of noise scales, the same as in the program of the paper's authors. See
-//! doc/constants.md.
+//! Number of noise scales, the same as in the program of the authors of @cite barath2019magsac.
+//! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr int PARTITIONS = 5;
 
 /** MAGSAC @cite barath2019magsac: the number of samples that the standard criterion asks for,
@@ -20,9 +20,9 @@ averaged over the noise scale, which is uniform in 0 .. sigma_max. For the scale
 to i / #PARTITIONS thresholds.
 
 The smallest scale has the fewest inliers and asks for the most samples, so that this criterion is
-stricter than the standard one. It suits a threshold several times as large as the noise requires.
-With a tight threshold, the smallest scale has too few inliers for the search to end before
-Params::maxIterations. Takes one pass over the points. */
+stricter than the standard one. The criterion suits a threshold several times as large as the noise
+requires. With a tight threshold, the smallest scale has too few inliers for the search to end
+before Params::maxIterations. Takes one pass over the points. */
 class MagsacTermination : public Termination
 {
 public:

@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 /** Number of distinct inliers outside the sample at which r, see PNapsacTermination, is half of
-Params::relaxation. See doc/constants.md. */
+Params::relaxation. doc/measurements/constants_tables.md shows the effects of other values. */
 constexpr int HALF = 30;
 
 }  // namespace
@@ -29,12 +29,13 @@ double significantInliers(const Context& context, const State& state)
 namespace {
 
 /** P-NAPSAC: the standard criterion for a model with significantly more inliers than the best one
-@cite barath2019progressive, that is, with (1 + r) times as many. In the paper r is a constant. Here
-the factor does not apply to the points of the sample, because these are inliers even of a wrong
-model: with few points, a wrong model has only slightly fewer inliers than the right one. For the
-same reason r is Params::relaxation k / (k + #HALF) for k distinct inliers outside the sample. r is
-0 if all-inlier samples may lead to a wrong model (State::successProbability), because such a wrong
-model has nearly as many inliers as the right one. */
+@cite barath2019progressive, that is, with (1 + r) times as many. In the paper, r is a constant.
+Here the factor does not apply to the points of the sample, because these are inliers even of a
+wrong model; if there are few points, a wrong model therefore has only slightly fewer inliers than
+the right one. For the same reason, r is Params::relaxation times k / (k + #HALF) for k distinct
+inliers outside the sample. r is 0 if all-inlier samples can lead to a wrong model
+(State::successProbability), because such a wrong model has nearly as many inliers as the right
+one. */
 class PNapsacTermination : public Termination
 {
 public:

@@ -11,12 +11,12 @@
 namespace cv {
 namespace usacv20 {
 
-//! SIGNIFICANCE: upper bound of the probability that so many inliers arise by chance, as in
+//! SIGNIFICANCE: upper bound of the probability that the inliers of a model arise by chance, as in
 //! @cite chum2005matching. ROUNDING allows for rounding errors of T_n.
 constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
 //! After every PART lengths n, the loop checks whether the run must end. LENGTH_WORK is the work
-//! per length in point tests, the unit of Watch: up to 0.4 us. Both affect only how late a time
-//! limit ends a run.
+//! per length in point tests, the unit of Watch: up to 0.4 us. Both affect only how late a run
+//! with a time limit ends.
 constexpr int PART = 1024;
 constexpr double LENGTH_WORK = 200;
 
@@ -59,26 +59,26 @@ samples have been drawn.
 Three things differ from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
-is chosen. Here the set keeps growing, because other criteria need this, and the smallest n* is
-chosen. Only the first T'_n* samples count, which come from the n* best points (except local and
-uniform samples of P-NAPSAC). Only for n* = N may more than T'_N samples be needed, and then all of
-them count.
+is chosen. Here the set keeps growing, because other criteria need samples of all points, and the
+smallest n* is chosen. Only the first T'_n* samples count, which come from the n* best points
+(except local and uniform samples of P-NAPSAC). Only for n* = N can more than T'_N samples be
+needed, and then all of them count.
 - In the paper, each sample counts as much as a uniform sample. But the first samples must contain
-the newest point of a small set: for every order of the inliers, the first T'_n* samples are worth
-only T_n* uniform samples. If each sample counted fully, two or three samples of the very best
+the newest point of a small set: whatever the order of the inliers is, the first T'_n* samples are
+worth only T_n* uniform samples. If each sample counted fully, two or three samples of the very best
 points could end a run with a wrong model.
 - In the paper, 5 % bounds the probability that one wrong model has so many inliers. But the best of
 thousands of wrong models has so many inliers more often than not. Here 5 % bounds the probability
 for all T'_n* samples together.
 
 Inliers that share a cell of the size of the threshold with an earlier inlier in either image (see
-markRepeated) do not count for non-randomness, because the best points are often one match found
-several times. The order must be independent of the positions of the points, like an order by
-scores: many wrong models fit all points in the densest region of the images, and these points come
-first with #ORDERING_DENSITY.
+markRepeated) do not count for non-randomness, because the best points are often copies of one
+match. The order must be independent of the positions of the points, like an order by scores: many
+wrong models fit all points in the densest region of the images, and these points come first with
+#ORDERING_DENSITY.
 
-Takes O(N) per update, or O(N log N) if both conditions hold before repeated inliers are excluded.
-*/
+Takes one pass over the points for each new best model, and a second pass, without the repeated
+inliers, if both conditions hold after the first one. */
 class ProsacTermination : public Termination
 {
 public:

@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-/** SPRT: like the standard criterion, but it allows for good models that the test has rejected. The
+/** SPRT: like the standard criterion, but allows for good models that the test has rejected. The
 l-th test rejects a good model with a probability of at most A_l^-h, where h is the positive root of
 epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1, and epsilon
 is the inlier ratio of the best model @cite chum2008optimal. For the current test, h = 1 is used. */
@@ -43,8 +43,8 @@ public:
 
 private:
     /** The positive root h, by Newton's method from above: the left side of the equation is convex,
-    so that no step goes beyond the root. 0 if there is no positive root. On average, the points of
-    a model with this epsilon then bring the model closer to rejection. */
+    so that no step goes beyond the root. 0 if there is no positive root. In this case, the points
+    of a model with this epsilon bring the model, on average, closer to rejection. */
     static double exponent(const SequentialTest& test, double epsilon)
     {
         const double inlier = std::log(test.delta / test.epsilon);

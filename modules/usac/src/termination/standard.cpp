@@ -11,8 +11,8 @@ namespace usacv20 {
 namespace {
 
 /** Standard criterion: the number of samples that contain, with the given confidence, at least one
-all-inlier sample, if all inliers are inliers of the so-far-the-best model
-@cite fischler1981random. */
+sample that consists of inliers and leads to a good model. The inliers of the best model so far are
+taken for all inliers @cite fischler1981random. */
 class StandardTermination : public Termination
 {
 public:
