@@ -40,7 +40,7 @@ Model modelOfSample(const PerfScene& scene, int stream)
     return best;
 }
 
-//! Full local optimizations of 20 models, each one as if its model were the first of a run.
+//! Complete local optimizations of 20 models, each as if the model were the first one of a run.
 PERF_TEST_P(UsacGraphCut, optimize_20models,
             testing::Combine(testing::ValuesIn(PERF_PROBLEMS), testing::Values(1000, 10000)))
 {
@@ -66,7 +66,7 @@ PERF_TEST_P(UsacGraphCut, optimize_20models,
     SANITY_CHECK_NOTHING();
 }
 
-//! The graph cut alone, 20 times at the true model. The graph is built before the measurement.
+//! The graph cut alone, 20 times with the true model. The graph is built before the measurement.
 PERF_TEST_P(UsacGraphCut, cut_20times,
             testing::Combine(testing::ValuesIn(PERF_PROBLEMS), testing::Values(1000, 10000)))
 {
@@ -84,5 +84,5 @@ PERF_TEST_P(UsacGraphCut, cut_20times,
     SANITY_CHECK_NOTHING();
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

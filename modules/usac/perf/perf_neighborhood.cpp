@@ -12,9 +12,9 @@ namespace {
 
 typedef TestBaseWithParam<int> UsacSize;
 
-// The tests measure work that a run does once, before its first sample. One call does this work for
-// as many runs as have 1000000 points in total, so that a millisecond per call is a nanosecond per
-// point.
+// The tests measure work that a run does at most once: building the neighborhood graph and sorting
+// the points. One call does this work for as many runs as have 1000000 points in total, so that a
+// millisecond per call is a nanosecond per point.
 
 const int POINTS = 1000000;
 
@@ -67,5 +67,5 @@ PERF_TEST_P(UsacSize, densityPrior_1000000points, testing::Values(100, 1000, 100
     SANITY_CHECK_NOTHING();
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -11,7 +11,7 @@
 
 namespace opencv_test {
 
-//! A problem as a parameter of a performance test, which is printed by its name.
+//! A problem as a parameter of a performance test. It is printed as its name.
 struct PerfProblem
 {
     ProblemType type;
@@ -37,7 +37,7 @@ struct PerfScene
         usac->components().start(context);
     }
 
-    //! Returns true if the i-th point is a true match.
+    //! True if the i-th point is a true match.
     bool isRight(int i) const { return truth[usac->points().inputIndex[i]] != 0; }
 
     const Params params;

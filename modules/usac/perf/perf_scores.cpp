@@ -8,9 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! How a model is rated: by a kernel that fuses residual and score (FUSED), by the residual and
-//! then the score (NOT_FUSED), or by the fused kernel for a wrong model, which ends early when its
-//! cost exceeds that of the true model (EARLY_EXIT).
+//! How a model is rated. FUSED: with a kernel that fuses residual and score; NOT_FUSED: with the
+//! residual, and then with the score; EARLY_EXIT: with the fused kernel, but for a wrong model,
+//! whose rating ends early when its cost exceeds that of the true model.
 enum Way { FUSED, NOT_FUSED, EARLY_EXIT };
 
 enum { TRANSFER, SAMPSON };
@@ -41,7 +41,7 @@ private:
     const Ptr<Residual> known;
 };
 
-//! One call rates a model so often that 1000000 errors are computed in total, so that a millisecond
+//! One call rates a model as often as necessary for 1000000 points in total, so that a millisecond
 //! per call is a nanosecond per point.
 PERF_TEST_P(UsacScore, rate_1000000points,
             testing::Combine(ResidualKind::all(), ScoreKind::all(), RatingWay::all(),
@@ -77,5 +77,5 @@ PERF_TEST_P(UsacScore, rate_1000000points,
     SANITY_CHECK_NOTHING();
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -19,8 +19,8 @@ CV_ENUM(Method, RANSAC, USAC_DEFAULT, USAC_FAST, USAC_ACCURATE, USAC_MAGSAC, USA
         USACV20_ACCURATE)
 typedef TestBaseWithParam<Method> UsacMethod;
 
-//! A data set of test_data/. It is enlarged to `repeat` times its size by copies with Gaussian
-//! offsets of standard deviation 0.1 pixels.
+//! A data set of test_data/, enlarged to `repeat` times its size: each copy has Gaussian offsets of
+//! standard deviation 0.1 pixels from the copy before it.
 struct PerfSet
 {
     PerfSet(const std::string& name, int repeat)
@@ -104,5 +104,5 @@ PERF_TEST_P(UsacMethod, Essential, Method::all())
     SANITY_CHECK_NOTHING();
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

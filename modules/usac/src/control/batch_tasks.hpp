@@ -27,10 +27,10 @@ class BatchProgress
 {
 public:
     BatchProgress();
-    //! True if the calling thread has a ProgressScope, so that its estimations may be cancelled.
+    //! True if the calling thread has a ProgressScope, so that its estimations can be canceled.
     static bool isWatched() { return ProgressScope::current() != 0; }
 
-    //! While an object exists, the current thread is registered as working for the batch.
+    //! While an object of this class exists, its thread is registered as working for the batch.
     class Worker
     {
     public:
@@ -44,7 +44,7 @@ public:
         std::unique_ptr<ProgressScope> scope;
     };
 
-    //! True if the next estimation may begin, false if the batch is cancelled.
+    //! True if the next estimation can begin, false if the batch has been canceled.
     bool goesOn();
     //! Rethrows the exception that a progress function has thrown, if any.
     void finish();
@@ -54,7 +54,7 @@ private:
     //! Calls the progress functions; to be called in the calling thread only. An exception that
     //! they throw is stored for finish(), because it would otherwise be reported as an error of the
     //! current task.
-    //! @return false if the batch is cancelled
+    //! @return false if the batch has been canceled
     bool ask(const Report& report);
     //! Calls ask() if at least 5 ms have passed since its last call.
     void askNowAndThen();
@@ -70,13 +70,13 @@ private:
     int working;  //!< number of other threads at work; guarded by the mutex
 };
 
-/** @brief Runs many estimations in parallel: each thread of cv::parallel_for_ takes the next
+/** @brief Runs many estimations in parallel: each thread of cv::parallel_for_ begins the next
 estimation when it has finished one.
 @param count number of estimations
 @param threads how many run at once, at most cv::getNumThreads(); 0: cv::getNumThreads(). Raises
 cv::Exception if negative
 @param estimate runs the estimation with a given index; must not throw
-@param leave called instead of `estimate`, with the same index, after a ProgressScope has cancelled
+@param leave called instead of `estimate`, with the same index, after a ProgressScope has canceled
 the batch */
 void forEachTask(int count, int threads, const std::function<void(int)>& estimate,
                  const std::function<void(int)>& leave);

@@ -12,14 +12,16 @@ namespace {
 
 // Results without a time limit do not depend on these constants, see doc/constants.md.
 
-//! Milliseconds between two calls of the progress functions, a third of a frame of a 60-Hz display.
+//! Milliseconds between two calls of the progress functions, about a third of a frame of a 60-Hz
+//! display.
 constexpr double LOOK_PERIOD = 5;
-//! Milliseconds that a point test is assumed to take. If this is half the actual time, a run may
-//! end later by half the duration of a step that cannot be interrupted; if it is double the actual
-//! time, earlier by this duration.
+//! Milliseconds that a point test is assumed to take. If this is half the actual time, a run can
+//! end too late, by at most half the duration of a step that cannot be interrupted; if it is double
+//! the actual time, a run can end too early, by at most the duration of such a step.
 constexpr double TEST = 2e-6;
-//! Milliseconds that polishing may take after a run was stopped; for a thousand points it needs a
-//! third of a millisecond. With 10 000 points or more, a stopped run ends this much later.
+//! Milliseconds that polishing is allowed to take after a run was stopped; for a thousand points,
+//! it needs a third of a millisecond. With 10 000 points or more, a stopped run ends this much
+//! later.
 constexpr double GRACE = 2;
 
 int64 ticks(double milliseconds)
@@ -96,7 +98,7 @@ void Watch::finish()
         return;
     deadline = getTickCount() + ticks(GRACE);
     done = WORK;
-    next = INT64_MAX;  // so that the progress functions are not called any more
+    next = INT64_MAX;  // so that the progress functions are not called again
     reason = STOP_NOT_RUN;
 }
 

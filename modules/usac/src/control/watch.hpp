@@ -12,8 +12,8 @@ namespace cv {
 namespace usacv20 {
 
 /** Maximum number of points for steps that only compute details of the report, if a run must stop
-and there is no time for more points. 50 000 points take 20 ms for Report::chance, the slowest of
-these steps. */
+and there is no time for more points. For 50 000 points, the slowest of these steps, which computes
+Report::chance, takes 20 ms. */
 constexpr int ENOUGH = 50000;
 
 /** @brief Stops a run before its termination criteria do: when Params::maxTime is exceeded, or when
@@ -21,7 +21,7 @@ the function of a ProgressScope returns false.
 
 The loops of a run call stop(). If there is neither a time limit nor a ProgressScope, stop() only
 tests a flag. Otherwise, the clock is read after every 0.4 ms of work, and the progress functions
-are called every 5 ms. To be used by the thread that began the run. */
+are called every 5 ms. To be used only by the thread that began the run. */
 class Watch
 {
 public:
@@ -45,8 +45,8 @@ public:
     {
         return active && (reason != STOP_NOT_RUN || lacks(work) || stop(work));
     }
-    //! True if a step of this work would end within the time limit. For steps that may be skipped;
-    //! unlike stopBefore(), it does not end the run.
+    //! True if a step with this work would end within the time limit. For steps that can be
+    //! skipped: unlike stopBefore(), this function does not end the run.
     bool fits(double work) const;
     //! True if the run must end, without reading the clock: the result of the last call of stop()
     //! or stopBefore().

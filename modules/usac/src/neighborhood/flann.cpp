@@ -11,10 +11,13 @@ namespace usacv20 {
 
 namespace {
 
+// doc/measurements/constants_tables.md shows the effects of other values of LAYERS, WIDEST and
+// TREE_LINKS.
+
 //! LAYERS: number of layers; each is twice as wide as the previous one. WIDEST: maximum number of
-//! neighbors stored per point, unless the caller asks for more. See doc/constants.md.
+//! neighbors stored per point, unless the caller asks for more.
 constexpr int LAYERS = 4, WIDEST = 512;
-//! Maximum number of edges from a point to its neighbors. See doc/constants.md.
+//! Maximum number of edges from a point to its nearest neighbors.
 constexpr int TREE_LINKS = 8;
 
 //! Estimated work in point tests, the unit of Watch: to build the tree (per point), to sort the
@@ -28,8 +31,9 @@ typedef cvflann::KDTreeSingleIndex<SquaredDistance> KdTree;  // exact, not rando
 //! Squared distance and index of a point.
 typedef std::pair<float, int> Found;
 
-//! Collects the nearest points within a radius, at most `capacity` of them, in a heap. The result
-//! sets of FLANN limit either the radius or the number of points, but not both.
+//! Collects the nearest points within a radius, at most `capacity` of them, in a heap. The usable
+//! result sets of FLANN limit either the radius or the number of points: KNNRadiusUniqueResultSet,
+//! which limits both, does not compile.
 class NearestWithin : public cvflann::ResultSet<float>
 {
 public:
@@ -72,7 +76,7 @@ struct Reach
 };
 
 /** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in
-pixels, found by an exact kd-tree of cv::flann. If the two arrays have no common unit
+pixels, found with an exact kd-tree of cv::flann. If the two arrays have no common unit
 (Problem::commonUnit, as for an absolute pose), only the coordinates of the second array are used.
 
 Each of the #LAYERS layers is twice as wide as the previous one: for k nearest neighbors, the layers
@@ -83,8 +87,8 @@ a point are stored, or k if k is larger, so that memory is O(N) for any radius. 
 point to at most #TREE_LINKS nearest neighbors in the finest layer: with more edges, the graph cut
 would give the labels of neighbors more weight than the error of the point itself.
 
-The tree is built at its first use in O(N log N). The neighbors of a point are searched at the first
-query for this point, in O(log N), because samplers use only some points. */
+The tree is built at its first use in O(N log N). The neighbors of a point are searched in O(log N)
+at the first query for this point, and not before, because samplers use only some points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
@@ -154,8 +158,8 @@ private:
         return 1;
     }
 
-    //! Creates the edges. If the run must end before all edges are found, only the first points
-    //! have edges, or none has edges.
+    //! Creates the edges. If the run must end before all edges are found and sorted, only the first
+    //! points have edges, or there are no edges.
     void link(const Context& context)
     {
         const Reach nearest = {std::min<int>(reach[0].neighbors, TREE_LINKS),

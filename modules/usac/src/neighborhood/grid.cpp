@@ -16,16 +16,16 @@ namespace {
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
 //! Number of points whose cells are computed together.
 constexpr int BLOCK = 256;
-//! Maximum number of edges from a point to later points in its cell of the second layer. See
-//! doc/constants.md.
+//! Maximum number of edges from a point to later points in its cell of the second layer.
+//! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr int CELL_LINKS = 3;
 
-/** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views @cite
-barath2019progressive.
+/** @brief Multi-layer grid in the joint space of all coordinates, x1, y1, x2, y2 of two views
+@cite barath2019progressive.
 
 If there are four axes, the finest layer divides each axis into 16 cells, and the next layers divide
 it into 8, 4 and 2. The bits of the four cell numbers are interleaved (Morton's code, 16 bits). Thus
-the points of a cell of any layer are contiguous in the sorted list of codes, and one sorted list
+the points of a cell of any layer are contiguous in the list of points sorted by code, and one list
 serves all layers. With fewer axes there are more layers, because each axis gets more of the 16
 bits. Points outside the range Correspondences::lower to upper belong to the outermost cells. The
 grid takes O(N) memory and time (radix sort), a query takes O(log N). Edges link each point to the
@@ -84,7 +84,7 @@ public:
 private:
     static bool lessCode(ushort code, int value) { return code < value; }
 
-    //! Writes the edges. @param shift bits of the codes that the second layer ignores
+    //! Writes the edges. @param shift number of low bits of the codes that the second layer ignores
     //! @return number of edges
     static int linkPoints(const int* points, const ushort* pointCodes, int count, int shift,
                           Vec2i* edges)
@@ -129,7 +129,7 @@ private:
             for (int begin = 0; begin < size; begin += BLOCK)
             {
                 const int count = std::min<int>(BLOCK, size - begin);
-                for (int i = 0; i < count; ++i)  // this loop can use vector instructions
+                for (int i = 0; i < count; ++i)  // compilers can vectorize this loop
                 {
                     const float cell = (values[begin + i] - low) * scale,
                                 inside = cell > 0 ? cell : 0;

@@ -17,17 +17,18 @@ constexpr int MOST_DRAWS = 64;
 /** @brief Draws points with probabilities proportional to their weights w_i (Params::scores).
 
 A point is drawn with probability w_i / sum(w); if it is already in the sample, the draw is
-repeated. The k-th point of the sample is thus point i with probability w_i / (sum(w) - sum of the
-weights of the points already in the sample). If at most m points (m is the sample size) have a
-positive weight, each sample contains all of them and uniformly drawn points of weight 0. Otherwise
-only samples that are uniform because of Params::orderedEvery contain points of weight 0.
+repeated. A point i that is not in the sample is thus the next one with probability w_i / s, where s
+is the sum of the weights of all points that are not in the sample. Samples that are uniform because
+of Params::orderedEvery can also contain points of weight 0. Other samples contain them only if at
+most m points (m is the sample size) have a positive weight: these points are in each sample, with
+uniformly drawn points of weight 0.
 
 The sampler uses Walker's alias method @cite walker1977efficient in the form of Vose
-@cite vose1991linear: each of n columns of equal probability belongs to one point up to a height and
-to another point above this height. The table is built once in O(n); a draw takes O(1) and has the
-resolution of 32 random bits. If the points already in the sample have nearly all of the weight,
-almost every draw repeats one of them. After #MOST_DRAWS repetitions, an O(n) pass over the other
-weights finds the next point. */
+@cite vose1991linear: the n points of positive weight have columns of equal probability. A column belongs
+to its point up to a height, and to another point above this height. The columns are built once per
+run in O(n); a draw takes O(1) and has the resolution of 32 random bits. If the points already in
+the sample have nearly all of the weight, almost every draw repeats one of them. After #MOST_DRAWS
+repetitions, an O(n) pass over the other weights finds the next point. */
 class ImportanceSampler : public Sampler
 {
 public:
@@ -86,7 +87,7 @@ private:
             alias[c] = c;
             (height[c] < 1 ? low[lows++] : high[highs++]) = c;
         }
-        while (lows > 0 && highs > 0)  // a column above 1 fills the gap of a column below 1
+        while (lows > 0 && highs > 0)  // a column above 1 fills the gap above a column below 1
         {
             const int c = low[--lows], giver = high[highs - 1];
             alias[c] = giver;
@@ -112,7 +113,8 @@ private:
         return drawOther(rng, sample, count);
     }
 
-    //! The same as draw(), but by the cumulative weights of the points that are not in the sample.
+    //! The same as draw(), but from the cumulative weights of all points that are not in the
+    //! sample.
     int drawOther(Rng& rng, const int* sample, int count) const
     {
         double sum = 0;
@@ -131,11 +133,11 @@ private:
     }
 
     int positive;     //!< number of points of positive weight
-    int* points;      //!< points of positive weight, one per column; null before the first sample
+    int* points;      //!< points of positive weight, one per column; null: not built yet
     int* rest;        //!< points of weight 0
     double* weights;  //!< weights of `points`
     double* height;   //!< height, 0 to 1, up to which a column belongs to its own point
-    int* alias;       //!< column whose point takes the part of a column above that height
+    int* alias;       //!< for each column, the column whose point gets the part above the height
 };
 
 }  // namespace

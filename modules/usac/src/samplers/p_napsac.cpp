@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md shows the effects of halving and doubling most constants.
 
 //! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
 constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
@@ -30,12 +30,13 @@ bool isGuess(const Context& context) { return !orderIsKnown(context); }
 /** @brief Progressive NAPSAC @cite barath2019progressive.
 
 The first point of a local sample comes from PROSAC's growing set of the best points. The other
-points come from its neighborhood in the finest layer of the graph that contains at least
-#FIRST_MEMBERS times m members (m is the sample size). This number doubles each time the same first
-point is chosen again; once no layer has enough members, the sample is drawn as in PROSAC. Of the
-non-uniform samples (Params::orderedEvery), one in #LOCAL_EVERY is local, or one in
-#LOCAL_EVERY_GUESS if the order is a guess from the density of the points. With more local samples,
-small groups of consistent outliers (repeated patterns) are more often taken for the inliers.
+points are neighbors of the first point, in the finest layer of the neighborhood graph in which it
+has at least #FIRST_MEMBERS times m neighbors, including itself (m is the sample size). The required
+number doubles each time the same first point is chosen again; once no layer has enough neighbors,
+the sample is drawn as in PROSAC. Of the non-uniform samples (Params::orderedEvery), one in
+#LOCAL_EVERY is local, or one in #LOCAL_EVERY_GUESS if the order is a guess from the density of the
+points. With more local samples, small groups of consistent outliers (repeated patterns) are taken
+for the inliers more often.
 
 The first #BEFORE_ORDER samples are uniform, unless all samples follow the order. There are two
 exceptions if the order is a guess. With #SMALL points per sample (H), all of the first #ORDERED
@@ -103,15 +104,15 @@ private:
         return isOrdered(context, state, sample);
     }
 
-    //! Number of times that a point was the first point of a local sample, and the finest layer
-    //! that may still have enough members around it.
+    //! Number of times that a point was the first point of a local sample, and the finest layer in
+    //! which it might still have enough neighbors.
     struct Center
     {
         int chosen, layer;
     };
 
-    //! Draws the other points from the neighborhood of sample[0]. False if no layer has enough
-    //! members.
+    //! Draws the other points from the neighbors of sample[0]. False if no layer has enough of
+    //! them.
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();
@@ -123,7 +124,7 @@ private:
         Center& center = centers[sample[0]];
         // at most 16 doublings, to avoid an overflow
         const int wanted = FIRST_MEMBERS * m << std::min(center.chosen++, 16);
-        // skips layers with too few members
+        // skips layers with too few neighbors
         for (; center.layer < neighborhood.layers(); ++center.layer)
         {
             const int* members;

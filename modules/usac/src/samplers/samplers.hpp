@@ -18,7 +18,7 @@ inline void drawUniform(const Context& context, State& state, int* sample)
     state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
 }
 
-/** @brief Decides by Params::orderedEvery how the current sample is drawn.
+/** @brief Decides from Params::orderedEvery how the current sample is drawn.
 
 If the result is true, the sampler must draw the sample in its own, non-uniform way; such a sample
 counts for the termination criteria only if all samples are drawn in this way. If the result is
@@ -35,9 +35,10 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! Number of first samples that are uniform even if later samples follow an order of the points
-//! (Params::orderedEvery above 1): many searches end with these samples and then need neither the
-//! order nor neighborhoods. See doc/constants.md.
+//! Number of samples at the start of a search that are uniform even if later samples follow an
+//! order of the points (unless Params::orderedEvery is 1): many searches end with these samples and
+//! then need neither the order nor neighborhoods. doc/measurements/constants_tables.md shows the
+//! effects of other values.
 constexpr int BEFORE_ORDER = 8;
 
 //! The same as isOrdered() for a known order of the points, see orderIsKnown(). Depending on
@@ -67,11 +68,13 @@ Ptr<Sampler> createProsacSampler();
 Ptr<Sampler> createPNapsacSampler();
 //! Creates a sampler that draws a random point and some of its neighbors, see NapsacSampler.
 Ptr<Sampler> createNapsacSampler();
-//! Creates a sampler that draws points in proportion to their scores, see ImportanceSampler.
+//! Creates a sampler that draws points with probabilities proportional to their scores, see
+//! ImportanceSampler.
 Ptr<Sampler> createImportanceSampler();
 
-//! Sets sample[1] .. sample[m-1] to distinct points that are drawn from the `count` elements of
-//! `members`. These must contain sample[0], and `count` must be at least `m`.
+//! Sets sample[1] .. sample[m-1] to points that are drawn from the `count` elements of `members`,
+//! so that all points of the sample are distinct. `members` must contain sample[0], and `count`
+//! must be at least `m`.
 inline void drawOthers(Rng& rng, const int* members, int count, int m, int* sample)
 {
     for (int k = 1; k < m;)

@@ -48,7 +48,7 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
         return other > left;
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
     const double chance = rest.expected * (1 - part * part);  // without pairs of the other motion
-    // pairs of the other motion: a lower bound, because uneven points share cells more often
+    // a lower bound of the pairs of the other motion: unevenly spread points share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
                         own.cells;  // other points in the cell of a point increase the variance

@@ -55,8 +55,7 @@ namespace {
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
 If maximality and non-randomness hold for a length n*, see prosacSamples, the search ends when T'_n*
-samples have been drawn.
-Three things differ from the paper:
+samples have been drawn. Three things differ from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
 is chosen. Here the set keeps growing, because other criteria need samples of all points, and the

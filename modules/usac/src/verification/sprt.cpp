@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md shows the effects of halving and doubling most constants.
 
 //! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, then SECOND_BLOCK
 //! until SECOND_BLOCKS_END points have been tested, then BLOCK.
@@ -40,9 +40,10 @@ time to compute the models of a sample, in units of the time to test a point, an
 of models per sample.
 
 Epsilon and delta are estimated during the run. Epsilon is the inlier ratio of the best model of a
-sample so far, before local optimization. Delta is the mean inlier ratio in the first block of each
-model, which is tested in any case. Before there is a best model, no model is rejected. The test
-changes only between batches of samples, so that it does not depend on the number of threads. */
+sample so far, before local optimization. Delta is the mean inlier ratio in the first blocks of all
+models; the first block is tested in any case. Before there is a best model, no model is rejected.
+The test changes only between batches of samples, so that it does not depend on the number of
+threads. */
 class SprtVerifier : public Verifier
 {
 public:
@@ -73,7 +74,7 @@ public:
     void adapt(const Context& context, State& state) CV_OVERRIDE
     {
         if (state.sampleQuality.inliers == 0)
-            return;  // epsilon is not known yet, so that no model is rejected
+            return;  // epsilon is not known yet: no model is rejected
         const double epsilon = std::min((double)state.sampleQuality.inliers / context.points.size,
                                         MOST_EPSILON);
         const double delta = std::min((PRIOR_POINTS * PRIOR_DELTA + inliersSeen) /

@@ -18,11 +18,11 @@ constexpr int MAX_POINTS = 100;
 @cite matas2004randomized.
 
 The d points are drawn anew for each model, before the model is tested on blocks of points.
-Consecutive points of the fixed order of the blocks are not suitable: if there are few points, there
-may be no d consecutive inliers, and no model at all would pass. Let epsilon and delta be the inlier
+Consecutive points of a block are not suitable: if there are few points, it can happen that no d
+inliers are consecutive, so that no model at all would pass. Let epsilon and delta be the inlier
 ratios of a good and of a wrong model. A good model passes with probability epsilon^d, a wrong one
 with probability delta^d, and the test of a wrong model takes (1 - delta^d) / (1 - delta) points on
-average. More samples compensate for rejected good models, see goodModelProbability. */
+average. More samples compensate for rejected good models, see goodModelProbability(). */
 class TddVerifier : public Verifier
 {
 public:
