@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The programs of benchmark/, for builds inside OpenCV and stand-alone. The caller defines usac_add_program(name sources) and
+# The programs of benchmark/, for builds inside OpenCV and stand-alone builds. The caller defines usac_add_program(name sources) and
 # usac_add_sample_library(name sources).
 
 set(_benchmark "${USAC_MODULE_DIR}/benchmark")
@@ -36,7 +36,7 @@ foreach(_name synthetic scale structured tracking covariance)
   usac_add_benchmark(usac_${_name} ${_sources} LIBRARIES usac_benchmark_scenes)
 endforeach()
 
-# Custom methods: the example, and those of the tests.
+# Programs with custom methods: those of the example, and those of the tests.
 usac_add_benchmark(usac_custom_benchmark "${_benchmark}/custom/main.cpp" LIBRARIES usac_benchmark_lib)
 target_include_directories(usac_custom_benchmark PRIVATE "${USAC_PROJECT_DIR}/samples")
 usac_add_benchmark(usac_test_methods "${_benchmark}/custom/test_methods.cpp" LIBRARIES usac_benchmark_lib)

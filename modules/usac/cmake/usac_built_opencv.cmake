@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# For projects of misc/ that link with OpenCV in its build tree: adds its headers, from OPENCV_SOURCE and OPENCV_BUILD, and sets
-# USAC_BUILT_OPENCV to the list of its libraries, opencv_ts first.
+# For projects in misc/ that are linked with OpenCV in its build tree: adds the folders of OpenCV's headers in OPENCV_SOURCE and
+# OPENCV_BUILD, and sets USAC_BUILT_OPENCV to the list of OpenCV's libraries, opencv_ts first.
 
 include_directories(SYSTEM "${OPENCV_BUILD}")
 set(USAC_BUILT_OPENCV "${OPENCV_BUILD}/lib/libopencv_ts.a")

@@ -4,7 +4,8 @@
 
 # Debian packages of the stand-alone build, made by `cpack -G DEB` in its build tree: the library, the development files, with
 # BUILD_PYTHON the Python package, and with BUILD_SAMPLES the programs of the benchmark. CMAKE_INSTALL_PREFIX=/usr puts the files
-# where Debian expects them. The packages depend on the libraries that the build was linked with (dpkg-shlibdeps of dpkg-dev).
+# where Debian expects them. The packages depend on those of the libraries that the build was linked with, which dpkg-shlibdeps
+# (package dpkg-dev) finds.
 
 set(CPACK_PACKAGE_NAME opencv-usac)
 set(CPACK_PACKAGE_CONTACT "The opencv_usac developers <opencv-usac@localhost>")
@@ -33,7 +34,7 @@ if(BUILD_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-usacv20)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)  # its library's package is not installed yet
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)  # dpkg-shlibdeps fails, because the library's package is not installed yet
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION}), python3-numpy,\
  python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
@@ -50,7 +51,7 @@ if(BUILD_SAMPLES)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_NAME usac-benchmark)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}")  # the library is not in an installed package
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}")  # for dpkg-shlibdeps: the library's package is not installed
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION})")
   set(CPACK_COMPONENT_BENCHMARK_DESCRIPTION "USACv20 robust estimation for OpenCV, benchmark programs
  usac_benchmark and its kin: estimators on lists of image pairs and on scenes.")

@@ -2,13 +2,13 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Links of Markdown files, for doxygen, whose pages lie in one folder:
+# Rewrites the links of Markdown files for doxygen, whose pages are all in one folder:
 #   [text](#heading), [text](file.md#heading)  doxygen before 1.9.7 does not name headings as other readers of Markdown do: "## Own method"
-#                                              of file.md gets the name file-own-method, one for all pages
+#                                              of file.md gets the name file-own-method, which no other page has
 #   [text](folder/name.hpp)                    the page of the source
 #   [text](folder/name.markdown)               the page whose label is in the first line of that file
-#   [text](folder/name.png), .cff, LICENSE     HTML_EXTRA_FILES: beside the page
-# The marks around figures go: doxygen takes the space behind a comment with it.
+#   [text](folder/name.png), .cff, LICENSE     the file next to the page, see HTML_EXTRA_FILES
+# The comments around quoted figures are removed, because doxygen also removes the space behind a comment.
 
 function name_of(path) # doc/file.md: file
 {
@@ -59,7 +59,7 @@ function target_of(link, at, base)
 FNR == 1 { file = name_of(FILENAME); code = 0 }
 /^ *```/ { code = !code }
 !code { gsub(/<!-- figures: [^ ]+ -->/, "") }
-!code && /^#+ / { gsub(/`/, "") }  # shown as tags
+!code && /^#+ / { gsub(/`/, "") }  # doxygen would show them as tags
 !code && /^##+ / {
     id = $0
     sub(/^##+ +/, "", id)

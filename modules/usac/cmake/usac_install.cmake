@@ -27,7 +27,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/usac_pkgconfig.cmake")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/opencv_usac.pc.in" "${PROJECT_BINARY_DIR}/opencv_usac.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/opencv_usac.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT dev)
 
-# The programs find the library in the same prefix, even if that is moved; in /usr the system finds it.
+# The programs find the library in the same prefix, even if the prefix is moved; in /usr, the system finds the library.
 if(BUILD_SAMPLES)
   set(programs usac_benchmark usac_synthetic usac_scale usac_structured usac_tracking)
   if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")

@@ -2,13 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Finds the installed OpenCV, 4.5.4 to 5. USAC_OPENCV_GEOMETRY is the module with findHomography and similar functions,
-# USAC_OPENCV_FEATURES the one with detectors. CMAKE_CXX_STANDARD is set to what its headers need unless the caller has set it.
+# Finds the installed OpenCV, version 4.5.4 to 5. USAC_OPENCV_GEOMETRY is the module with findHomography and similar functions,
+# USAC_OPENCV_FEATURES the module with feature detectors. CMAKE_CXX_STANDARD is set to the version of C++ that OpenCV's headers
+# need, unless the caller has set it.
 
 set(USAC_OPENCV_MINIMUM 4.5.4)
 
-# usac_find_opencv(<QUIET | REQUIRED> [optional modules]): OpenCV_FOUND as from find_package. A module named `features` is
-# features2d of OpenCV 4.
+# usac_find_opencv(<QUIET | REQUIRED> [optional modules]): sets OpenCV_FOUND like find_package. With OpenCV 4, the module name
+# `features` means features2d.
 macro(usac_find_opencv mode)
   find_package(OpenCV QUIET)
   if(OpenCV_FOUND AND OpenCV_VERSION VERSION_LESS USAC_OPENCV_MINIMUM)

@@ -2,13 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Compiler options of the module, for builds inside OpenCV and stand-alone.
+# Compiler options of the module, for builds inside OpenCV and stand-alone builds.
 
 option(USAC_WERROR "Warnings of the module's own targets are errors" OFF)
 set(USAC_SOURCE_FLAGS "" CACHE STRING "Compiler options of the module's own source files, after those of the build type")
 
-# Both shorten a build from scratch, and results have the same bits. They are off by default with a compiler launcher such as ccache,
-# which serves rebuilds best from single files and needs CCACHE_SLOPPINESS=pch_defines,time_macros for precompiled headers.
+# Precompiled headers and unity builds shorten a build from scratch and do not change results. They are off by default with an old
+# CMake and with a compiler launcher such as ccache, which serves rebuilds best from single files and needs
+# CCACHE_SLOPPINESS=pch_defines,time_macros for precompiled headers.
 set(_precompile ON)
 set(_unite ON)
 if(CMAKE_VERSION VERSION_LESS 3.16 OR CMAKE_CXX_COMPILER_LAUNCHER)
@@ -33,7 +34,7 @@ if(USAC_COMPILER_MAPS_PATHS)
   set(USAC_PATH_FLAGS "-fmacro-prefix-map=${USAC_PROJECT_DIR}/=")
 endif()
 
-# Sets `result` if the compiler targets x86-64 and accepts the flags of an instruction set.
+# Sets the variable `result` to true if the compiler targets x86-64 and accepts the flags of an instruction set.
 function(usac_check_instruction_set result macro intrinsic flags)
   set(CMAKE_REQUIRED_FLAGS "${flags}")
   set(CMAKE_REQUIRED_QUIET ON)
@@ -50,7 +51,7 @@ if(MSVC)
   set(USAC_AVX2_FLAGS /arch:AVX2)
   set(USAC_AVX512_FLAGS /arch:AVX512)
 else()
-  # Without contraction and reordering, results have the same bits with every instruction set. -fopenmp-simd enables the pragma "omp
+  # Without fused multiply-add and reordering, results have the same bits with every instruction set. -fopenmp-simd enables the pragma "omp
   # simd" without OpenMP. -fno-math-errno allows vectorized square roots, -fno-trapping-math vectorized choices between two numbers;
   # neither changes a result.
   set(USAC_ARITHMETIC_FLAGS -fno-fast-math -fno-math-errno -fno-trapping-math -ffp-contract=off -fopenmp-simd)
@@ -65,7 +66,7 @@ if(NOT CV_DISABLE_OPTIMIZATION)
   usac_check_instruction_set(USAC_COMPILES_AVX512 __AVX512F__ "(void)_mm512_setzero_ps()" "${_flags}")
 endif()
 
-# The instruction sets for which the module's *_avx2.cpp and *_avx512.cpp are compiled.
+# Macros for the instruction sets for which the module's *_avx2.cpp and *_avx512.cpp are compiled.
 set(USAC_DEFINITIONS "")
 foreach(_set AVX2 AVX512)
   if(USAC_COMPILES_${_set})
@@ -73,8 +74,8 @@ foreach(_set AVX2 AVX512)
   endif()
 endforeach()
 
-# Options of the module's source files. For opencv_world they are properties of the files, because the module has no target of its
-# own there; otherwise the target has them, and files only the options of their instruction set.
+# Sets the options of the module's source files as properties of the files, for opencv_world, in which the module has no target of
+# its own. Without opencv_world, usac_library_options() sets them as properties of the target.
 function(usac_source_options)
   foreach(source ${ARGN})
     if(source MATCHES "\\.cpp$")
@@ -86,7 +87,7 @@ function(usac_source_options)
   usac_instruction_sets(${ARGN})
 endfunction()
 
-# The options of the files of an instruction set.
+# Sets the compiler options of the files that are compiled for an instruction set.
 function(usac_instruction_sets)
   foreach(source ${ARGN})
     if(source MATCHES "_avx2\\.cpp$" AND USAC_COMPILES_AVX2)
@@ -97,7 +98,7 @@ function(usac_instruction_sets)
   endforeach()
 endfunction()
 
-# Options of a target with all of the library's sources.
+# Sets the options of a target with all of the library's sources.
 function(usac_library_options target)
   target_compile_options(${target} PRIVATE ${USAC_SOURCE_FLAGS} ${USAC_ARITHMETIC_FLAGS} ${USAC_PATH_FLAGS})
   target_compile_definitions(${target} PRIVATE ${USAC_DEFINITIONS})
@@ -107,8 +108,8 @@ function(usac_library_options target)
   usac_unite(${target})
 endfunction()
 
-# Files of an instruction set neither use the precompiled headers, which the compiler rejects with other options, nor are they
-# compiled together with others.
+# Sets `property` for the files that are compiled for an instruction set. They neither use the precompiled headers, which the
+# compiler rejects with other options, nor are they compiled together with other files.
 function(usac_alone target property)
   get_target_property(sources ${target} SOURCES)
   foreach(source ${sources})
@@ -126,12 +127,12 @@ function(usac_precompile target)
   endif()
 endfunction()
 
-# The same for a target with all of the library's sources.
+# Precompiles headers of a target with all of the library's sources.
 function(usac_precompile_library target)
   usac_precompile(${target} "${USAC_MODULE_DIR}/src/precomp.hpp" <Eigen/Cholesky> <Eigen/Geometry> <Eigen/SVD>)
 endfunction()
 
-# Compiles the files of each folder of a target as one, so names of a folder must differ even in anonymous namespaces.
+# Compiles all files of a folder of a target as one file, so that all names in a folder must differ, even in unnamed namespaces.
 function(usac_unite target)
   if(NOT USAC_UNITY_BUILD)
     return()
@@ -149,7 +150,7 @@ function(usac_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# Makes warnings in a target of the module errors.
+# With USAC_WERROR, makes warnings in a target of the module errors.
 function(usac_target_options target)
   if(USAC_WERROR)
     if(MSVC)

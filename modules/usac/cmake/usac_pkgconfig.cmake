@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Variables of opencv_usac.pc. OpenCV's own .pc file does not always exist, and it names all modules. Its compiler flags are
-# therefore used if possible, but the libraries are named here.
+# Variables of opencv_usac.pc. OpenCV's own .pc file does not always exist, and it names all modules of OpenCV. Therefore, its
+# compiler flags are used if it exists, but the libraries are always named here.
 
 file(RELATIVE_PATH USAC_PC_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 string(REGEX REPLACE "/$" "" USAC_PC_PREFIX "${USAC_PC_PREFIX}")

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Adds the target of the extension module usacv20._native, after find_package(pybind11), from its own sources and the arguments: the
-# object files of the library if it is not linked with that.
+# Adds the target of the extension module usacv20._native. find_package(pybind11) must have been called before. The arguments are
+# compiled or linked in addition to the module's own sources: the object files of the library, if the module is not linked with it.
 function(usac_add_python_module)
   file(GLOB native "${USAC_MODULE_DIR}/misc/python/native/*.cpp")
   pybind11_add_module(_native MODULE NO_EXTRAS ${native} ${ARGN})  # no link-time optimization

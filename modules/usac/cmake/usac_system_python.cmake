@@ -2,11 +2,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The Python package of the stand-alone build, linked with the library: the same package as by `pip install modules/usac`, installed
-# where Debian's python3 finds it.
+# The Python package of the stand-alone build: the same package as that of `pip install modules/usac`, but linked with the library
+# and installed where Debian's python3 finds it.
 
 set(PYBIND11_FINDPYTHON ON)
-# For a folder of Debian's python3: uses that one, even if another python3 (pyenv's, conda's) is first on the PATH.
+# The package is for Debian's python3, so this interpreter is used even if another python3 (of pyenv or conda) is first on the PATH.
 if(NOT Python_EXECUTABLE AND NOT Python_ROOT_DIR AND EXISTS /usr/lib/python3/dist-packages)
   set(Python_EXECUTABLE /usr/bin/python3)
 endif()
@@ -32,7 +32,7 @@ sys.exit(main())
 ")
 install(PROGRAMS "${PROJECT_BINARY_DIR}/usacv20-collection" DESTINATION bin COMPONENT python)
 
-# Metadata of the package for `importlib.metadata` and pip; the same as in pyproject.toml.
+# Metadata of the package for `importlib.metadata` and pip, with the texts of pyproject.toml.
 file(READ "${USAC_MODULE_DIR}/pyproject.toml" project)
 foreach(name description requires-python dependencies)
   if(NOT project MATCHES "\n${name} = \\[?\"([^\"]*)\"")

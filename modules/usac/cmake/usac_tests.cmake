@@ -2,12 +2,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The C++ tests against an installed OpenCV. Inside OpenCV they are built with `ts`, here with GoogleTest of the system. They use
-# components that the library does not export, so they are linked with its object files instead of the library. The tests
-# themselves, whose speed is not tested, are compiled with little optimization, in half the time.
+# The C++ tests against an installed OpenCV. Inside OpenCV, the tests are built with its module `ts`, here with GoogleTest of the
+# system. The tests use components that the library does not export, so they are linked with the library's object files instead of
+# the library. The tests' own files, whose speed does not matter, are compiled with little optimization in half the time.
 #
-# Targets: opencv_test_usac; usac_fuzz (libFuzzer, needs clang) and usac_replay (the fuzzer's inputs without libFuzzer). The tools
-# of misc/sanitize.sh have their flags in CMAKE_CXX_FLAGS_RELEASE (all files) or USAC_SOURCE_FLAGS (the library's) and in
+# Targets: opencv_test_usac; usac_fuzz (libFuzzer, needs clang) and usac_replay (the fuzzer's inputs without libFuzzer). misc/sanitize.sh
+# passes the flags of its tools in CMAKE_CXX_FLAGS_RELEASE (for all files) or USAC_SOURCE_FLAGS (for the library's files), and in
 # CMAKE_EXE_LINKER_FLAGS.
 
 find_package(GTest REQUIRED)
@@ -27,7 +27,7 @@ if(USAC_THREADS_BACKEND)
   list(APPEND _sources "${_backend}")
 endif()
 
-# The library's object files come first: if both instantiate a template, the linker takes the instance of the library.
+# The library's object files come first: if they and the tests instantiate the same template, the linker keeps the library's instance.
 function(usac_add_test_program name)
   add_executable(${name} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:opencv_usac> ${ARGN})
   usac_target_options(${name})

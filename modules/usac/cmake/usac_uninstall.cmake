@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The target `uninstall` of the stand-alone build: removes the files written by the last `cmake --install`, and folders that contain
-# nothing else. With USAC_BUILD_DIR, this file is also the script that the target runs.
+# The target `uninstall` of the stand-alone build: removes the files that the last `cmake --install` has written, and then the empty
+# folders of the module. With USAC_BUILD_DIR, this file is also the script that the target runs.
 
 if(NOT USAC_BUILD_DIR)
   add_custom_target(uninstall COMMAND "${CMAKE_COMMAND}" "-DUSAC_BUILD_DIR=${PROJECT_BINARY_DIR}" -P "${CMAKE_CURRENT_LIST_FILE}"
@@ -11,7 +11,7 @@ if(NOT USAC_BUILD_DIR)
   return()
 endif()
 
-# The manifest of `cmake --install`; those of cpack, install_manifest_*.txt, list the files of packages.
+# The manifest of `cmake --install`. The manifests of cpack, install_manifest_*.txt, list the files of packages and are not used.
 set(manifests "${USAC_BUILD_DIR}/install_manifest.txt")
 if(NOT EXISTS "${manifests}")
   message(FATAL_ERROR "${USAC_BUILD_DIR}: nothing has been installed from here")

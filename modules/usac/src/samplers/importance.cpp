@@ -23,8 +23,8 @@ of Params::orderedEvery can also contain points of weight 0. Other samples conta
 most m points (m is the sample size) have a positive weight: these points are in each sample, with
 uniformly drawn points of weight 0.
 
-The sampler uses Walker's alias method @cite walker1977efficient in the form of Vose
-@cite vose1991linear: the n points of positive weight have columns of equal probability. A column belongs
+The sampler uses Walker's alias method @cite walker1977efficient in the form of Vose @cite
+vose1991linear: the n points of positive weight have columns of equal probability. A column belongs
 to its point up to a height, and to another point above this height. The columns are built once per
 run in O(n); a draw takes O(1) and has the resolution of 32 random bits. If the points already in
 the sample have nearly all of the weight, almost every draw repeats one of them. After #MOST_DRAWS
