@@ -66,7 +66,8 @@ PERF_TEST_P(UsacGraphCut, optimize_20models,
     SANITY_CHECK_NOTHING();
 }
 
-//! The graph cut alone, 20 times with the true model. The graph is built before the measurement.
+//! The graph cut alone, 20 times with the true model. The neighborhood graph is built before the
+//! measurement.
 PERF_TEST_P(UsacGraphCut, cut_20times,
             testing::Combine(testing::ValuesIn(PERF_PROBLEMS), testing::Values(1000, 10000)))
 {

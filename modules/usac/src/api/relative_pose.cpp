@@ -59,7 +59,7 @@ public:
     }
 
     //! Finds the second motion that explains a dominant plane. @return number of inliers on the
-    //! plane; 0: no plane is dominant, or its homography is that of a rotation or singular
+    //! plane; 0: no plane is dominant, or the plane's homography does not determine two motions
     int otherOfPlane(const Solution& found, Solution& other)
     {
         Matx33d H;

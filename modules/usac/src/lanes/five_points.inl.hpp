@@ -198,8 +198,8 @@ void correct(const FiveBasis& all, const Inexact& solutions, int first, Violatio
 }
 
 //! If the smallest pivot, relative to the largest coefficient (the result of eliminate()), is below
-//! this number, solutions may be lost; the elimination is then repeated with a basis from align().
-//! In a scene with parallax this happens for less than one sample in a hundred.
+//! this number, solutions can be lost; the elimination is then repeated with a basis from align().
+//! In a scene with parallax, this happens for less than one sample in a hundred.
 constexpr double SMALL_PIVOT = 5e-4;
 
 //! Solves up to WIDTH samples.

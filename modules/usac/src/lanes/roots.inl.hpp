@@ -15,9 +15,10 @@ namespace {
 
 constexpr int DEGREE = 10;
 
+//! One polynomial in each lane.
 struct Polynomials
 {
-    //! The values at x, by Horner's scheme.
+    //! The values of the polynomials at x, by Horner's scheme.
     Pack value(const Pack& x) const
     {
         Pack result = c[DEGREE];

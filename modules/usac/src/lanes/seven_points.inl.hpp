@@ -36,7 +36,7 @@ struct CubicRoots
         at[0] = polish(a, b, d, first - shift);
         at[1] = polish(a, b, d, -0.5 * first + half - shift);
         at[2] = polish(a, b, d, -0.5 * first - half - shift);
-        // lanes whose cubic may have a root near infinity or a multiple root
+        // lanes whose cubic might have a root near infinity or a multiple root
         const int special = wanted & ~(bitsOf(absolute(c[3]) > 1e-3 * largest) &
                                        bitsOf(absolute(excess) > 1e-13 * R * R));
         lanes[0] = wanted & ~special;

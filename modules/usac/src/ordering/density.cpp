@@ -19,13 +19,13 @@ constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 /** @brief Local density of the points in the joint space, relative to their density in the images
 (@cite ivashechkin2021usacv20, section "Other features").
 
-Inliers come in groups: most of the points that share an inlier's cell in image 1 or image 2 also
-share its cell in the other image. Points are ordered by this fraction, largest first: it is
-s / (s + n + #ORDERING_OTHERS), where s is the number of other points that share both cells, and n
-is the number of points that share only one of them (the mean of the two images). The absolute
-density would put the most crowded regions of the images first, whether their matches are right or
-wrong. Counting and a bucket sort take O(N). Points of equal rank keep their pseudo-random order,
-and repeated matches come last. */
+Each image is divided into cells, see assignCells(). Inliers come in groups: most of the points that
+share an inlier's cell in image 1 or image 2 also share its cell in the other image. Points are
+ordered by this fraction, largest first: it is s / (s + n + #ORDERING_OTHERS), where s is the number
+of other points that share both cells, and n is the number of points that share only one of them
+(the mean of the two images). The absolute density would put the most crowded regions of the images
+first, whether their matches are right or wrong. Counting and a bucket sort take O(N). Points of
+equal rank keep their pseudo-random order, and repeated matches come last. */
 class DensityOrdering : public Ordering
 {
 public:

@@ -54,7 +54,7 @@ struct ResidualKernels
 {
     ErrorKernel errors;   //!< squared errors
     FusedKernel msac;     //!< MSAC score
-    FusedKernel inliers;  //!< number of inliers as score
+    FusedKernel inliers;  //!< score that counts the points that are not inliers
     SumsKernel sums;      //!< all sums for the normal equations
     SumsKernel cost;      //!< only the sum of the weighted squared errors
     int count;            //!< number of sums that the kernel `sums` computes

@@ -13,7 +13,7 @@ namespace usacv20 {
 /** The residual for Params::sigmas: the error of a residual multiplied by the factor that follows
 the coordinates of a datum, see Correspondences::numbers. Scores, fits, mask and covariance that use
 this residual thus weight each match by its noise.
-@param residual the residual without weights; may be empty
+@param residual the residual without weights, or an empty pointer
 @param problem the problem of the residual, for the number of coordinates
 @param params options
 @return `residual` itself if it is empty or if there are no sigmas. */

@@ -51,7 +51,7 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
     // a lower bound of the pairs of the other motion: unevenly spread points share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
-                        own.cells;  // other points in the cell of a point increase the variance
+                        own.cells;  // pairs of each match; pairs with a common match vary together
     const double deviation = std::sqrt(chance + together * (1 + 2 * each));
     return rest.both < chance + together - MISSED_DEVIATIONS * deviation;
 }
@@ -83,8 +83,9 @@ double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int 
 
 namespace {
 
-/** @brief PROSAC's criterion for scores that may be misleading: it ends the search only if the data
-confirm the order of the points and if the outliers of the best model cannot hide another model.
+/** @brief PROSAC's criterion for scores that might be misleading: it ends the search only if the
+data confirm the order of the points and if the outliers of the best model cannot hide another
+model.
 
 1. Of the first #FIRST_ORDERED samples, every second one follows the order; later, one in
 Params::orderedEvery does.

@@ -16,7 +16,7 @@ statistic of inliers against outliers, as its deviation from the mean over rando
 standard deviations. It is positive if the inliers come early, and 0 if there are no inliers that
 count or no outliers.
 
-The first m inliers do not count, because the model may have been computed from them. Inliers that
+The first m inliers do not count, because the model might have been computed from them. Inliers that
 repeat an earlier inlier do not count either.
 @param inliers marks the inliers among the `size` points, best point first
 @param repeated marks inliers that repeat an earlier inlier
