@@ -22,7 +22,7 @@ bool runsVeryLong() { return veryLong; }
 
 }  // namespace cvtest
 
-//! Beside GoogleTest's options, it reads those of `ts` that the tests use.
+//! Reads GoogleTest's options and those options of OpenCV's module `ts` that the tests use.
 int main(int argc, char** argv)
 {
     testing::InitGoogleTest(&argc, argv);

@@ -14,7 +14,8 @@
 namespace opencv_test {
 using namespace cv::usacv20;
 
-//! A list as a matrix with one element per row. Mat(list) would have one dimension with OpenCV 5.
+//! A list as a matrix with one element per row. With OpenCV 5, Mat(list) would have only one
+//! dimension.
 template <typename Element>
 Mat column(const std::vector<Element>& list)
 {

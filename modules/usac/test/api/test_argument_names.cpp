@@ -7,8 +7,8 @@
 
 #include <functional>
 
-// When an argument is wrong, the message of a function of calib3d must begin with the name that the
-// argument has in that function's signature, not with its name inside the module.
+// If an argument is wrong, the message of the exception must begin with the name of the argument in
+// the signature of the called function, not with its name inside the module.
 
 namespace opencv_test {
 namespace {
@@ -164,8 +164,9 @@ TEST(Usac_ArgumentNames, fits_and_focal_lengths)
                     "focal, pp");
 }
 
-//! Messages of components written by the caller may begin with any text. The beginning is
-//! translated to the caller's names only if it is a list of known argument names.
+//! Messages of components written by the caller may begin with any text. The part before the first
+//! ": " is translated to the caller's argument names only if it is a list of names separated by ",
+//! " or " and "; names that are not in the table, such as "reach", stay.
 TEST(Usac_ArgumentNames, other_messages_stay)
 {
     const ArgumentName names[] = {{"points1", "from"}, {"threshold", "ransacReprojThreshold"}};

@@ -90,8 +90,9 @@ TEST(Usac_Batch, sameAsOneByOne)
 #include "problems/registry.inl.hpp"
 }
 
-//! Cameras and lenses may be given as one per pose, as one matrix for all poses, or as a list with
-//! a single element. Each form must give the results of single calls.
+//! Camera matrices are given as a list with one per pose, as one matrix for all poses, or as a list
+//! with a single element; distortions in the first two ways or not at all. The results must be
+//! those of single calls.
 TEST(Usac_Batch, poses)
 {
     std::vector<std::vector<Point3d>> object;
@@ -200,8 +201,8 @@ TEST(Usac_Batch, wrongLists)
     EXPECT_TRUE(estimateHomographies(std::vector<Mat>(), std::vector<Mat>()).empty());
 }
 
-//! By default, as many threads are used as OpenCV has. The number of threads must not change the
-//! results.
+//! By default, a batch uses as many threads as OpenCV has, here 3. The second batch asks for 4, but
+//! OpenCV has only 1. The number of threads must not change the results.
 TEST(Usac_Batch, anyNumberOfThreads)
 {
     const Scenes scenes(HOMOGRAPHY);

@@ -30,7 +30,7 @@ Matx33d cross(const Vec3d& t) { return Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -
 const Vec3d TRANSLATION(0.3, -0.5, 0.8);
 const Matx33d ROTATION = rotationOf(Vec3d(0.1, -0.2, 0.3));
 
-//! A valid model of each problem in the form in which the estimator returns it.
+//! A valid model of the problem, in the form in which the estimator returns it.
 Mat modelOf(ProblemType problem)
 {
     if (problem <= ESSENTIAL)
@@ -50,8 +50,8 @@ Mat modelOf(ProblemType problem)
 
 Mat moved(const Mat& model, const Mat& change) { return model + change.reshape(1, model.rows); }
 
-//! A covariance with correlations. It is so small that functions of the parameters are practically
-//! linear over errors of this size.
+//! A covariance of the parameters, with correlations. It is so small that functions of the
+//! parameters are practically linear over several standard deviations.
 Mat someCovariance(ProblemType problem, const Mat& model)
 {
     const int d = PARAMETERS[problem];
@@ -109,7 +109,7 @@ private:
 };
 
 //! Number of vectors that are drawn. A variance estimated from them has a relative standard
-//! deviation of 2.2 %; the tolerance is five times as large.
+//! deviation of 2.2 %; the tolerance is about five times as large.
 enum { DRAWN = 4000 };
 const double TOLERANCE = 0.11;
 
@@ -168,8 +168,9 @@ TEST(Usac_Covariance, parameters_of_maps_are_entries)
     EXPECT_LT(cv::norm(changes.t() * changes, Mat::eye(8, 8, CV_64F)), 1e-6);
 }
 
-//! For F and E the tangent space is an orthonormal basis of the changes that keep the norm and the
-//! constraints. It must not depend on rounding, scale or sign of the model.
+//! For F and E, tangentOfModel returns an orthonormal basis of the changes that keep the norm and
+//! the constraints. This basis must not depend on rounding errors or the scale of the model; if the
+//! model changes its sign, the basis may change its sign, too.
 TEST(Usac_Covariance, basis_of_epipolar_models)
 {
     for (ProblemType problem : {FUNDAMENTAL, ESSENTIAL})
@@ -202,7 +203,8 @@ TEST(Usac_Covariance, basis_of_epipolar_models)
         const Mat scaled = tangentOfModel(problem, model * -5);
         EXPECT_LT(std::min(cv::norm(scaled, T), cv::norm(scaled, -T)), 1e-6);
     }
-    // without rotation, many candidates for a vector of the basis have the same length
+    // E without rotation: in the choice of the basis, several candidates for a basis vector have
+    // exactly the same length
     const Mat E = Mat(cross(Vec3d(1, 0, 0)) * std::sqrt(0.5));
     const Mat T = tangentOfModel(ESSENTIAL, E);
     EXPECT_LT(cv::norm(T.t() * T, Mat::eye(5, 5, CV_64F)), 1e-8);
@@ -254,8 +256,8 @@ TEST(Usac_Covariance, pose_of_essential_matrix)
     }
 }
 
-//! All mapped points in one column, computed by formulas independent of the library. For F and E,
-//! the column has the signed distances of the second points from their epipolar lines instead.
+//! All mapped points in one column, computed without the library. For F and E, the column has the
+//! signed distances of the points `second` from the epipolar lines of `first` instead.
 Mat predictionOf(ProblemType problem, const Mat& model, const Mat& first, const Mat& second)
 {
     Mat result;
@@ -336,7 +338,8 @@ TEST(Usac_Covariance, points_that_are_nowhere)
         pointCovariance(ABSOLUTE_POSE, pose, C, Mat(0, 3, CV_64F), noArray(), CAMERA).empty());
 }
 
-//! The message of the exception up to its first colon, which is the name of the argument.
+//! The message of the exception that `call` raises, up to its first colon; this part is the name of
+//! the argument.
 template <class Call>
 std::string blamed(const Call& call)
 {

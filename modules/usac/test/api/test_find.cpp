@@ -17,12 +17,13 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(FLAG_PROBLEMS));
 
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
+//! The last flag, USACV20_AUTO, is not tested here.
 const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
 //! A confidence so low, and a number of iterations so small, that each of them changes the result.
 const double LOW = 1e-15;
 const int FEW = 20;
 
-//! The preset that a flag is documented to stand for.
+//! The preset that belongs to a flag (not USACV20_AUTO) according to the documentation.
 Params presetOf(UsacV20Method flag)
 {
     return flag == USACV20            ? Params::usacV20()
@@ -42,8 +43,8 @@ Params paramsOf(UsacV20Method flag, double pixels, double confidence, int maxIte
     return params;
 }
 
-//! Few inliers, so that each argument changes the result. There are also few points, for which a
-//! model is returned whatever its Report::chance is.
+//! There are few inliers, so that each argument changes the result. There are also few points, so
+//! that a model of F or E is returned even if its inliers could be due to chance.
 Scene hardScene(ProblemType problem)
 {
     SceneOptions options;
@@ -114,7 +115,7 @@ TEST(Usac_Flags, other_ints_are_refused)
     }
 }
 
-//! A cast can make a flag of any number, for example of a flag of OpenCV. Such a value must raise
+//! A cast can convert any number to a flag, for example a flag of OpenCV. Such a value must raise
 //! an exception instead of running as USACV20.
 TEST(Usac_Flags, casts_of_other_ints_are_refused)
 {
@@ -182,8 +183,8 @@ TEST_P(UsacFlags, each_is_its_preset)
     }
 }
 
-//! The tests of the overloads could not detect an argument that is ignored unless each argument
-//! changes the model of their scene.
+//! The tests of the overloads detect an ignored argument only if each argument changes the model of
+//! their scene, hardScene().
 TEST_P(UsacFlags, arguments_matter_in_the_scene_of_these_tests)
 {
     const Scene scene = hardScene(problem());
@@ -286,8 +287,8 @@ TEST(Usac_Flags, every_overload_of_findEssentialMat)
     Wanted(s, params).same("params", f, mask);
 }
 
-//! calib3d has the order K1, dist1, K2, dist2 with a flag, but K1, K2, dist1, dist2 with
-//! parameters. The overloads of this module must have the same orders.
+//! With a flag, calib3d has the argument order K1, dist1, K2, dist2, but with cv::UsacParams K1,
+//! K2, dist1, dist2. The overloads of this module must have the same orders.
 TEST(Usac_Flags, order_of_two_cameras)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -395,7 +396,7 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
         EXPECT_TRUE(sameBits(old, mask));
         EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i],
                                                      0.99, 2, 1000, mask)));
-#if CV_VERSION_MAJOR < 5  // OpenCV 5 has no forms without maxIters
+#if CV_VERSION_MAJOR < 5  // OpenCV 5 has no forms with a mask but without maxIters
         EXPECT_TRUE(sameBits(
             E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
         EXPECT_TRUE(sameBits(

@@ -15,7 +15,7 @@ const UsacV20Method AFFINE_FLAGS[] = {USACV20,        USACV20_FAST,   USACV20_AC
                                       USACV20_AUTO};
 
 //! The functions of one problem under common names. `calib3d` is OpenCV's function, selected by its
-//! type: the function that a call with an int as the method calls without this module.
+//! type. Without this module, a call with an int as the method calls this function.
 struct Functions
 {
     typedef Mat (*Old)(InputArray, InputArray, OutputArray, int, double, size_t, double, size_t);
@@ -35,7 +35,7 @@ Functions functionsOf(ProblemType problem)
     return problem == AFFINITY ? affine : partial;
 }
 
-//! A scene with so few inliers that each argument changes the result.
+//! A scene with so few inliers that each argument changes the result with at least one flag.
 Scene hardAffineScene(ProblemType problem)
 {
     SceneOptions options;
@@ -97,8 +97,8 @@ TEST_P(Usac_FindAffine, eachArgument)
     }
 }
 
-//! The test above could not detect an argument that is ignored unless each argument changes the
-//! model with at least one of the flags.
+//! The test above detects an ignored argument only if each argument changes the model with at least
+//! one of the flags.
 TEST_P(Usac_FindAffine, argumentsMatter)
 {
     const Scene s = hardAffineScene(problem());
@@ -234,8 +234,9 @@ TEST_P(Usac_FindAffine, wrongArguments)
     EXPECT_NO_THROW(call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, INT_MAX));
 }
 
-//! Without polishing (refineIters 0) the model must differ, but be about as accurate if the
-//! threshold suits the noise, because local optimization has already fitted the model.
+//! Without polishing (refineIters 0) the model must differ, because it is not fitted once more. But
+//! it must be about as accurate, because local optimization has already fitted the model, and the
+//! threshold suits the noise.
 TEST_P(Usac_FindAffine, refineIters)
 {
     const Functions call = functionsOf(problem());

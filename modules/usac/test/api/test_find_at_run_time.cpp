@@ -16,6 +16,7 @@ namespace {
 
 const UsacV20Method OURS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
+//! The last flag, USACV20_AUTO, is not tested here.
 const int OUR_COUNT = 6;
 //! OpenCV's flags without USAC_PARALLEL, which is not deterministic.
 const int THEIRS[] = {0,         FM_7POINT,     FM_8POINT,    LMEDS,
@@ -48,8 +49,9 @@ struct Answer
     std::string error;
 };
 
-//! For every flag, compares the answer of the form with an int with that of the typed form (this
-//! module's flags) or of calib3d (OpenCV's flags).
+//! For every flag, compares the answer of the form with an int with that of the typed form (the
+//! first OUR_COUNT flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of
+//! OpenCV are left out.
 template <class AtRunTime, class Typed, class Calib3d>
 void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed,
                const Calib3d& calib3d)
@@ -97,7 +99,8 @@ Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vecto
     return cv::findEssentialMat(a, b, focal, pp, method, prob, threshold, 1000, mask);
 }
 
-//! Checks one form of a call. In its arguments, `method` is the flag and `mask` the mask.
+//! Checks one form of a call of `function`. In the arguments, `method` is the flag and `mask` the
+//! mask.
 #define CHECK_FORM(function, ...) CHECK_FORM_LIKE(cv::function, function, __VA_ARGS__)
 #define CHECK_FORM_LIKE(theirs, function, ...)                                                     \
     checkForm(                                                                                     \
@@ -169,8 +172,9 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
     CHECK_FORM(findEssentialMat, a, b, K, noArray(), K, noArray(), method, 0.9, 2, mask);
 }
 
-//! calib3d's USAC is not deterministic for E. Therefore the test checks only that the model differs
-//! from every model of this module and from those of calib3d's RANSAC and LMedS.
+//! calib3d's USAC is not deterministic for E. Therefore the test checks only that its models differ
+//! from those of the first OUR_COUNT flags of this module and from those of calib3d's RANSAC and
+//! LMedS.
 TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
 {
     const Scene s = makeScene(ESSENTIAL);
@@ -267,8 +271,8 @@ TEST(Usac_FlagsAtRunTime, without_a_flag)
                          usacv20::findEssentialMat(e.points1, e.points2)));
 }
 
-//! The same functions also take a UsacV20Method. An unqualified call must not be ambiguous although
-//! both namespaces, cv and cv::usacv20, are visible by using-directives.
+//! The functions of cv::usacv20 also accept a UsacV20Method. An unqualified call must not be
+//! ambiguous although both namespaces, cv and cv::usacv20, are visible by using-directives.
 TEST(Usac_FlagsAtRunTime, the_flag_itself)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);

@@ -104,7 +104,8 @@ TEST(Usac_FindPose, failure_leaves_the_vectors)
 }
 
 //! With 5 % inliers, 10 samples hardly ever include an all-inlier sample, so that a correct pose
-//! can only come from the initial guess. With a wrong guess, no correct pose must be found.
+//! can only come from the initial guess. With a wrong guess, the result must not be the correct
+//! pose. Vectors that are not three finite numbers must raise an exception.
 TEST(Usac_FindPose, guess_is_a_hypothesis)
 {
     PoseSceneOptions options;

@@ -7,12 +7,12 @@
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
 // Tests of the functions that do not search (fitModel, refineModel and modelErrors), of
-// estimateModel, and of the fields of Report that describe the best sample.
+// estimateModel, of Report::sample and Report::inlierRatio, and of the argument order of Python.
 
 namespace opencv_test {
 namespace {
 
-//! Matches of any problem with the true inliers and the cameras.
+//! Matches of any problem, with their camera and distortion; `truth` is 1 for correct matches.
 struct Matches
 {
     explicit Matches(ProblemType problem_, double noise = 0, double inlierRatio = 1,
@@ -103,7 +103,7 @@ public:
 };
 INSTANTIATE_TEST_CASE_P(/**/, UsacGiven, testing::ValuesIn(ALL_PROBLEMS));
 
-//! estimateModel() must give the result of the problem's own function. Its messages use the
+//! estimateModel() must give the result of Usac::create and Usac::run. Its messages use the
 //! argument names points1 and points2 for all problems.
 TEST_P(UsacGiven, estimateModel)
 {
@@ -128,8 +128,9 @@ TEST_P(UsacGiven, estimateModel)
     }
 }
 
-//! The numbers of problems are stored in files, so that the table must list the problems in the
-//! order of their numbers.
+//! Programs store the numbers of ProblemType in files. The table registry.inl.hpp, from which
+//! ALL_PROBLEMS is generated, must therefore list all problems in the order of their numbers 0, 1,
+//! 2, and so on. The next number must raise an exception.
 TEST(Usac_Given, problemsAreNumberedInTheOrderOfTheTable)
 {
     for (size_t i = 0; i < sizeof(ALL_PROBLEMS) / sizeof(ALL_PROBLEMS[0]); ++i)
@@ -195,8 +196,8 @@ TEST_P(UsacGiven, errors_are_those_of_the_mask)
     }
 }
 
-//! The fit must have the least sum of squared errors: no model nearby and no model found by a
-//! search may have a smaller one.
+//! The fit must minimize the sum of squared errors: this sum must not be clearly smaller for any
+//! model nearby, nor for the model that a search finds.
 TEST_P(UsacGiven, fit_is_least_squares)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -313,7 +314,8 @@ TEST_P(UsacGiven, too_few_points)
     }
 }
 
-//! Copies of one match determine no model; a fit must either fail or return finite numbers.
+//! Except for translations, copies of one match determine no model; a fit must either fail or
+//! return finite numbers.
 TEST_P(UsacGiven, degenerate_points)
 {
     Matches matches(problem());

@@ -19,7 +19,8 @@ Mat lens(int coefficients)
     return Mat(1, coefficients, CV_64F, (void*)c).clone();
 }
 
-//! Pixels without distortion, all over the image, and the same pixels distorted by the lens.
+//! `ideal` are pixels without distortion, on a grid over the image; `taken` are the same pixels
+//! distorted by the lens.
 void makePoints(const Mat& distortion, std::vector<Point2d>& ideal, std::vector<Point2d>& taken)
 {
     std::vector<Point3d> rays;
@@ -53,8 +54,9 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
     }
 }
 
-//! LensOracle is used to check results for E. Its error bounds must hold, and they must be so tight
-//! that the errors of cv::undistortPoints, which makes five iterations, often exceed them.
+//! Other tests check results for E with LensOracle. Its error bounds must hold, and they must be so
+//! tight that for more than a quarter of the points, the error of cv::undistortPoints, which makes
+//! five iterations, exceeds them.
 TEST(Usac_Lens, oracle)
 {
     const int counts[] = {4, 5, 8, 12, 14};
@@ -106,8 +108,9 @@ TEST(Usac_Lens, layouts)
     EXPECT_EQ(0, removeDistortion(std::vector<Point2d>(), LENS_CAMERA, distortion).rows);
 }
 
-//! r (1 - 0.25 r^2) has its maximum, 0.77, at r^2 = 4 / 3. Points with a larger distorted radius
-//! are not seen by the lens and must become NaN.
+//! The distorted radius r (1 - 0.25 r^2) has its maximum, 0.77, at r^2 = 4 / 3. Points with a
+//! larger distorted radius are not seen by the lens and must become NaN, as must points that are
+//! not finite.
 TEST(Usac_Lens, what_is_not_seen_is_not_a_number)
 {
     const Matx33d camera(1000, 0, 0, 0, 1000, 0, 0, 0, 1);

@@ -185,8 +185,8 @@ TEST(Usac_Params, number_of_scores)
     EXPECT_NO_THROW(params.check(9));
 }
 
-//! Gives each field a valid value that differs from its default. Sums of flags, and fields that
-//! depend on other fields, may become invalid; unusual() sets such fields to valid values.
+//! Gives each field a value that is in its range and differs from its default. Some of these values
+//! contradict each other; unusual() corrects them.
 struct Changer
 {
     Params& params;
@@ -200,7 +200,7 @@ struct Changer
         const double end = values.initial < 1    ? std::min(values.high, 1.)
                            : values.initial == 1 ? 2
                                                  : 0;
-        // usually no finite binary fraction, so that inexact storage would change it
+        // usually not a finite binary fraction, so that inexact storage would change it
         params.*member = (2 * values.initial + end) / 3;
     }
     void operator()(const char*, std::vector<float> Params::*member, const FieldValues& values)

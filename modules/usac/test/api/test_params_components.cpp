@@ -5,9 +5,9 @@
 #include "support/contracts.hpp"
 #include "support/scene_geometry.hpp"
 
-// Each field of Params must have an effect when it alone is changed. This file has the fields of
-// verification, local optimization, termination, degeneracy and polishing; the others are in
-// test_params_effects.cpp.
+// Each field of Params must have an effect when only this field is changed. This file tests the
+// fields of verification, local optimization, termination, degeneracy and polishing;
+// test_params_effects.cpp tests other fields.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 typedef UsacProblem UsacComponents;
 INSTANTIATE_TEST_CASE_P(/**/, UsacComponents, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! Counts the points whose errors are computed.
+//! Counts the points whose errors are computed in single precision, as in the search.
 class CountingResidual : public Residual
 {
 public:
@@ -40,7 +40,7 @@ private:
     Ptr<Residual> residual;
 };
 
-//! Number of point errors computed by a run without local optimization.
+//! Number of point errors that a run without local optimization computes in single precision.
 int64 pointsTested(const Scene& scene, int verification)
 {
     Params params;
@@ -93,8 +93,8 @@ private:
     double part;
 };
 
-//! Number of points of each fit that the local optimizations of a run make. The run has no
-//! polishing, because its fits would be recorded, too.
+//! The number of points of each fit in the local optimizations of a run. The run has no polishing,
+//! because the fits of the polishing would be recorded, too.
 std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0, double part = 1)
 {
     params.polishing = POLISHING_NONE;
@@ -124,8 +124,8 @@ TEST_P(UsacComponents, localOptimization)
     EXPECT_LT(with.cost, without.cost);
 }
 
-//! With fits that take only a fifth of the step, one round does not converge, so that more than one
-//! round must be used if allowed.
+//! The fits make only a fifth of the step to the optimum, so that one iteration does not converge.
+//! A run with up to ten iterations must therefore make more fits than a run with one.
 TEST_P(UsacComponents, localIterations)
 {
     size_t one = 0, ten = 0;
@@ -186,7 +186,8 @@ TEST_P(UsacComponents, spatialWeight)
 {
     const Scene scene = makeScene(problem(), 200, 50, 3);
     Params params;
-    // the standard deviation of the noise, so that neighbors change the label of some points
+    // equal to the standard deviation of the noise, so that the errors of many points are near the
+    // threshold and their labels depend on their neighbors
     params.threshold = 0.5;
     std::vector<int> before;
     const double weights[] = {0, 0.14, 5};
@@ -339,8 +340,8 @@ TEST_P(UsacComponents, persistence)
     EXPECT_LE(iterations[2], 5 * iterations[0]);
 }
 
-//! The polishing must make at most as many fits as allowed, and fewer once its fits no longer
-//! change the model.
+//! The polishing must make at most as many fits as allowed. POLISHING_ROBUST must make fewer than
+//! 30 fits even if 64 are allowed, because the model no longer changes.
 TEST_P(UsacComponents, polishingSteps)
 {
     const Scene scene = makeScene(problem(), 200, 100, 3);

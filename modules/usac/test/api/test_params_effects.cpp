@@ -10,8 +10,8 @@
 #include <set>
 #include <thread>
 
-// Each field of Params must have an effect when it alone is changed. More fields are in
-// test_params_components.cpp.
+// Each field of Params must have an effect when only this field is changed.
+// test_params_components.cpp tests other fields.
 
 namespace opencv_test {
 namespace {
@@ -200,8 +200,9 @@ TEST_P(UsacEffects, threads)
     }
 }
 
-//! The scene with its true matches moved to the first rows. The scores are not moved, because the
-//! tests do not use them.
+//! The points, `clean1`, `clean2` and `truth` of the scene, with the true matches moved to the
+//! first rows. The other members, such as the scores, are not moved, because the tests do not use
+//! them.
 Scene sorted(const Scene& scene)
 {
     Scene result = scene;
@@ -302,7 +303,7 @@ TEST_P(UsacEffects, scores_beside_the_input_order)
     for (const Params& preset : presets)
     {
         Params params = preset;
-        params.degeneracy = Params().degeneracy;  // DEGENSAC of usac2013() is not for all problems
+        params.degeneracy = Params().degeneracy;  // for some problems, DEGENSAC raises an exception
         params.orderedEvery = 1;
         EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering);
         EXPECT_LT(goodPart(scene, samplesOf(scene, params, 50)), 0.7) << "the rows are not sorted";
@@ -333,7 +334,7 @@ TEST_P(UsacEffects, orderedEvery)
             good += goodPart(scene, std::vector<int>(rows.begin() + i * m,
                                                      rows.begin() + (i + 1) * m)) == 1;
         const int ordered = (params.orderedEvery == 1 ? 40 : 32) / params.orderedEvery;
-        const double chance = m == 1 ? 0.2 : 0;  // probability that a uniform sample is all-inlier
+        const double chance = m == 1 ? 0.2 : 0;  // rough probability of a uniform all-inlier sample
         EXPECT_NEAR(ordered + (40 - ordered) * chance, good, m == 1 ? 6 : 2);
     }
 }

@@ -11,7 +11,7 @@
 #include <map>
 #include <regex>
 
-// The list of the fields of Params (visitFields) must agree with their declarations and
+// visitFields, the list of the fields of Params, must agree with their declarations and
 // documentation in params.hpp.
 
 namespace opencv_test {
@@ -30,7 +30,7 @@ struct Declaration
     std::string type, name, comment;  //!< the comment without line breaks
 };
 
-//! The fields of the class in the order of their declaration.
+//! The fields of Params in the order of their declaration.
 std::vector<Declaration> declarationsOf(const std::string& header)
 {
     std::istringstream lines(header.substr(header.find("struct CV_EXPORTS_W_SIMPLE Params")));
@@ -86,8 +86,8 @@ struct Enumerations
     }
 };
 
-//! Kind, default and range of a field according to its comment. Without a documented range, all
-//! values of int are allowed.
+//! Kind, default and range of a field according to its comment in the header. Without a documented
+//! range, all values of int are allowed.
 FieldValues documentedValues(const std::string& comment, const Enumerations& enumerations)
 {
     const std::regex type("^ *(Set of )?@ref (\\w+)"),
@@ -201,8 +201,8 @@ struct Layout
     }
 };
 
-//! The listed fields must fill the whole class without gaps, so that a field cannot be forgotten
-//! even if its declaration in the header has an unexpected form.
+//! The fields in visitFields must fill the whole class without gaps, so that a field cannot be
+//! forgotten even if its declaration in the header has an unexpected form.
 TEST(Usac_ParamsFields, fill_the_class)
 {
     const Params params;

@@ -5,8 +5,9 @@
 #include "support/contracts.hpp"
 #include "support/params_fields.hpp"
 
-// Presets must set what the papers after which they are named describe. Flags and the parameters of
-// calib3d must select the documented presets.
+// Presets must have the options that the papers after which they are named describe. Each flag must
+// select its documented preset. Params::fromUsacParams must convert the parameters of calib3d to
+// the corresponding options.
 
 namespace opencv_test {
 namespace {

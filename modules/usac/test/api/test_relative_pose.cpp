@@ -35,7 +35,7 @@ TEST(Usac_RelativePose, exact_points)
         Mat R, t, mask;
         RelativePose pose;
         Params params;
-        params.threshold = 0.01;  // so small that no wrong match is an inlier
+        params.threshold = 0.01;  // so small that hardly any wrong match is an inlier
         ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
                                          noArray(), noArray(), params, R, t, mask, pose));
         EXPECT_LT(angleOf(R, scene.R), 1e-4 * DEGREE) << seed;
@@ -111,9 +111,9 @@ TEST(Usac_RelativePose, two_cameras_with_lenses)
     }
 }
 
-//! 90 % of the true matches are on a plane, to which two motions fit. The points off the plane must
-//! select the correct motion, and the other motion of the plane must be reported in `otherR` and
-//! `otherT`.
+//! 90 % of the true matches are on a plane, which is compatible with two motions. The points off
+//! the plane must select the correct motion in at least 90 % of the scenes. In at least 80 %, the
+//! other motion of the plane must be reported in `otherR` and `otherT`.
 void checkPlanes(const Params& params)
 {
     int right = 0, other = 0, scenes = 0;
@@ -146,8 +146,8 @@ void checkPlanes(const Params& params)
 
 TEST(Usac_RelativePose, planes) { checkPlanes(Params()); }
 
-//! Like the test `planes`, but with an estimated threshold: the search for the plane must use that
-//! threshold instead of Params::threshold.
+//! Like the test `planes`, but with an estimated threshold: the search for the plane must use the
+//! estimated threshold instead of Params::threshold.
 TEST(Usac_RelativePose, planesWithEstimatedThreshold)
 {
     Params params = Params::automatic();
@@ -155,8 +155,9 @@ TEST(Usac_RelativePose, planesWithEstimatedThreshold)
     checkPlanes(params);
 }
 
-//! All true matches are on one plane, so that either of its two motions may be returned. The
-//! correct motion must be one of the two.
+//! All true matches are on one plane, so that either of the two motions that are compatible with
+//! the plane may be returned. The correct motion must be the returned one or the one in `otherR`
+//! and `otherT`.
 TEST(Usac_RelativePose, nothing_but_a_plane)
 {
     int either = 0;
@@ -182,8 +183,8 @@ TEST(Usac_RelativePose, nothing_but_a_plane)
 }
 
 //! A match whose points are on their epipolar lines, but whose point of space would be behind a
-//! camera, must not be an inlier. Such matches are made from the points X = -4 x1, which have a
-//! negative depth.
+//! camera, must not be an inlier. Such matches are made from the points X = -4 x1, where x1 is a
+//! point of the normalized image plane of camera 1.
 TEST(Usac_RelativePose, points_behind)
 {
     SceneOptions options;
@@ -212,8 +213,8 @@ TEST(Usac_RelativePose, points_behind)
     EXPECT_EQ(scene.size() - behind, pose.report.inliers);
 }
 
-//! Half of the points are at infinity, so that noise decides the sign of their depth. These points
-//! must count as points in front of the cameras.
+//! Half of the points are at infinity, so that noise decides the sign of their depth. Nearly all of
+//! these points must count as points in front of the cameras.
 TEST(Usac_RelativePose, points_at_infinity)
 {
     SceneOptions options;

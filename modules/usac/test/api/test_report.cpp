@@ -117,8 +117,8 @@ TEST(UsacReport_Wide, half_of_the_longest_side)
     EXPECT_FALSE(report.wideThreshold);
 }
 
-//! Matches of random points. With significance 1 a model must be returned, and the report must say
-//! that it is no better than chance; with the default no model must be returned.
+//! Matches of random points. With significance 1, a model must be returned, and the report must say
+//! that the model is no better than chance. With the default, the result must be empty.
 TEST(UsacReport_Chance, random_points)
 {
     RNG rng(1);
