@@ -38,8 +38,8 @@ private:
     }
 };
 
-//! Fits a plane by total least squares: it passes through the weighted mean along the two largest
-//! principal axes. Returns false if the points are collinear.
+//! Fits a plane by total least squares: the plane contains the weighted mean and the two largest
+//! principal axes of the points. Returns false if the points are collinear.
 bool fitPlane(const Correspondences& p, const int* indices, int count, const double* weights,
               Model& plane)
 {
@@ -161,7 +161,7 @@ private:
     }
 };
 
-//! This problem has no non-minimal solver of its own, but a parameterization of planes.
+//! The same problem without a non-minimal solver, but with a parameterization of planes.
 class VaryingPlaneProblem : public PlaneProblem
 {
 public:
@@ -222,8 +222,8 @@ TEST(Usac_CustomPlane, everyPreset)
     }
 }
 
-//! If a problem has a parameterization but no non-minimal solver, the module must make the fits,
-//! with results as good as those of the problem's own solver.
+//! If a problem has a parameterization but no non-minimal solver, the module must make the fits.
+//! The results must be as good as with the non-minimal solver PlaneFit.
 TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
 {
     const PlaneParameterization planes;
@@ -246,8 +246,8 @@ TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
     }
 }
 
-//! Among 300 random points some plane has several inliers by chance. The reported probability of
-//! this (Report::chance) must be large.
+//! Among 300 random points, some plane has several inliers by chance. Report::chance, the
+//! probability that this happens, must not be small.
 TEST(Usac_CustomPlane, chanceOfRandomPoints)
 {
     Params params;
@@ -281,8 +281,8 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
         }
 }
 
-//! In three dimensions, the neighbors must be the points with the smallest distances, which the
-//! test finds by exhaustive search.
+//! For points of space, the neighbors must be the point itself and the six points at the smallest
+//! distances, which the test finds by exhaustive search.
 TEST(Usac_CustomPlane, nearestNeighbors)
 {
     Params params;

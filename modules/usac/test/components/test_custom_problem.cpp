@@ -51,8 +51,9 @@ struct AffineScene
     std::vector<Point2d> points1, points2;
 };
 
-//! Every preset except LMedS must find the affine map of a scene with half outliers. The presets
-//! differ in sampler, score, verification, local optimization, termination and polishing.
+//! Every preset except LMedS must find the affine map of a scene in which half of the matches are
+//! wrong. The presets differ in sampler, score, verification, local optimization, termination and
+//! polishing.
 TEST(Usac_CustomProblem, everyPreset)
 {
     const AffineScene scene(200, 200, 0.5);
@@ -75,8 +76,9 @@ TEST(Usac_CustomProblem, everyPreset)
     }
 }
 
-//! A problem without a parameterization, so that the module has no covariance of its models. A
-//! prior with a covariance must then have the same effect as an initial model alone.
+//! The problem has no parameterization, so that the module has no covariance of its models, but it
+//! converts initial models (fromOutput). A prior with a covariance must then have the same effect
+//! as an initial model alone.
 class StartedAffineProblem : public custom::AffineProblem
 {
 public:

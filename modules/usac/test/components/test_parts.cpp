@@ -36,8 +36,8 @@ private:
 };
 
 //! A run with a termination criterion must end after a million samples if none of them has yielded
-//! a model. Without a criterion, or if there has been a model, the run must end after
-//! maxIterations. This model has no inliers, so that the run returns no model.
+//! a model. Without a criterion, or if a sample has yielded a model, the run must end after
+//! maxIterations. The model of FirstSample has no inliers, so that the run returns no model.
 TEST(Usac_Parts, hopeless)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -90,8 +90,8 @@ TEST(Usac_Parts, refusedModelsAreDropped)
         }
 }
 
-//! A local optimizer that returns a worse model but reports an improvement. It must have no effect
-//! on the result.
+//! A local optimizer that returns a worse model but reports an improvement. This model must have no
+//! effect on the result.
 class Worsener : public LocalOptimizer
 {
 public:

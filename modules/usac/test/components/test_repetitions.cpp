@@ -99,7 +99,7 @@ TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
         order[i] = (i * 7 + 3) % N;
         mask[i] = i % 4 != 1;
     }
-    repeated[5] = 1;  // as if the call for the other image had marked it
+    repeated[5] = 1;  // as if a call for the other image had marked this point
     Arena arena;
     const double* const columns[] = {x.data(), y.data()};
     const int sum = markRepeated(columns, 2, order.data(), mask.data(), N, 2, repeated.data(),

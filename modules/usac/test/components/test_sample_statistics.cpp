@@ -62,8 +62,8 @@ TEST(Usac_NonRandomness, chanceAtTheLimits)
     EXPECT_EQ(1, chanceOf(8, 1000000, 7, 0.9));
 }
 
-//! For a million points the tail probability is compared with a sum of terms computed differently:
-//! by log-factorials in long double.
+//! For a million points, the tail probability is compared with the sum of the single probabilities,
+//! which are computed from log-factorials in long double.
 TEST(Usac_NonRandomness, chanceOfAMillionPoints)
 {
     const int n = 1000000, m = 4;

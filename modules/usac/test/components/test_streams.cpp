@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! The numbers of the streams of random numbers of all purposes must differ from each other and
-//! from those of the samples, which are 0 to INT_MAX, for every number of iterations.
+//! Each purpose has its own range of stream numbers, one for each iteration. These ranges must not
+//! overlap each other or the range of the samples, 0 to INT_MAX, however many iterations there are.
 TEST(Usac_Streams, doNotMeet)
 {
     uint64 end = INT_MAX;

@@ -20,7 +20,8 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-//! Milliseconds by which a run may end late, because a busy machine may suspend the process.
+//! Allowed delay of the end of a run in milliseconds. It is so long because a busy machine can
+//! suspend the process.
 const double SLACK = 400;
 
 //! A scene with 5 % inliers. With the parameters endless(), the search for F would take minutes.
@@ -225,7 +226,7 @@ TEST(Usac_Stop, scopes_are_asked_the_innermost_first)
 }
 
 //! After the progress function has canceled a run on a large scene, no further step that processes
-//! all points may begin. The run must therefore end within about a second.
+//! all points is allowed to begin. The run must therefore end within about a second.
 TEST(Usac_Stop, many_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})

@@ -26,9 +26,9 @@ Params presetOfMany(int preset)
                          : Params::magsac();
 }
 
-//! For a million points, computing the neighborhoods, the order of the points, PROSAC's termination
-//! criterion, the false-alarm probability or the independent inliers takes up to seconds each. None
-//! of these steps may delay the end of the run.
+//! For a million points, each of these steps can take longer than the allowed delay: the
+//! neighborhoods, the order of the points, PROSAC's termination criterion, Report::chance and the
+//! independent inliers. None of these steps may delay the end of the run.
 TEST(Usac_StopLate, a_million_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})

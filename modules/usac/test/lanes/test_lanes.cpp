@@ -19,7 +19,8 @@ struct NamedKernels
     lanes::Kernels kernels;
 };
 
-//! The solver kernels for all instruction sets that this processor has.
+//! The baseline kernels, those that the module chooses for one sample and for TOGETHER samples,
+//! and, if this processor has AVX2, those for AVX2.
 std::vector<NamedKernels> availableKernels()
 {
     std::vector<NamedKernels> result;
@@ -76,8 +77,8 @@ struct Samples
 
 typedef std::vector<std::vector<double>> Solutions;  //!< the entries of all models of each sample
 
-//! Solves all samples by one kernel: the first `apart` samples one by one, the others in groups of
-//! `together` samples at once.
+//! Solves all samples with one kernel: the first `apart` samples one by one, the others in groups
+//! of `together` samples at once.
 Solutions solutions(const Samples& samples, SolverKernel solver, int together, int apart = 0)
 {
     Solutions result;

@@ -13,7 +13,7 @@ enum { RUNS = 60 };
 
 //! A scene for F. 104 of the 200 true matches are on a plane. `others` of the wrong matches are
 //! consistent with the homography of the plane and another epipole. A wrong F with this epipole
-//! therefore has them and the matches on the plane as inliers.
+//! therefore has these wrong matches and the matches on the plane as inliers.
 Scene twoEpipoles(int others, uint64 seed)
 {
     SceneOptions options;
@@ -64,10 +64,11 @@ int rightOnes(int others, bool scores)
     return right;
 }
 
-//! The correct F has 96 inliers beside those on the plane. Beside those, the wrong F has 90 inliers
-//! and by chance some of the uniform outliers, so that its cost is slightly lower. Without scores
-//! 10 of 60 returned models are correct, and with scores 24; other platforms have other numbers.
-//! In the other scenes the costs differ by more, or the correct F was not found.
+//! Both the correct F and the wrong F have the 104 matches on the plane as inliers. The correct F
+//! has 96 further inliers. The wrong F has 90 further inliers and, by chance, some of the uniform
+//! outliers, so that its cost is slightly lower. Without scores, the correct F is returned in 10 of
+//! 60 scenes, with scores in 24; other platforms have other numbers. In the other scenes, the costs
+//! differ by more, or the correct F was not found.
 TEST(Usac_Alternatives, good_scores_decide_between_models_of_nearly_the_same_cost)
 {
     EXPECT_GE(rightOnes(90, true), rightOnes(90, false) + 6);
@@ -81,7 +82,7 @@ TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
 }
 
 //! Number of scenes in which the returned model is the correct one. The scenes have 200 true
-//! matches and 180 matches of another motion, which have the best scores.
+//! matches, 100 uniform outliers and 180 matches of another motion, which have the best scores.
 int rightMotions(ProblemType problem, bool scores, int scenes)
 {
     int right = 0;

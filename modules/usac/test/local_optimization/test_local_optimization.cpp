@@ -120,8 +120,8 @@ struct Graph
     const Context context;
 };
 
-//! Draws errors between 0 and `reach` times the threshold, so that K takes high, medium and low
-//! values.
+//! Draws errors between 0 and `reach` times the threshold, so that some points have a high, some a
+//! medium and some a low closeness K.
 void drawErrors(Graph& graph, double reach, RNG& rng)
 {
     for (int i = 0; i < graph.size; ++i)
@@ -195,14 +195,14 @@ TEST(Usac_GraphCut, withoutEdgesOrWeight)
                 EXPECT_EQ(K[i] > 0.5, labels[i] != 0);
             }
     }
-    Graph far(20, 0.14, 1);  // all K are 0, so that the graph has no node
+    Graph far(20, 0.14, 1);  // all K are 0, so that the graph has no nodes
     far.residual->given.assign(20, 1e6f);
     far.addEdges(0.5, 6, rng);
     EXPECT_EQ(std::vector<uchar>(20, 0), far.cut());
 }
 
-//! In the graph of a whole scene, neither flipping one to three labels nor labeling by the
-//! threshold may give a lower energy.
+//! In the graph of a whole scene, the energy must not be lower if one to three random labels are
+//! flipped, or if the points within the threshold are the inliers.
 TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
 {
     SceneOptions options;
@@ -294,8 +294,8 @@ TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
     EXPECT_GT(improved, tried / 10);
 }
 
-//! Noise is added to the entries of the true model. Local optimization must lead back to a model
-//! that is about as good as the true one.
+//! Noise is added to the entries of the true model. In at least 8 of 10 scenes (GC-RANSAC: 1 of
+//! 10), local optimization must lead back to a model that is about as good as the true one.
 TEST_P(Usac_LocalOptimization, improvesRoughModels)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());
@@ -341,7 +341,7 @@ INSTANTIATE_TEST_CASE_P(All, Usac_LocalOptimization,
                                          testing::Range((int)LOCAL_OPTIMIZATION_GRAPH_CUT,
                                                         LOCAL_OPTIMIZATION_GC_RANSAC + 1)));
 
-//! A solver of which each `period`-th fit fails, or (if `silent`) returns a wrong model as if it
+//! A solver for which every `period`-th fit fails, or (if `silent`) returns a wrong model as if it
 //! were correct.
 class UnreliableSolver : public NonMinimalSolver
 {
@@ -379,8 +379,9 @@ Mat withUnreliableFits(const Scene& scene, const Params& params, int period, boo
     return model;
 }
 
-//! If all fits fail, the model of the sample must be returned. If some fail, the model must not
-//! become worse.
+//! If all fits fail or return a wrong model, the result must be the same as without local
+//! optimization. If only every third fit does, the error must not be larger than without local
+//! optimization.
 TEST(Usac_LocalOptimizers, fitsThatFail)
 {
     for (int problem = 0; problem < 3; ++problem)

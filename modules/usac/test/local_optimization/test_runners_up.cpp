@@ -18,8 +18,8 @@ Candidate candidateOf(double cost)
     return Candidate(sample, Matx33d::eye(), Quality(cost, 10));
 }
 
-//! Points in rows; row r is shifted by 10 r pixels. The inliers of a translation by such a shift
-//! are one row.
+//! Points in rows; row r is shifted by 10 r pixels in image 2. The inliers of a translation by 10 r
+//! pixels are the points of row r.
 struct Rows
 {
     Rows() : rows(20), each(10)
@@ -205,7 +205,7 @@ TEST_P(Usac_RunnersUpOf, areOptimizedBesideTheBestModels)
 }
 
 //! Runners-up leave the regular samples of the search unchanged, but more models are compared. The
-//! cost must therefore never be higher, and must be lower in some hard scene.
+//! cost must therefore never be higher, and must be lower in at least one of these hard scenes.
 TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
 {
     int lower = 0;
@@ -227,7 +227,7 @@ TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
 }
 
 //! Runners-up are optimized when the search is about to end, and then the termination criteria are
-//! evaluated again. The search must therefore never be shorter than without them.
+//! evaluated again. The search must therefore never be shorter than without runners-up.
 TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 {
     for (uint64 seed = 1; seed <= 40; ++seed)
@@ -249,8 +249,8 @@ TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
 INSTANTIATE_TEST_CASE_P(/**/, Usac_RunnersUpOf,
                         testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL));
 
-/* 90 % of the true matches are on a plane, and two motions agree with these matches. The motion
-with the lower cost is correct, and runners-up must help to find it. */
+/* 90 % of the true matches are on a plane, and two motions agree with these matches. With
+runners-up, the correct motion, which has the lower cost, must be found in every scene. */
 TEST(Usac_RunnersUp, tellTheTwoMotionsOfAPlane)
 {
     int wrong[2] = {0, 0};

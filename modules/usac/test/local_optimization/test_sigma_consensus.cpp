@@ -14,7 +14,7 @@
 namespace opencv_test {
 namespace {
 
-//! A scene, and a run whose components have been started, to which optimizers can be applied.
+//! A scene and a run whose components have been started. The tests apply optimizers to this run.
 struct Bench
 {
     explicit Bench(ProblemType problem, double inlierThreshold = 3,
@@ -73,7 +73,7 @@ struct Bench
 };
 
 //! Integral over the noise scale sigma, from `from` to `to`, of the density of an error r, up to a
-//! constant factor. The density is 0 where r exceeds k sigma.
+//! constant factor. The density is 0 where r exceeds thresholdInSigmas(degrees) times sigma.
 double marginalDensity(int degrees, double r, double from, double to)
 {
     const int STEPS = 400;
@@ -89,9 +89,10 @@ double marginalDensity(int degrees, double r, double from, double to)
     return sum * std::max(to - begin, 0.) / STEPS;
 }
 
-/** The weights of sigma-consensus, computed by their definition. For each part of the range of the
-noise scale sigma, a model is fitted to the points near `start`, and the density of the errors under
-it is integrated numerically. Errors below 1/45 of the threshold are raised to this value. */
+/** The weights of sigma-consensus, computed from their definition. For each part of the range of
+the noise scale sigma, a model is fitted to the points near `start`, and the density of the errors
+under the fitted model is integrated numerically. As in MarginalizedWeights, errors below 1/45 of
+the threshold are raised to this value. */
 std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, int parts)
 {
     const Correspondences& p = bench.usac->points();
@@ -130,8 +131,8 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
         bench.minimalModel(trial, model, quality);
     SigmaConsensus consensus;
     Rng rng;
-    // a first fit brings the model so near to the truth that even the partition of smallest sigma
-    // has enough inliers for a fit
+    // a first fit brings the model so near to the truth that even the part of smallest sigma has
+    // enough inliers for a fit
     ASSERT_TRUE(consensus.fit(bench.context(), rng, model));
     const std::vector<double> expected = bruteForceWeights(bench, model,
                                                            SigmaConsensus::PARTITIONS);
@@ -156,7 +157,8 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
 }
 
 //! Five parts of the range of sigma must approximate the limit of many parts: the models fitted
-//! with five and with 100 parts must differ by less than the former differ from the true model.
+//! with five and with 100 parts must differ by less than the models with five parts differ from the
+//! true model.
 TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
 {
     const Bench bench((ProblemType)GetParam());
@@ -289,7 +291,8 @@ TEST_P(Usac_Sigma_Consensus, reweightingDescends)
     }
 }
 
-//! A reduced fit must use the requested number of points, each at most once.
+//! MarginalizedFit::reduce() must keep the requested number of points. SigmaConsensus must use at
+//! most MAX_FIT points, each at most once.
 TEST_P(Usac_Sigma_Consensus, boundedFits)
 {
     SceneOptions options;
