@@ -102,9 +102,9 @@ TEST(Usac_CountedSamples, same_match_twice_may_be_good)
     EXPECT_FALSE(repeated->mayBeGood(context, both));
 }
 
-//! The counters are set as if the 150 matches were 30 different ones, each five times, 18 of them
-//! true. From the number of samples that were refused because of repeated matches, the probability
-//! of a good sample must be that for 30 matches instead of 150.
+//! State::countedSamples and State::repeatedSamples are set as if the 150 matches were 30 different
+//! ones, each five times, 18 of them true. From these counters, goodSampleProbability() must find
+//! about the probability for 30 matches instead of that for 150.
 TEST(Usac_CountedSamples, refused_samples_tell_how_many_matches_are_different)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -170,7 +170,8 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
 }
 
 //! The check for a dominant plane draws triples of points. Its random numbers must differ from
-//! those of the next sample, whose stream of random numbers is the number of the iteration.
+//! those of the next sample, which come from the stream with the number of the iteration. The test
+//! also looks for the plane with numbers from that stream; some of the answers must differ.
 TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
 {
     SceneOptions options;
@@ -204,8 +205,8 @@ TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
     EXPECT_GT(differ, 0);
 }
 
-//! Mean over some scenes of the number of samples of the search with an estimated threshold, over
-//! the number that the standard criterion asks for.
+//! Number of samples of the search with an estimated threshold, divided by the number that the
+//! standard criterion asks for; mean over 20 scenes.
 double drawnWithEstimatedThreshold(ProblemType problem, int inliers, int outliers)
 {
     Params params = Params::automatic();
@@ -228,8 +229,8 @@ double drawnWithEstimatedThreshold(ProblemType problem, int inliers, int outlier
 }
 
 //! The samples that are drawn to estimate the threshold count if most points are inliers of the
-//! model. Otherwise they do not, because models with fewer inliers at the final threshold may have
-//! looked better at the widest one.
+//! best model. Otherwise they do not count, because at the widest threshold a wrong model may have
+//! looked better than the right one.
 TEST(Usac_CountedSamples, samples_before_the_search)
 {
     EXPECT_LE(drawnWithEstimatedThreshold(FUNDAMENTAL, 180, 120), 0.8);

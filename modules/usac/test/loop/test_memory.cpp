@@ -26,7 +26,7 @@ long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
 //! Number of allocations for the matrix that is returned.
 long allocationsOfModel()
 {
-    const Mat first(Matx33d::eye(), true);  // lets OpenCV allocate its tables
+    const Mat first(Matx33d::eye(), true);  // before counting, so that OpenCV allocates its tables
     const long before = allocationsSoFar();
     const Mat model(Matx33d::eye(), true);
     return allocationsSoFar() - before;
@@ -120,7 +120,7 @@ Scene planarScene(ProblemType problem, int size, uint64 seed = 1)
 
 typedef testing::TestWithParam<int> Usac_Memory;
 
-//! Each of three runs may allocate only the returned model.
+//! Each of the first three runs of an object may allocate only the returned model.
 TEST_P(Usac_Memory, nothingButTheModel)
 {
     if (!allocationsAreCounted())
@@ -219,9 +219,9 @@ TEST_P(Usac_Memory, nothingInTheLoop)
     }
 }
 
-//! OpenCV itself allocates memory: a list for each cut of the maximal flow, and a list for each
-//! point whose neighbors the kd-tree finds. The number of allocations must not grow from run to
-//! run.
+//! OpenCV itself allocates memory: a growing list for each graph cut (maximum flow), and results
+//! for each point whose neighbors the kd-tree finds. The number of allocations must not grow from
+//! run to run. Its bounds are 12 for each cut and 3 for each point.
 TEST_P(Usac_Memory, ofOpenCV)
 {
     if (!allocationsAreCounted())
@@ -253,8 +253,8 @@ TEST_P(Usac_Memory, ofOpenCV)
         }
 }
 
-//! The same test as Usac_Memory.nothingButTheModel for absolute poses. The last polishing and the
-//! mask use points distorted by the lens, and must not allocate memory, either.
+//! The same test as Usac_Memory.nothingButTheModel for absolute poses. The final polishing and the
+//! mask use the original (distorted) image points, and must not allocate memory, either.
 TEST(Usac_Memory_Pose, nothingButTheModel)
 {
     if (!allocationsAreCounted())

@@ -139,8 +139,8 @@ TEST_P(Usac_Ransac, reportIsConsistent)
                 EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
             }
             EXPECT_LE(r.localImprovements, r.localOptimizations);
-            // at most one local optimization per model that is not rejected, two per runner-up, and
-            // one more per improvement
+            // at most one local optimization per model that is neither rejected nor dropped, two
+            // per runner-up, and one more per improvement
             EXPECT_LE(r.localOptimizations, r.models - r.rejectedModels - r.droppedModels +
                                                 2 * params.runnersUp + r.localImprovements);
             EXPECT_EQ(params.localOptimization == LOCAL_OPTIMIZATION_NONE,
@@ -276,8 +276,8 @@ TEST(Usac_Ransac_Stop, withoutAModel)
     EXPECT_EQ(0, countNonZero(equal.mask));
 }
 
-//! The number of samples must be that of the standard criterion for the final number of inliers, or
-//! larger if the best model was found late.
+//! The number of samples must be at least that of the standard criterion for the final number of
+//! inliers. It is larger if the best model was found late, but must be equal for most seeds.
 TEST(Usac_Ransac_Stop, standardNumberOfSamples)
 {
     Params params = Params::ransac();
@@ -387,7 +387,8 @@ TEST(Usac_Ransac_Stop, custom)
     EXPECT_EQ(123, report.iterations);
 }
 
-//! A run must also work if all optional components except one termination criterion are removed.
+//! A run must also work without an ordering, a verifier, a local optimizer, a polisher and
+//! degeneracy checks, and with only one termination criterion, which the caller has written.
 TEST(Usac_Ransac_Parts, withoutOptionalComponents)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

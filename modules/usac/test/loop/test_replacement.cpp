@@ -55,8 +55,8 @@ Scene zoomedScene()
     return makeScene(FUNDAMENTAL, options);
 }
 
-//! A replaced residual must be used for scores, fits and the mask: the mask must agree with it, and
-//! no nearby F of rank 2 may have a smaller error over the matches in the mask.
+//! A replaced residual must be used for scores, fits and the mask: the mask must agree with this
+//! residual, and no nearby F of rank 2 must have a smaller error over the matches in the mask.
 TEST(Usac_Replacement, residual)
 {
     const Scene scene = zoomedScene();
@@ -139,7 +139,7 @@ TEST(Usac_Replacement, derivativeByDifferences)
     }
 }
 
-//! Draws uniform samples whatever Params::sampler says. With `mistake` 1 to 3, its samples are
+//! Draws uniform samples whatever Params::sampler says. With `mistake` 1 to 3, the samples are
 //! invalid.
 class OwnSampler : public Sampler
 {

@@ -39,7 +39,7 @@ TEST_P(Usac_Rerun, givesTheSame)
     {
         Params params = presets[p].params;
         params.maxIterations = std::min(params.maxIterations, 500);
-        // below the noise, so that Params::reach of magsac() grows during a run
+        // below the noise, so that the reach of magsac() and magsacPlusPlus() grows during a run
         params.threshold = 0.3;
         const Ptr<Usac> usac = createUsac(scene, params);
         Mat masks[3], models[3];

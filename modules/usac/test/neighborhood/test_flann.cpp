@@ -11,7 +11,7 @@ namespace {
 
 enum { LAYERS = 4, LINKS = 8, WIDEST = 512 };
 
-//! Points and the distances between them in pixels.
+//! Points and the distances between them in the joint space (x1, y1, x2, y2).
 class Pixels
 {
 public:
@@ -63,8 +63,8 @@ private:
     std::vector<Vec4d> rows;
 };
 
-//! The members of a layer. The first one must be the point itself, and the others must be sorted by
-//! their distance.
+//! The members of a layer around a point. The first one must be the point itself, and the others
+//! must be sorted by their distance from it.
 std::vector<int> listOf(const Pixels& pixels, Neighborhood& neighborhood, int layer, int point)
 {
     const int* members = 0;
@@ -144,7 +144,7 @@ TEST(Usac_NeighborhoodFlann, clumsyPointsAgainstBruteForce)
     }
 }
 
-//! Distances must be in pixels of the images, whatever the internal coordinates of the estimator.
+//! Distances must be in pixels of the images, whatever internal coordinates the estimator has.
 TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
 {
     for (int problem = 0; problem < 3; ++problem)
@@ -200,7 +200,7 @@ void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
         EXPECT_LE(pixels.distance(i, j), std::max(reach[i], reach[j]));
     }
     int missing = 0;
-    // a member that is certainly among the nearest must have an edge
+    // if a member is certainly among the nearest neighbors of point i, both must have an edge
     for (int i = 0; i < pixels.size(); ++i)
     {
         const std::vector<int> members = listOf(pixels, neighborhood, 0, i);
@@ -229,8 +229,8 @@ TEST(Usac_NeighborhoodFlann, edges)
     }
 }
 
-//! With a radius, edges must join only points within it, and a point without neighbors must have no
-//! edge.
+//! With a radius, edges must join only points within this distance, and a point must have edges
+//! exactly if it has neighbors.
 TEST(Usac_NeighborhoodFlann, edgesWithinTheRadius)
 {
     const Pixels pixels(makeScene(FUNDAMENTAL), Params());
@@ -351,7 +351,8 @@ TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
     cut.neighbors = 8;
     cut.sampler = SAMPLER_UNIFORM;
     cut.spatialWeight = 0.5;
-    // the standard deviation of the noise, so that neighbors change the label of some points
+    // equal to the standard deviation of the noise, so that the errors of many points are near the
+    // threshold and their labels depend on their neighbors
     cut.threshold = 1;
     cut.maxIterations = 200;
     cut.polishing = POLISHING_NONE;

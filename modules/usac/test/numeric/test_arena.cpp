@@ -34,7 +34,7 @@ void expectIntact(const std::vector<Piece>& pieces)
 }
 
 //! Makes nested scopes. In each scope, some pieces are taken from the scope and some from the
-//! arena, which keeps them for the whole run. No piece may overlap another.
+//! arena, which keeps them for the whole run. No piece must overlap another.
 void useScopes(Arena& arena, RNG& rng, int depth, size_t largest, std::vector<Piece>& kept)
 {
     const Arena::Scope untouched(arena);

@@ -140,7 +140,7 @@ TEST(Usac_Statistics, thresholdKeepsInliers)
     EXPECT_NEAR(0.99, within / 20000., 0.003);
 }
 
-//! Satterthwaite's approximation: a weighted sum of two squared normal variables is nearly
+//! Satterthwaite's approximation: a weighted sum of two squared normal variables must be nearly
 //! chi-squared with a fractional number of degrees of freedom.
 TEST(Usac_Statistics, chiSquareOfDifferentVariances)
 {

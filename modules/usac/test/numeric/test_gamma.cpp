@@ -9,7 +9,8 @@
 namespace opencv_test {
 namespace {
 
-//! The integrand of the gamma functions after the substitution t = s^2, smooth at 0 for a >= 1/2.
+//! The integrand of the gamma functions after the substitution t = s^2, finite at 0 for a >= 1/2
+//! and smooth enough there for the tested shapes.
 struct GammaIntegrand
 {
     double a;

@@ -116,7 +116,8 @@ TEST(Usac_Polynomial, multipleRoots)
     EXPECT_NEAR(3, found[1], 1e-5);
 }
 
-//! The Sturm sequences of x^n - a^n skip degrees. All real roots must be found nevertheless.
+//! The derivative of x^n - a^n has only the root 0, of multiplicity n - 1. Roots of derivatives
+//! bracket the roots of a polynomial, all of which must be found nevertheless.
 TEST(Usac_Polynomial, sparse)
 {
     for (int degree = 2; degree <= MAX_DEGREE; ++degree)
@@ -152,8 +153,8 @@ TEST(Usac_Polynomial, sparse)
     }
     const double quartic[] = {
         -0.05, 0.1, 0, 0,
-        // The coefficients have one change of sign, so that there is one positive root. The same
-        // holds for -x, so that there is one negative root.
+        // The coefficients have one change of sign, so that there is one positive root (Descartes'
+        // rule). The same holds for -x, so that there is one negative root.
         1};
     EXPECT_EQ(2u, findRoots(std::vector<double>(quartic, quartic + 5)).size());
 }
