@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! A symmetric matrix with the eigenvalues 1, step, step^2, ...
+//! A symmetric matrix with the eigenvalues 1, step, step^2, ..., which is positive definite if
+//! `step` is positive.
 template <class Matrix>
 Matrix positiveDefinite(int size, double step, RNG& random)
 {

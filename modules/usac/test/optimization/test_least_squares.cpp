@@ -135,7 +135,7 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
         EXPECT_LE((JtJ - sums.JtJ).norm(), 1e-6 * JtJ.norm());
         EXPECT_GT(Jtr.norm(),
                   1e-3 * J.norm() *
-                      // the model is no minimum, where a wrong gradient would be small, too
+                      // the model is not at a minimum, where a wrong gradient would be small, too
                       r.norm());
     }
 }
@@ -226,8 +226,8 @@ TEST_P(Usac_LeastSquares, manifoldPointIsTheClosest)
     }
 }
 
-//! Largest absolute cosine between the residuals and their derivative along a direction of the
-//! manifold; 0 at a minimum.
+//! Largest absolute cosine between the residuals and their derivative along one of the tangents of
+//! the manifold; 0 at a minimum.
 double slope(Formula::Kind kind, const Correspondences& points, const std::vector<int>& indices,
              const double* weights, const Model& model)
 {

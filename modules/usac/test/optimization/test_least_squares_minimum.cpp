@@ -42,8 +42,8 @@ private:
 //! The test parameters are a problem and a residual.
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_LeastSquares_Minimum;
 
-//! The method of Nelder and Mead, which needs no derivatives, must find no smaller sum near the
-//! result of the fit. From a start beside this result, the method must reach the same minimum.
+//! The method of Nelder and Mead, which needs no derivatives, must find no clearly smaller sum near
+//! the result of the fit. From a start near this result, the method must reach about the same sum.
 TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 {
     for (uint64 seed = 1; seed <= 3; ++seed)
@@ -70,7 +70,7 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
         const double reached = sum->calc(x.ptr<double>());
         for (int start = 0; start < 2; ++start)
         {
-            x = start == 0 ? 0. : 1e-4;  // at the minimum and beside it
+            x = start == 0 ? 0. : 1e-4;  // at the minimum, and near it
             const Mat step(1, sum->getDims(), CV_64F, Scalar(1e-4));
             const double generic = DownhillSolver::create(
                                        sum, step,

@@ -43,8 +43,8 @@ TEST(Usac_Statistics, noiseScale)
                   NoiseScale::estimate(nothing.data(), 100, 1, degrees));
 }
 
-//! A standard deviation below NoiseScale::leastSigma() must be returned only if there are hardly
-//! any errors between it and the threshold, apart from those that outliers explain.
+//! A standard deviation below NoiseScale::leastSigma() must be returned only if between four times
+//! this value and the threshold, there are hardly more errors than outliers explain.
 TEST(Usac_Statistics, noiseScaleNeedsEvidence)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)

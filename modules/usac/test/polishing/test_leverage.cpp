@@ -5,8 +5,8 @@
 #include "test_precomp.hpp"
 #include "problems/kernels.hpp"
 
-// If the true matches leave some parameters of F nearly free, a model can be bent to outliers of
-// high leverage. The class Leverage must prevent this.
+// If the true matches leave some parameters of F nearly free, a model can be distorted to fit
+// outliers of high leverage. The class Leverage must prevent this.
 
 namespace opencv_test {
 namespace {
@@ -45,9 +45,10 @@ struct Errors
     double median, sextile;
 };
 
-//! For comparison, cv::USAC_MAGSAC has medians of 0.09 to 0.10 pixels with 200 matches and 0.05
-//! with 1000, and upper sextiles of 0.12 to 0.15 and 0.06 to 0.08 pixels. Without Leverage the
-//! medians are 0.17 to 0.19 and 0.09 to 0.16 pixels at a baseline of 0.02.
+//! The errors must be nearly as small as those of cv::USAC_MAGSAC, which has medians of 0.09 to
+//! 0.10 pixels with 200 matches and 0.05 with 1000, and upper sextiles of 0.12 to 0.15 and 0.06 to
+//! 0.08 pixels. Without Leverage, the medians are 0.17 to 0.19 and 0.09 to 0.16 pixels at a
+//! baseline of 0.02.
 TEST(Usac_Leverage, small_baselines)
 {
     const Params presets[] = {Params::usacV20(), Params::accurate(), Params::magsacPlusPlus()};
@@ -62,8 +63,8 @@ TEST(Usac_Leverage, small_baselines)
 }
 
 //! True matches off a dominant plane also have a high leverage and must not be dropped. Of 100
-//! models, 2 miss them. Without Leverage, 1 model misses them, and if Leverage ignored planes, 27
-//! models would.
+//! models, 2 miss these matches. Without Leverage, 1 model would miss them; if Leverage ignored
+//! planes, 27 models would.
 TEST(Usac_Leverage, few_matches_off_a_plane_stay)
 {
     int lost = 0;
@@ -82,8 +83,9 @@ TEST(Usac_Leverage, few_matches_off_a_plane_stay)
     EXPECT_LE(lost, 6);
 }
 
-//! The distance has a sign, because the root of its square has no derivative at 0. A step of 1e-9
-//! changes errors by some 1e-3 pixels.
+//! The derivative of Sampson's distance must agree with finite differences. The distance has a
+//! sign, because the root of its square has no derivative at 0. A step of 1e-9 changes errors by
+//! some 1e-3 pixels.
 TEST(Usac_Leverage, derivative_of_Sampsons_distance)
 {
     const double STEP = 1e-9;

@@ -44,7 +44,8 @@ TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
 }
 
 //! Robust polishing must converge to a fixed point, where the weighted gradient vanishes, as the
-//! definition of an M-estimator requires.
+//! definition of an M-estimator requires. Polishing a polished model must therefore hardly change
+//! it.
 TEST(Usac_Polishing, reweightedIsAFixedPoint)
 {
     SceneOptions options;

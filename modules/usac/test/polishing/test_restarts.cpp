@@ -65,8 +65,9 @@ struct Restarted
     double farBefore;  //!< its error before the restarts, in thresholds
 };
 
-//! The model of nine points in the strip misses the tenth match by many thresholds, although a
-//! model with all ten as inliers fits as well. Restarts must find such a model.
+//! In some scenes, the model of nine points in the strip misses the tenth match by more than ten
+//! thresholds, although a model with all ten as inliers fits as well. Restarts must find such a
+//! model in every scene.
 TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
 {
     double most = 0;
@@ -82,7 +83,8 @@ TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
     EXPECT_GT(most, 10);
 }
 
-//! If the far match is an outlier, restarts must not make it an inlier.
+//! If the far match is an outlier, restarts must not make it an inlier in more than one of 40
+//! scenes.
 TEST(Usac_Restarts, aWrongMatchIsNot)
 {
     int taken = 0;
@@ -97,8 +99,8 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
     EXPECT_LE(taken, 1);
 }
 
-//! With more than 30 inliers and a threshold that is not wide (Report::wideThreshold), Restarts
-//! does nothing, so that the cost must not change.
+//! With more than 30 inliers, and a threshold that makes random matches inliers with a probability
+//! below 0.2, Restarts does nothing, so that the cost must not change.
 TEST(Usac_Restarts, manyInliersStay)
 {
     RNG rng(1);

@@ -198,8 +198,8 @@ TEST_P(UsacAutomaticThreshold, tooFewPoints)
     EXPECT_NEAR(2, report.threshold, 1e-9);
 }
 
-//! Without noise, the threshold must be between 1/1024 of the given one, the smallest allowed, and
-//! 1/200.
+//! Without noise, the threshold must be at most 1/200 of the given one, and at least 1/1024 of it
+//! (the smallest value allowed). All true matches must be inliers.
 TEST_P(UsacAutomaticThreshold, exactPoints)
 {
     const Scene scene = sceneOf(GetParam(), 0, 1);
@@ -213,7 +213,7 @@ TEST_P(UsacAutomaticThreshold, exactPoints)
         EXPECT_LE((int)scene.truth[i], (int)mask.at<uchar>(i)) << i;
 }
 
-//! refine() must estimate the threshold under the given model; fit() must not.
+//! refine() must estimate the threshold under the given model; fit() must use the given threshold.
 TEST_P(UsacAutomaticThreshold, givenModels)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1);
@@ -231,9 +231,9 @@ TEST_P(UsacAutomaticThreshold, givenModels)
     EXPECT_NEAR(1, other.threshold / report.threshold, 0.3);
 }
 
-//! Copies of an outlier have no noise, so that only different matches may be used to estimate it.
-//! (This is not tested with F and E: a model that fits the outlier, too, may fit more matches than
-//! the true one.)
+//! Copies of an outlier have no noise, so that only different matches may be used to estimate the
+//! noise. (This is not tested with F and E: a model that fits the outlier, too, may fit more
+//! matches than the true one.)
 TEST_P(UsacAutomaticThreshold, repeatedMatches)
 {
     if (!mapsPoints((ProblemType)GetParam()))
@@ -263,7 +263,8 @@ TEST_P(UsacAutomaticThreshold, repeatedMatches)
     EXPECT_GE(right, SCENES - 1);
 }
 
-//! The noise may be estimated with an initial model, so that few samples suffice.
+//! The noise can be estimated from the errors of an initial model, so that eight samples must
+//! suffice.
 TEST_P(UsacAutomaticThreshold, initialModel)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.4);
@@ -281,8 +282,8 @@ TEST_P(UsacAutomaticThreshold, initialModel)
     EXPECT_LE(modelError(scene, model), 1.5 * modelError(scene, first));
 }
 
-//! The noise must also be found with quality functions that estimate a threshold (LMedS), and with
-//! those that are marginalized over the noise (MAGSAC).
+//! The noise must also be found with other presets, for example with a score that estimates a
+//! threshold itself (LMedS), or that is marginalized over the noise (MAGSAC).
 TEST_P(UsacAutomaticThreshold, otherScores)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.7);
@@ -398,6 +399,7 @@ class NoiseOfErrors
 public:
     //! @param tail fraction of the inliers with three times the noise
     //! @param inliers fraction of inliers
+    //! @param precise true: by preciseNoise(); false: by roughNoise()
     InlierNoise estimate(double sigma, double tail, double inliers, int seed, bool precise) const
     {
         const int SIZE = 2000;

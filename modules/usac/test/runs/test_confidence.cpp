@@ -10,9 +10,10 @@ namespace {
 
 const int SEEDS = 1000;
 
-/** @brief Two homographies without noise, among wrong matches. The true one has a few more matches
-than the other, the decoy. A criterion that ends the search too early returns the decoy. The rows
-are sorted, best first: each part is evenly distributed, with the true matches slightly earlier. */
+/** Two homographies without noise, among wrong matches. The true one has a few more matches than
+the other, the decoy. A criterion that ends the search too early returns the decoy. The rows are
+sorted, best first: matches of the true model, of the decoy and wrong ones alternate evenly, with
+the true matches slightly earlier. */
 struct Rivals
 {
     Rivals(int right, int decoys, int outliers)
@@ -128,7 +129,8 @@ double subsets(double inliers, int n, int m)
     return p;
 }
 
-//! Number of samples that a criterion asks for, if a good sample has probability `p`.
+//! Number of samples that a criterion asks for with confidence 0.9, if a good sample has
+//! probability `p`.
 double closedForm(double p) { return std::ceil(std::log(0.1) / std::log1p(-p)); }
 
 /** Probability that the decoy ends the search: it is found in the first `samples` samples, after
@@ -149,8 +151,8 @@ double failureRate(const Rivals& rivals, double threshold, double samples, int m
 
 int count(const std::vector<uchar>& mask) { return (int)std::count(mask.begin(), mask.end(), 1); }
 
-//! The standard criterion for sampling with (kind 0) and without repetition, and with a T(d,d)
-//! test, which rejects good models (kinds 2 and 3).
+//! The standard criterion for sampling with (kind 0) and without repetition (kind 1), and also with
+//! a T(d,d) test, which rejects good models (kinds 2 and 3).
 TEST(Usac_Confidence, standard)
 {
     for (int kind = 0; kind < 4; ++kind)
@@ -234,9 +236,9 @@ TEST(Usac_Confidence, sprt)
     runs.check(failureRate(rivals, params.threshold, closedForm(subsets(decoys, n, 4))), STOP_SPRT);
 }
 
-//! PROSAC's criterion chooses a number n* of best points. Among these points it must not miss the
-//! true model more often than the confidence allows, and it must end the search after the number of
-//! samples that it computes.
+//! PROSAC's criterion chooses a number n* of best points. Among these points, the criterion must
+//! not miss the true model more often than the confidence allows, and it must end the search after
+//! the number of samples that prosacSamples() computes.
 TEST(Usac_Confidence, prosac)
 {
     const Rivals rivals(102, 100, 98);

@@ -67,7 +67,7 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
 }
 
 //! Points for F, E or a pose with focal length 1. The epipole is among the points, and some points
-//! may be near the camera.
+//! may be near camera 2.
 FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
 {
     Matx33d R;
@@ -148,8 +148,8 @@ void expectLeastSquares(const FewPoints& points, const String& name)
 }
 
 /** The horizon is near or between the points. A homography allows points on both sides of the
-horizon, although no camera sees both. Most samples then have points on both sides, so that the
-orientation check rejects them. With six points, three on each side, it rejects all samples. */
+horizon, although no camera sees both sides. Most samples then have points on both sides, so that
+the orientation check rejects them. With six points, three on each side, it rejects all samples. */
 TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
 {
     const int counts[] = {6, 8, 10, 14, 20};
@@ -178,7 +178,7 @@ TEST(Usac_FewPoints, epipoleBetweenThePoints)
             }
 }
 
-//! No fit that starts at the model of four of the ten points may have a clearly lower error (by a
+//! No fit that starts at the model of four of the ten points must have a clearly lower error (by a
 //! factor of 1.1) than the returned model.
 TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
 {
@@ -211,8 +211,8 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
     EXPECT_GT(equal, 20 * 100) << "of 20 times 210: most samples lead there";
 }
 
-//! Exact points in front of and behind the second camera, so that the orientation checks reject the
-//! true model. All points must nevertheless be inliers.
+//! Exact points in front of the second camera and (`behind` of them) behind it, so that the
+//! orientation checks reject the true model. All points must nevertheless be inliers.
 void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1,
                std::vector<Point2d>& points2)
 {

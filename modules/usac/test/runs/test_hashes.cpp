@@ -15,18 +15,19 @@
 
 // Hashes of the results of every preset, on the sets of test_data/ and on synthetic scenes, are
 // compared with those of test_data/hashes.txt, so that no change of a result is unnoticed. After an
-// intended change, all rows are written again by
+// intended change, this command writes all rows again:
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
 //
-// The module's own arithmetic is that of IEEE 754 in an order that the source fixes, so that it
-// does not depend on compiler, optimization and instruction set. Functions of other libraries may
-// differ in the last bit between machines: exp, log, pow, acos, cbrt and others of libm (glibc
+// The module's own arithmetic is that of IEEE 754 in an order that the source fixes, so that its
+// results do not depend on compiler, optimization and instruction set. Functions of other libraries
+// may differ in the last bit between machines: exp, log, pow, acos, cbrt and others of libm (glibc
 // itself has other variants for processors without FMA), cv::SVD of another OpenCV, the
 // decompositions of another Eigen or with other vector instructions. The file also has a hash of
-// some of their results (`platform`). If it is equal, all results must be equal bit by bit.
-// Otherwise the rows are compared by their robust hashes (mask, number of iterations and reason of
-// the end). A few rows may then differ, where the last bit decides between two equally good models.
+// some results of such functions (`platform`). If this hash is equal, all results must be equal bit
+// by bit. Otherwise the rows are compared by their robust hashes (mask, number of iterations and
+// stop reason). Up to a tenth of the rows may then differ, where the last bit decides between two
+// equally good models.
 
 namespace opencv_test {
 namespace {
@@ -107,7 +108,8 @@ std::string kernelsInUse()
     return "baseline";
 }
 
-//! The presets, and parameters with the components that no preset has.
+//! The presets, and other parameters: scores, sigmas, another seed, and components that no preset
+//! has.
 std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = allPresets(problem);
@@ -354,8 +356,9 @@ Table tableWithout(const std::string& features)
     return table;
 }
 
-//! OPENCV_CPU_DISABLE is read at the start of a process. It also changes which code OpenCV's own
-//! functions run. All results must be equal bit by bit.
+//! OPENCV_CPU_DISABLE is read at the start of a process, so that each set of features needs another
+//! process. The variable also changes which code OpenCV's own functions run. Nevertheless, all
+//! results must be equal bit by bit.
 TEST(Usac_Hashes, every_instruction_set)
 {
     const Table& table = ownTable();

@@ -19,8 +19,8 @@ Mat runWith(const Scene& scene, const Params& params, Mat& mask, Report& report)
     return estimatePoints(scene.problem, scene.points1, scene.points2, params, mask, report);
 }
 
-//! With 75 % outliers, a single sample finds no model, so that the result must come from the
-//! initial model.
+//! With 75 % outliers, a single sample usually finds no model, so that the result must come from
+//! the initial model.
 TEST_P(UsacInitialModel, is_found_without_samples)
 {
     SceneOptions options;

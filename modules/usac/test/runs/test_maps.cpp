@@ -5,8 +5,8 @@
 #include "support/linear_map.hpp"
 #include "support/contracts.hpp"
 
-// Tests of affinities and similarities of every kind, and of points that hardly determine a map or
-// not at all. For comparison, a map is fitted by least squares to the true matches.
+// Tests of affinities and similarities of every kind, and of points that determine a map only
+// roughly or not at all. For comparison, a map is fitted by least squares to the true matches.
 
 namespace opencv_test {
 namespace {
@@ -41,7 +41,8 @@ Point2d mapped(const Matx23d& map, const Point2d& p)
 }
 
 //! Matches of a map with noise in image 2, followed by random wrong matches. All points of image 1
-//! are in a box of 640 x 480; the map takes this box to the area of the points of image 2.
+//! are in a box of 640 x 480; the wrong points of image 2 are in the area to which the map takes
+//! this box.
 struct Matches
 {
     Matches(const Matx23d& map_, int right_, int wrong, double noise_, uint64 seed)
@@ -182,8 +183,8 @@ TEST_P(Usac_Maps, pointsOfALine)
     EXPECT_TRUE(estimatePoints(problem(), same, places, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), line, same, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), same, same, Params(), noArray(), report).empty());
-    // Points nearly on a line do not determine what the map does off the line. The errors at the
-    // points must be at most 1.1 times those of least squares.
+    // Points nearly on a line do not determine what the map does off the line. The sum of squared
+    // errors at the points must be at most 1.1 times that of least squares.
     for (double width = 2; width > 1e-3; width /= 10)
     {
         std::vector<Point2d> points1 = line, points2;

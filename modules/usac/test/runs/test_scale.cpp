@@ -73,8 +73,8 @@ TEST_P(UsacScale, million_points)
     }
 }
 
-//! Counts the points whose errors are computed. As a residual of a caller, it is not bypassed by
-//! fused kernels.
+//! Counts the points whose errors are computed. Fused kernels do not bypass this residual, because
+//! it is not a built-in one.
 class CountingResidual : public Residual
 {
 public:
@@ -119,8 +119,8 @@ private:
     const Ptr<NonMinimalSolver> solver;
 };
 
-//! How many times each point is rated and used in fits, on average. The number varies with the
-//! seed.
+//! How many times each point is rated, plus how many times it is used in fits, on average. The
+//! number varies with the seed.
 double workPerPoint(ProblemType problem, const NamedPreset& preset, int size, uint64 seed)
 {
     Params params = preset.params;

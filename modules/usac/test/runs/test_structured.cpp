@@ -8,7 +8,7 @@ namespace opencv_test {
 namespace {
 
 //! Scenes with typical camera motions of vehicles and other machines, or with a plane. The rates of
-//! failures are in doc/structured.md; they need more runs than a test can have.
+//! failures are in doc/structured.md; measuring them takes more runs than a test can make.
 struct Structure
 {
     const char* name;
