@@ -46,8 +46,8 @@ TEST_P(UsacManyPoints, asAccurateAsLeastSquares)
             own[k] += modelError(scene, estimate(scene, params));
         }
     }
-    // A fit to only 35000 of the points would have 1.5 times the error of the fit to all. Wrong
-    // matches near epipolar lines increase the errors of F and E.
+    // A fit to only the 32768 points that the search uses would have about 1.5 times the error of
+    // the fit to all points. Wrong matches near epipolar lines increase the errors of F and E.
     const double most = mapsPoints((ProblemType)GetParam()) ? 1.45 : 2.5;
     for (int k = 0; k < 3; ++k)
         EXPECT_LE(own[k], most * least) << "flag " << k;

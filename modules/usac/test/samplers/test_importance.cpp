@@ -62,8 +62,8 @@ std::vector<float> variedScores(int count)
     return scores;
 }
 
-//! The probability of the first point of a sample must be proportional to its weight, and that of
-//! the second point to its weight among the remaining points.
+//! The first point of a sample must be drawn with a probability proportional to its weight, the
+//! second point in the same way from the remaining points.
 TEST(Usac_Importance, distributionByChiSquared)
 {
     const int N = 24, SAMPLES = 200000;
@@ -146,7 +146,7 @@ TEST(Usac_Importance, fewPointsOfPositiveWeight)
 }
 
 //! If one or two points have nearly all of the weight, samples must still have distinct points, and
-//! the others must have the right probabilities.
+//! the other points must have the right probabilities.
 TEST(Usac_Importance, overwhelmingWeights)
 {
     const int N = 20, SAMPLES = 20000;

@@ -129,8 +129,8 @@ TEST(Usac_Napsac, worksWithTheGridAndFewPoints)
         }
 }
 
-//! The true matches are on a small object among 90 % outliers. NAPSAC must find it, uniform samples
-//! mostly not.
+//! The true matches are on a small object among 90 % outliers. NAPSAC must find the model of the
+//! object in each of six scenes; uniform samples must find it in at most two.
 TEST(Usac_Napsac, findsALocalModel)
 {
     SceneOptions options;

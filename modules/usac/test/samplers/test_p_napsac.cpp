@@ -58,9 +58,9 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 }
 
 //! The first point of P-NAPSAC's samples must be drawn like PROSAC's: from the growing set, and
-//! always the newest point of the set until the set contains all points. This holds for one sample
-//! in Params::orderedEvery after the first eight samples. The other samples must be uniform and
-//! count for the termination criteria.
+//! always the newest point of the set until the set contains all points. This holds for all samples
+//! if `period` (Params::orderedEvery) is 1, otherwise for one in `period` samples after the first
+//! eight. The other samples must be uniform and count for the termination criteria.
 void expectGrowth(int ordering, int period)
 {
     const int N = 300, first = period > 1 ? 8 : 0;
@@ -110,7 +110,7 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
     expectGrowth(ORDERING_DENSITY, 4);
 }
 
-//! An ordering of the caller, by the rows; `known` says whether the order is informative.
+//! An ordering of the caller, by the row numbers; `known` says whether the order is informative.
 class OwnOrdering : public Ordering
 {
 public:

@@ -188,7 +188,7 @@ struct Direct
 {
     Direct() : msac(0), inliers(0), doubtful(0) {}
     double msac;
-    int inliers, doubtful;  //!< doubtful: too close to the threshold for float
+    int inliers, doubtful;  //!< doubtful: so close to the threshold that rounding to float decides
 };
 
 Direct directScore(const Fixture& f, const Model& model, int begin, int end)

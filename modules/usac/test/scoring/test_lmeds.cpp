@@ -13,7 +13,7 @@
 namespace opencv_test {
 namespace {
 
-//! The simplest search, independent of the threshold.
+//! The simplest search, which does not depend on the threshold.
 Params searchParams()
 {
     Params params;
@@ -69,8 +69,8 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
     }
 }
 
-//! As many Gaussian errors must be within the threshold as within 2.5 sigma with one degree of
-//! freedom.
+//! The fraction of Gaussian errors within the threshold must be the same as within 2.5 sigma for
+//! one degree of freedom.
 TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -165,8 +165,8 @@ TEST_P(Usac_Lmeds_Problem, someUndefinedErrors)
     }
 }
 
-//! With a threshold that is far too large and 49 % outliers, LMedS must find the correct model.
-//! MSAC does not find it with this threshold.
+//! With a threshold that is far too large and 49 % outliers, LMedS must find the correct model,
+//! although MSAC does not find it.
 TEST_P(Usac_Lmeds_Problem, breakdown)
 {
     const ProblemType problem = (ProblemType)GetParam();
@@ -188,7 +188,7 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }
     EXPECT_EQ(5, right);
-    // one point may be a sample that leads to the model by chance
+    // a sample of one point may lead to the model by chance
     EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);
 }
 

@@ -51,7 +51,7 @@ TEST(Usac_Statistics, marginalizedWeightsAgainstIntegration)
             const double r = k * std::sqrt(u);
             EXPECT_NEAR(integrate(f, 1e-9, r, 200) / atEnd, weights.loss(u), 2e-5)
                 << degrees << " " << u;
-            // the derivative by u = (r/k)^2 of the integral of r w(r)
+            // the derivative of the integral of r w(r) with respect to u = (r/k)^2
             const double weight = 0.5 * k * k * marginalDensity(degrees, r) / atEnd;
             EXPECT_NEAR(weight, weights.weight(u), 1e-4 * (1 + weight)) << degrees << " " << u;
         }

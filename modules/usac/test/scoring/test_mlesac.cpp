@@ -20,8 +20,8 @@ OwnPoints* spanning(ProblemType problem, double side, double inlierThreshold)
     return new OwnPoints(problem, corners, corners, inlierThreshold);
 }
 
-//! Squared errors. The fraction `part` is of inliers with sigma = 1, the others are uniform in the
-//! square.
+//! Squared errors. The fraction `part` of them belongs to inliers with sigma = 1; the others are
+//! uniform on a line segment (one degree of freedom) or in a square of the given side.
 std::vector<float> drawErrors(int degrees, int count, double part, double side, RNG& rng)
 {
     std::vector<float> errors;
