@@ -16,9 +16,9 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_ModelCovariance,
                                         ABSOLUTE_POSE, RIGID_3D, SIMILARITY_3D));
 
 /** The mean over n scenes of the squared Mahalanobis distance divided by its dimension d must be
-about 1. Its standard deviation is sqrt(2 / (d n)), 0.04 to 0.05 for 200 scenes. An outlier among
-the inliers, and errors that are too large for a linear approximation, increase it, so that the
-tolerance is larger above 1 than below. */
+about 1. The standard deviation of this mean is sqrt(2 / (d n)), 0.04 to 0.05 for 200 scenes. The
+mean increases if there are outliers among the inliers or errors that are too large for a linear
+approximation, so that the tolerance is larger above 1 than below. */
 TEST_P(Usac_ModelCovariance, calibrated)
 {
     const int scenes = 200;
@@ -73,8 +73,8 @@ TEST_P(Usac_ModelCovariance, same_bits_and_no_influence)
     EXPECT_EQ(one.sigma, many.sigma);
 }
 
-//! With an estimated threshold the inliers are nearly the same, so that the covariance must hardly
-//! change.
+//! With an estimated threshold, the inliers are nearly the same, so that no variance must change by
+//! more than 35 %.
 TEST_P(Usac_ModelCovariance, estimated_threshold)
 {
     const Case scene = makeCase(GetParam(), 5);
@@ -128,7 +128,7 @@ TEST_P(Usac_ModelCovariance, only_if_asked_for)
 }
 
 //! With F of a plane and E without a translation, the points do not determine all parameters,
-//! although with noise they seem to. There must rarely be a covariance.
+//! although noise can look as if they did. At most one in ten models must have a covariance.
 TEST(Usac_ModelCovariance_, free_parameters)
 {
     int determined = 0, models = 0;
@@ -184,9 +184,9 @@ Case halfOf(const Case& scene, int first)
 }
 
 /** The model of one half of the matches is a prior for the other half. The errors of the result
-must agree with its covariance. Its squared distance from the truth must be about half of that
-without the prior; for this comparison, both are measured with the covariance of the run without the
-prior. */
+must agree with the covariance of the result. The squared distance of the result from the truth must
+be clearly smaller than without the prior (half is expected); for this comparison, both distances
+are measured with the covariance of the run without the prior. */
 TEST_P(Usac_ModelCovariance, prior)
 {
     const struct
@@ -232,7 +232,8 @@ TEST_P(Usac_ModelCovariance, prior)
     }
 }
 
-//! A prior that contradicts the points must not change the result, however small its covariance is.
+//! A prior that contradicts the points must have only the effect of the same initial model without
+//! a covariance.
 TEST_P(Usac_ModelCovariance, contradictingPrior)
 {
     const Case scene = makeCase(GetParam(), 1);

@@ -93,7 +93,7 @@ TEST_P(Usac_Sigmas, weightedLeastSquares)
     EXPECT_GE(std::sqrt(without / with), 1.6);  // measured: 1.94 to 2.24
 }
 
-//! Errors are divided by the sigmas, and the mask compares them with the threshold.
+//! Errors must be divided by the sigmas, and the mask must compare these errors with the threshold.
 TEST_P(Usac_Sigmas, errorsAndMask)
 {
     const MixedNoise mixed(GetParam(), 1);
@@ -139,7 +139,8 @@ TEST_P(Usac_Sigmas, fits)
     EXPECT_LE(std::min(cv::norm(refined - found), cv::norm(refined + found)), 0.05 * scale);
 }
 
-//! Equal sigmas are only another unit of the threshold.
+//! Equal sigmas must only change the unit of the threshold: the results must be the same if the
+//! threshold is given in this unit.
 TEST_P(Usac_Sigmas, equalSigmas)
 {
     const Case scene = makeCase(GetParam(), 1);
@@ -251,8 +252,8 @@ TEST(Usac_Sigmas_, radiusOfNeighborhoods)
     EXPECT_EQ(edges[0], edges[1]);
 }
 
-//! The points that components see must have a factor each, the mean sigma divided by the sigma of
-//! the match. A match without finite coordinates must be left out.
+//! The points that components see must have a factor each: the root mean square of all sigmas
+//! divided by the sigma of the match. A match without finite coordinates must be left out.
 TEST(Usac_Sigmas_, correspondences)
 {
     MixedNoise mixed(HOMOGRAPHY, 1);
@@ -339,7 +340,7 @@ private:
     const Ptr<Residual> inner;
 };
 
-//! A replaced residual gets the factors, and leads to the same model.
+//! A replaced residual must get the factors, so that it leads to the same model.
 TEST(Usac_Sigmas_, replacedResidual)
 {
     for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL})

@@ -34,7 +34,7 @@ Report significantReport(const Scene& scene, Params params)
 }
 
 //! For random matches and each level a, Report::chance must be at most a with a probability of at
-//! most a. With F and E it must not always be near 1.
+//! most a. With F and E, Report::chance must not always be near 1.
 TEST(Usac_Significance, calibratedOnRandomMatches)
 {
     const int sizes[] = {15, 60, 300}, iterations[] = {100, 500}, RUNS = 40;
@@ -73,7 +73,8 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
     }
 }
 
-//! The same for random pairs of 3-D points, where random models also have few inliers.
+//! The same for random pairs of 3-D points. As for maps, random models have few inliers, so that
+//! Report::chance may always be near 1.
 TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
 {
     const int sizes[] = {15, 60, 300};
@@ -115,7 +116,8 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
     }
 }
 
-//! By default random pairs must give no motion, and scenes with 10 % true pairs must give one.
+//! By default, at most one of 20 sets of random pairs must give a motion, and all scenes with 10 %
+//! true pairs must give one.
 TEST(Usac_Significance, randomAndRightPairsInSpace)
 {
     for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
@@ -176,8 +178,8 @@ TEST(Usac_Significance, rightModelsOfFewPoints)
     }
 }
 
-//! Random matches must give no model: by default with about a hundred points or more, with a limit
-//! set by the caller always.
+//! Random matches must give no model: by default with 200 points, and with a limit set by the
+//! caller also with 15. By default, 15 points are too few to reject a model.
 TEST(Usac_Significance, randomMatchesGiveNoModel)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -265,9 +267,9 @@ TEST(Usac_Significance, repeatedMatches)
     }
 }
 
-//! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks the map takes
-//! everything to this point. It has no more independent inliers than expected by chance, and there
-//! are enough other points to decide this, so that no model may be returned.
+//! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks, the best map
+//! takes everything to this point. This map has no more independent inliers than expected by
+//! chance, and there are enough other points to decide this, so that no model must be returned.
 TEST(Usac_Significance, mapsToOnePlace)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})
@@ -295,8 +297,8 @@ TEST(Usac_Significance, mapsToOnePlace)
         }
 }
 
-//! If all matches are repeated, there are too few different ones to decide whether a model is
-//! random, so that it must be returned.
+//! If all matches are repeated, there are too few different matches to decide whether a model is
+//! random, so that the model must be returned.
 TEST(Usac_Significance, repeatedRightMatchesStay)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

@@ -24,8 +24,8 @@ double evidence(const std::vector<uchar>& inliers, int m)
     return orderEvidence(inliers.data(), none.data(), (int)inliers.size(), m);
 }
 
-//! For random orders the normalized rank sum must have mean 0 and standard deviation 1. The rank
-//! sum may be smaller if the first inliers do not count.
+//! For random orders, the normalized rank sum must have mean 0 and standard deviation 1. If the
+//! first inliers do not count, the rank sum is smaller.
 TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
 {
     RNG rng(1);
@@ -45,8 +45,8 @@ TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
     EXPECT_LE(beyond, 40);
 }
 
-//! Compared with the definition: the number of pairs of an inlier and an outlier in which the
-//! inlier comes first.
+//! orderEvidence() must agree with its definition: the normalized number of pairs of an inlier and
+//! an outlier in which the inlier comes first.
 TEST(Usac_ConfirmedOrder, countsPairs)
 {
     RNG rng(2);
@@ -101,8 +101,8 @@ CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
     return CellPairs(p, mask.data(), right, arena, merged);
 }
 
-//! Matches of a motion that are neighbors in image 1 must be neighbors in image 2; random ones only
-//! as often as by chance.
+//! Matches of a motion must be neighbors in both images more than twice as often as expected by
+//! chance; random matches must be so about as often as expected by chance.
 TEST(Usac_ConfirmedOrder, motionsShowInCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -121,7 +121,7 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
             both += rest.both;
             expected += rest.expected;
             EXPECT_GT(own.both, 2 * own.expected) << seed;
-            // how often the test recognizes that there is no other motion
+            // how often it is recognized that the outliers contain no other motion
             seen += otherMotionWouldShow(own, rest, 150, 350);
             // another motion has as many matches as the first one, and is as coherent
             options.outliers = 200;
@@ -214,7 +214,7 @@ TEST(Usac_ConfirmedOrder, goodScoresPay)
 }
 
 //! With few inliers, nearly all samples are drawn from points that the best model does not explain.
-//! Good scores must save most of them.
+//! Good scores must save most of these samples.
 TEST(Usac_ConfirmedOrder, goodScoresPayWhereFewAreRight)
 {
     SceneOptions options;
@@ -267,8 +267,8 @@ TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
     }
 }
 
-//! Runners-up search the points that the best model does not explain. Without them, an order must
-//! not end the search.
+//! If Params::runnersUp is 0, no samples are drawn from the points that the best model does not
+//! explain. Without such samples, an order must not end the search.
 TEST(Usac_ConfirmedOrder, isIdleWithoutRunnersUp)
 {
     SceneOptions options;

@@ -82,7 +82,7 @@ struct Case
     }
 };
 
-//! Random orders in which inliers are more frequent among the best points.
+//! A random order in which inliers are more frequent among the best points.
 Case randomCase(RNG& rng, int trial)
 {
     Case c;
@@ -152,8 +152,8 @@ TEST(Usac_TerminationProsac, minimalSupport)
             }
 }
 
-//! The first length at which the support is not random and which has at least one sample, if all
-//! points are inliers. `repeated` of them repeat others and are no evidence.
+//! The first length n at which the support is not random and T_n is at least one sample, if all
+//! points are inliers. `repeated` of the points repeat others and are no evidence.
 int firstEvidence(int N, int repeated, double ratio)
 {
     std::vector<double> uniform;
@@ -164,8 +164,8 @@ int firstEvidence(int N, int repeated, double ratio)
     return n;
 }
 
-//! If all points are inliers, one sample must suffice once there are more points than could agree
-//! by chance.
+//! If all points are inliers, the criterion must be fulfilled at the first length at which the
+//! points are too many to agree by chance.
 TEST(Usac_TerminationProsac, allInliers)
 {
     const std::vector<uchar> inliers(100, 1);
@@ -244,8 +244,8 @@ Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
     return params;
 }
 
-//! A run must end with the correct model, after the number of samples that the criterion asks for
-//! with this model.
+//! PROSAC's criterion must end a run with the correct model, after fewer than 1000 samples and
+//! hardly later than the standard criterion.
 TEST(Usac_TerminationProsac, endsARun)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

@@ -201,7 +201,8 @@ double rightSamples(int sampleSize, int matches, int right)
 
 TEST(Usac_TwoViewRules, samples)
 {
-    // only the default search is known to need fewer samples than theory
+    // fast() needs as many samples as the formula says; only the default search, `usual`, is known
+    // to need fewer
     Params params = Params::fast();
     params.confidence = 0.999;
     params.maxIterations = 7070;
@@ -225,8 +226,9 @@ TEST(Usac_TwoViewRules, samples)
                 rules.samples(usual, 4, 200), 1);
 }
 
-//! If inlier ratios of other pairs of the collection are known, fewer samples must suffice for such
-//! pairs, and for a pair that is worse than all of them.
+//! If the inlier ratios of other pairs of the collection are known, fewer samples must be asked
+//! for: the smallest number with which the expected fraction of missed pairs, over these pairs and
+//! one worse pair, is at most 1 - confidence.
 TEST(Usac_TwoViewRules, samples_of_a_collection)
 {
     Params params = Params::fast();

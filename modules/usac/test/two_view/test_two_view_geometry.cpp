@@ -165,8 +165,8 @@ TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
     }
 }
 
-//! F must show that a focal length is wrong. The rotations are those of the essential matrix
-//! nearest to F.
+//! F must show that a focal length is wrong. `rotations` must contain one rotation, that of the
+//! essential matrix nearest to F.
 TEST(Usac_TwoViewGeometry, wrong_focal_lengths)
 {
     for (uint64 seed = 1; seed <= 5; ++seed)

@@ -115,7 +115,7 @@ TEST_P(Usac_Sprt, learnsBothRatios)
     }
 }
 
-//! By Wald, a good model must be rejected with a probability of at most 1 / A.
+//! According to Wald, a good model must be rejected with a probability of at most 1 / A.
 TEST_P(Usac_Sprt, goodModelsAreKept)
 {
     const int TRIALS = 8000;
@@ -131,8 +131,8 @@ TEST_P(Usac_Sprt, goodModelsAreKept)
     }
 }
 
-//! By Wald, a bad model must be rejected after log A / C points on average. The decision waits for
-//! the end of a block.
+//! According to Wald, a bad model must be rejected after log A / C points on average. The decision
+//! waits for the end of a block.
 TEST_P(Usac_Sprt, badModelsAreDropped)
 {
     const int TRIALS = 2000, ENDLESS = 100000;
@@ -157,7 +157,8 @@ TEST_P(Usac_Sprt, badModelsAreDropped)
 TEST_P(Usac_Sprt, thresholdSolvesWaldsEquation)
 {
     // A - log A - 1 = C t_M / m_S. The cost t_M of the models of a sample, in tests of a point, and
-    // the mean number m_S of these models do not depend on the ratios
+    // the mean number m_S of these models do not depend on the ratios, so that (A - log A - 1) / C
+    // must be the same for all ratios.
     double constant = 0;
     for (size_t k = 0; k < sizeof(RATIOS) / sizeof(RATIOS[0]); ++k)
     {

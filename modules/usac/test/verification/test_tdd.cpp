@@ -67,8 +67,8 @@ Rate measure(const Exact& exact, const Verifier& verifier, const Model& model, i
     return rate;
 }
 
-//! The correct model must pass with a probability of about epsilon^d, with points drawn without
-//! repetition.
+//! The correct model must pass with a probability of about epsilon^d, where epsilon is its inlier
+//! ratio. The points are drawn without repetition.
 TEST(Usac_Tdd, acceptsGoodModels)
 {
     const int TRIALS = 20000;
@@ -89,7 +89,7 @@ TEST(Usac_Tdd, acceptsGoodModels)
 
 //! A wrong model with the inlier ratio delta must pass with probability delta^d. The test, passed
 //! or not, must take (1 - delta^d) / (1 - delta) points on average. The ratio of reported inliers
-//! and tested points must be delta.
+//! to tested points must be delta.
 TEST(Usac_Tdd, dropsWrongModels)
 {
     const int N = 400, TRIALS = 3000;
@@ -127,7 +127,8 @@ TEST(Usac_Tdd, dropsWrongModels)
     }
 }
 
-//! Each point must be tested equally often, whatever its position.
+//! The only outlier among 40 points must be tested in one of 40 tests of a single point, and always
+//! if all points are tested.
 TEST(Usac_Tdd, asksAllPoints)
 {
     const Exact exact(HOMOGRAPHY, 39, 1);
@@ -193,7 +194,7 @@ TEST(Usac_Tdd, terminationAllowsForIt)
             }
 }
 
-//! With this verification, models must be correct, the report must count rejected models, more test
+//! With the T(d,d) test, models must be correct, the report must count rejected models, more test
 //! points must cost more samples, and threads must change nothing.
 TEST(Usac_Tdd, runs)
 {
