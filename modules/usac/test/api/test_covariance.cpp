@@ -169,8 +169,8 @@ TEST(Usac_Covariance, parameters_of_maps_are_entries)
 }
 
 //! For F and E, tangentOfModel returns an orthonormal basis of the changes that keep the norm and
-//! the constraints. This basis must not depend on rounding errors or the scale of the model; if the
-//! model changes its sign, the basis may change its sign, too.
+//! the constraints. This basis must not depend on rounding errors or the scale of the model. Only
+//! if the model changes its sign can the basis change its sign, too.
 TEST(Usac_Covariance, basis_of_epipolar_models)
 {
     for (ProblemType problem : {FUNDAMENTAL, ESSENTIAL})

@@ -97,8 +97,8 @@ TEST_P(Usac_FindAffine, eachArgument)
     }
 }
 
-//! The test above detects an ignored argument only if each argument changes the model with at least
-//! one of the flags.
+//! The test eachArgument detects an ignored argument only if each argument changes the model with
+//! at least one of the flags.
 TEST_P(Usac_FindAffine, argumentsMatter)
 {
     const Scene s = hardAffineScene(problem());

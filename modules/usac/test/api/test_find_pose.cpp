@@ -6,7 +6,7 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "support/contracts.hpp"
 
-// Tests of cv::solvePnPRansac with the flags of this module.
+// Tests of solvePnPRansac with the flags of this module, with Params, and with OpenCV's flags.
 
 namespace opencv_test {
 namespace {

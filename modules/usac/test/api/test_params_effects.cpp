@@ -367,7 +367,7 @@ TEST_P(UsacEffects, reach)
 {
     const Scene scene = makeScene(problem(), 200, 100, 3);
     Params params = Params::magsacPlusPlus();
-    // rounding may change this value if it is scaled to normalized coordinates, multiplied by 4,
+    // rounding can change this value if it is scaled to normalized coordinates, multiplied by 4,
     // and scaled back
     params.threshold = 1.3;
     Mat masks[2], models[2];

@@ -156,7 +156,7 @@ TEST(Usac_RelativePose, planesWithEstimatedThreshold)
 }
 
 //! All true matches are on one plane, so that either of the two motions that are compatible with
-//! the plane may be returned. The correct motion must be the returned one or the one in `otherR`
+//! the plane can be returned. The correct motion must be the returned one or the one in `otherR`
 //! and `otherT`.
 TEST(Usac_RelativePose, nothing_but_a_plane)
 {

@@ -28,7 +28,7 @@ Params presetOfMany(int preset)
 
 //! For a million points, each of these steps can take longer than the allowed delay: the
 //! neighborhoods, the order of the points, PROSAC's termination criterion, Report::chance and the
-//! independent inliers. None of these steps may delay the end of the run.
+//! independent inliers. None of these steps must delay the end of the run.
 TEST(Usac_StopLate, a_million_points)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})

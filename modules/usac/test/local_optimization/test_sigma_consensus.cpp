@@ -187,7 +187,7 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! Neither optimizer may return a worse model than the given one. Both must return the correct
+//! Neither optimizer must return a worse model than the given one. Both must return the correct
 //! quality of the model and improve most models of minimal samples.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {

@@ -229,8 +229,8 @@ double drawnWithEstimatedThreshold(ProblemType problem, int inliers, int outlier
 }
 
 //! The samples that are drawn to estimate the threshold count if most points are inliers of the
-//! best model. Otherwise they do not count, because at the widest threshold a wrong model may have
-//! looked better than the right one.
+//! best model. Otherwise they do not count, because a wrong model can look better than the right
+//! one at the widest threshold.
 TEST(Usac_CountedSamples, samples_before_the_search)
 {
     EXPECT_LE(drawnWithEstimatedThreshold(FUNDAMENTAL, 180, 120), 0.8);

@@ -7,7 +7,7 @@
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "support/contracts.hpp"
 
-// A run may allocate only the model that it returns, and nothing in the main loop.
+// A run must allocate only the model that it returns, and nothing in the main loop.
 
 namespace opencv_test {
 namespace {
@@ -120,7 +120,7 @@ Scene planarScene(ProblemType problem, int size, uint64 seed = 1)
 
 typedef testing::TestWithParam<int> Usac_Memory;
 
-//! Each of the first three runs of an object may allocate only the returned model.
+//! Each of the first three runs of an object must allocate only the returned model.
 TEST_P(Usac_Memory, nothingButTheModel)
 {
     if (!allocationsAreCounted())
@@ -152,7 +152,7 @@ TEST_P(Usac_Memory, nothingButTheModel)
 }
 
 //! setPoints() with as many or fewer points must not allocate memory, not even for points of type
-//! float, which are converted. A run with these points may allocate only the returned model.
+//! float, which are converted. A run with these points must allocate only the returned model.
 TEST_P(Usac_Memory, otherPoints)
 {
     if (!allocationsAreCounted())

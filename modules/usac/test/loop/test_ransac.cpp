@@ -206,8 +206,8 @@ TEST_P(Usac_Ransac, recoversTheModel)
     }
 }
 
-//! Without noise, and with a threshold so small that hardly any wrong match is an inlier, only
-//! rounding errors may remain.
+//! Without noise, and with a threshold so small that hardly any wrong match is an inlier, the
+//! models must be exact up to rounding errors.
 TEST_P(Usac_Ransac, exactWithoutNoise)
 {
     for (uint64 seed = 1; seed <= 15; ++seed)

@@ -161,8 +161,8 @@ TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
     }
 }
 
-//! With a radius, at most the nearest WIDEST neighbors of a point may be kept. With a given number
-//! of neighbors, more are kept if this number is larger.
+//! With a radius, at most the nearest WIDEST neighbors of a point must be kept. With a given number
+//! of neighbors, more must be kept if this number is larger.
 TEST(Usac_NeighborhoodFlann, boundedMemory)
 {
     RNG rng(2);

@@ -38,7 +38,7 @@ TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
             std::sort(nearest.begin(), nearest.end());
             const std::set<int> found = membersOf(*knn, around.context, 0, i);
             ASSERT_EQ(7u, found.size());
-            // the seventh member may be as far away as a point that is not a member
+            // a point that is not a member can be as far away as the seventh member
             for (int k = 0; k < 6; ++k)
                 EXPECT_EQ(1u, found.count(nearest[k].second)) << unit << " " << i << " " << k;
             const std::set<int> close = membersOf(*within, around.context, 0, i);

@@ -61,7 +61,7 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
     return result;
 }
 
-//! At most 3 of 40 runs may miss the true model. If the search had no runners-up and drew no
+//! At most 3 of 40 runs must miss the true model. If the search had no runners-up and drew no
 //! samples from the outliers of the best model, F would be missed in 18 to 40 % of the scenes.
 TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
 {
@@ -78,9 +78,9 @@ TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
         EXPECT_LE(missed(FUNDAMENTAL, agreement, Params::accurate(), 40), 2) << agreement.name;
 }
 
-//! MAGSAC++ rates models within a wider threshold. Consistent wrong matches may then look like
-//! noise, or hide how few matches fit well. A run counts as a miss if its MSAC cost is too high by
-//! more than eight outliers, because MAGSAC++ minimizes another cost.
+//! MAGSAC++ rates models within a wider threshold. Consistent wrong matches can then look like
+//! noise, or lower the cost of a model that few matches fit well. A run counts as a miss if its
+//! MSAC cost is too high by more than eight outliers, because MAGSAC++ minimizes another cost.
 TEST(Usac_Agreeing, matches_do_not_look_like_noise)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};

@@ -4,8 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// In scenes with a plane or a second motion, a search with an estimated threshold may miss the true
-// model at most once more in 20 runs than a search with a given threshold. The rates are in
+// In scenes with a plane or a second motion, a search with an estimated threshold must miss the
+// true model at most once more in 20 runs than a search with a given threshold. The rates are in
 // doc/structured.md.
 
 namespace opencv_test {

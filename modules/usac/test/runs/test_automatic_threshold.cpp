@@ -231,8 +231,8 @@ TEST_P(UsacAutomaticThreshold, givenModels)
     EXPECT_NEAR(1, other.threshold / report.threshold, 0.3);
 }
 
-//! Copies of an outlier have no noise, so that only different matches may be used to estimate the
-//! noise. (This is not tested with F and E: a model that fits the outlier, too, may fit more
+//! Copies of an outlier have no noise, so that the noise must be estimated only from different
+//! matches. (This is not tested with F and E: a model that fits the outlier, too, might fit more
 //! matches than the true one.)
 TEST_P(UsacAutomaticThreshold, repeatedMatches)
 {

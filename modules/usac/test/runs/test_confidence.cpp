@@ -133,9 +133,9 @@ double subsets(double inliers, int n, int m)
 //! probability `p`.
 double closedForm(double p) { return std::ceil(std::log(0.1) / std::log1p(-p)); }
 
-/** Probability that the decoy ends the search: it is found in the first `samples` samples, after
-which the criterion ends the search, but the true model is not. @param more points that must be
-inliers in addition to the sample */
+/** Probability that the decoy ends the search: the decoy, but not the true model, is found in the
+first `samples` samples, after which the criterion ends the search.
+@param more points that must be inliers in addition to the sample */
 double failureRate(const Rivals& rivals, double threshold, double samples, int more = 0)
 {
     double p[2];

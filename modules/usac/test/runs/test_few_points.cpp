@@ -67,7 +67,7 @@ FewPoints planePoints(int count, double horizon, double noise, RNG& rng)
 }
 
 //! Points for F, E or a pose with focal length 1. The epipole is among the points, and some points
-//! may be near camera 2.
+//! can be near camera 2.
 FewPoints spacePoints(ProblemType problem, int count, double noise, RNG& rng)
 {
     Matx33d R;

@@ -96,7 +96,8 @@ uint64 platformHash()
 //! Instruction set of the loops over points in this process.
 std::string kernelsInUse()
 {
-    // the functions that return kernels may themselves contain instructions of their set
+    // avx512Kernels() and avx2Kernels() are called only if the processor has their instructions,
+    // because even these functions can contain such instructions
 #ifdef USACV20_HAVE_AVX512
     if (checkHardwareSupport(CV_CPU_AVX512_SKX) && kernels().arcs == avx512Kernels().arcs)
         return "avx512";
@@ -176,7 +177,7 @@ void addRows(const std::string& name, double threshold, std::vector<Row>& rows)
     addRows(name, hashedParams(set.problem, set.scores), threshold, estimate, rows);
 }
 
-//! Adds the rows of a synthetic scene, which is not sorted by its scores.
+//! Adds the rows of a synthetic scene, whose matches are not sorted by their scores.
 void addRows(ProblemType problem, std::vector<Row>& rows)
 {
     SceneOptions options;
@@ -206,8 +207,9 @@ void addPoseRows(const std::string& name, int coefficients, std::vector<Row>& ro
     addRows(name, hashedSpaceParams(ABSOLUTE_POSE, scene.scores), 2, estimate, rows);
 }
 
-//! Adds the rows of a synthetic scene of a 3-D motion, which is not sorted by its scores. Its unit
-//! is chosen so that the default radius of neighborhoods, meant for pixels, suits the coordinates.
+//! Adds the rows of a synthetic scene of a 3-D motion, whose matches are not sorted by their
+//! scores. The unit is chosen so that the default radius of neighborhoods, meant for pixels, suits
+//! the coordinates.
 void addRigidRows(ProblemType problem, std::vector<Row>& rows)
 {
     RigidSceneOptions options;
@@ -377,7 +379,7 @@ TEST(Usac_Hashes, every_instruction_set)
     }
 }
 
-//! OPENCV_CPU_DISABLE may contain the name of the group AVX512-SKX or of one of its members. The
+//! OPENCV_CPU_DISABLE can contain the name of the group AVX512-SKX or of one of its members. The
 //! kernels for AVX-512 must not be used in either case.
 TEST(Usac_Hashes, every_part_of_avx512)
 {

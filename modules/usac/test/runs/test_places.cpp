@@ -109,8 +109,8 @@ TEST_P(Usac_Places, no_flag_collapses)
         }
 }
 
-//! Without degeneracy checks, a model that maps everything to one point may be returned. The report
-//! must then say that only few inliers are independent.
+//! Without degeneracy checks, the run can return a model that maps everything to one point. The
+//! report must then say that only few inliers are independent.
 TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
 {
     int collapsed = 0;

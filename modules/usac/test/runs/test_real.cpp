@@ -82,7 +82,7 @@ TEST_P(UsacReal, scores)
 }
 
 //! With a few percent of the seeds, the search ends in another local optimum of graf, because the
-//! wall in the images is not quite a plane. At most one of 20 seeds may do so.
+//! wall in the images is not quite a plane. This is allowed for one of 20 seeds.
 TEST_P(UsacReal, every_seed)
 {
     int elsewhere = 0;

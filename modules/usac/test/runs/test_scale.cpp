@@ -157,8 +157,8 @@ TEST_P(UsacScale, work_is_linear)
     }
 }
 
-//! Memory must be bounded with every neighborhood, even if all points are neighbors in its coarsest
-//! layer.
+//! Memory must be at most 600 bytes per point with every neighborhood, even if all points are
+//! neighbors in its coarsest layer.
 TEST_P(UsacScale, memory_of_every_neighborhood)
 {
     if (!memoryIsMeasurable())

@@ -54,7 +54,7 @@ TEST_P(Usac_Structured, no_flag_is_wrong)
 
 INSTANTIATE_TEST_CASE_P(Motions, Usac_Structured, testing::ValuesIn(STRUCTURES));
 
-//! Few points with scores that are informative, random or reversed. Scores may change the length of
+//! Few points with scores that are informative, random or reversed. Scores can change the length of
 //! the search, but the result must be correct.
 TEST(Usac_Structured, any_order_of_scores)
 {

@@ -25,7 +25,8 @@ Params withRadius(double radius)
     return params;
 }
 
-//! The first point must be uniform, and the others uniform among its neighbors.
+//! The first point must be uniform, and the other points uniform among the neighbors of the first
+//! point in the coarsest layer.
 TEST(Usac_Napsac, uniformAmongNeighbors)
 {
     const int N = 40, SAMPLES = 40000, MEMBERS = 33;

@@ -27,8 +27,8 @@ TEST(Usac_Samplers, prosacGrowsAsPublished)
                 set.next();
                 draw.next();
                 ASSERT_TRUE(draw.valid());
-                // where a difference T_{n+1} - T_n is an integer, rounding may decide whether the
-                // set grows one sample earlier or later
+                // where a difference T_{n+1} - T_n is an integer, rounding decides whether the set
+                // grows one sample earlier or later
                 wrongSize += set.size() != n;
                 if (set.size() < N)
                     withoutNewest += !draw.contains(draw.order[set.size() - 1]);

@@ -188,7 +188,7 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }
     EXPECT_EQ(5, right);
-    // a sample of one point may lead to the model by chance
+    // a sample of one point can lead to the model by chance
     EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);
 }
 

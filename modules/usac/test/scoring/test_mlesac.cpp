@@ -79,7 +79,7 @@ TEST(Usac_Mlesac, mixingWeightOfPoorDistinction)
 
 typedef testing::TestWithParam<int> Usac_Mlesac_Problem;
 
-//! The cost must be that of the best mixing weight, found by trying a grid.
+//! The cost must be that of the best mixing weight, which the test finds on a grid.
 TEST_P(Usac_Mlesac_Problem, costAgainstGrid)
 {
     const ProblemType problem = (ProblemType)GetParam();

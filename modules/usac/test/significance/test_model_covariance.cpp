@@ -43,8 +43,8 @@ TEST_P(Usac_ModelCovariance, calibrated)
             within += square <= quantiles[d - 4];
             noise += report.sigma / scene.noise;
         }
-        // MAGSAC++'s weights grow without bound toward an error of 0 in one dimension: covariances
-        // of F and E are a third too large
+        // in one dimension, MAGSAC++'s weights grow steeply toward an error of 0: covariances of F
+        // and E are a third too large
         const bool singular = polishing == POLISHING_REWEIGHTED &&
                               (GetParam() == FUNDAMENTAL || GetParam() == ESSENTIAL);
         EXPECT_LE(sum / scenes, 1.19) << polishing;
@@ -153,7 +153,7 @@ TEST(Usac_ModelCovariance_, free_parameters)
             determined += !isNaN(report.covariance);
         }
     EXPECT_GE(models, 30);
-    // noise may look like a translation or like points off the plane
+    // noise can look like a translation or like points off the plane
     EXPECT_LE(determined, models / 10);
 }
 

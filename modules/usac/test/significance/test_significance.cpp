@@ -74,7 +74,7 @@ TEST(Usac_Significance, calibratedOnRandomMatches)
 }
 
 //! The same for random pairs of 3-D points. As for maps, random models have few inliers, so that
-//! Report::chance may always be near 1.
+//! Report::chance is allowed to be always near 1.
 TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
 {
     const int sizes[] = {15, 60, 300};

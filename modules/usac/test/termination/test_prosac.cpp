@@ -112,7 +112,7 @@ TEST(Usac_TerminationProsac, againstBruteForce)
         int length, expectedLength;
         const int samples = c.samples(length), expected = c.bruteForce(expectedLength);
         EXPECT_EQ(expectedLength, length) << trial;
-        // rounding may decide the ceiling of T_{n+1} - T_n, as in the sampler
+        // rounding can decide the ceiling of T_{n+1} - T_n, as in the sampler
         EXPECT_NEAR(expected, samples, expected == INT_MAX ? 0 : 3) << trial;
         within += length > 0 && length < (int)c.inliers.size();
         atTheEnd += length == (int)c.inliers.size();

@@ -127,7 +127,7 @@ TEST(Usac_Termination, pNapsac)
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
 }
 
-//! The relaxation must not reduce the number of samples if the best model may be that of a plane
+//! The relaxation must not reduce the number of samples if the best model could be that of a plane
 //! (`successProbability` below 1). It must reduce the number less if many samples contain the same
 //! match twice.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
