@@ -264,8 +264,8 @@ TEST_P(Usac_Sigma_Consensus, nothingNear)
     EXPECT_EQ(before.cost, quality.cost);
 }
 
-//! Each step of re-weighted least squares must not raise the loss from which the weights are
-//! derived.
+//! The loss from which the weights are derived must not rise in any step of re-weighted least
+//! squares.
 TEST_P(Usac_Sigma_Consensus, reweightingDescends)
 {
     const Bench bench((ProblemType)GetParam(), 5);

@@ -131,7 +131,7 @@ TEST_P(Usac_Memory, nothingButTheModel)
     const Scene scene = planarScene(problem, 400);
     const std::vector<Variant> variants = allVariants(problem, scene.scores);
     EXPECT_GE(variants.size(), 85u);
-    estimate(scene, Params());  // chooses the kernels once per process
+    estimate(scene, Params());  // the first run chooses the kernels
     int found = 0;
     for (size_t v = 0; v < variants.size(); ++v)
     {

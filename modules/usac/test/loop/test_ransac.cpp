@@ -305,7 +305,7 @@ TEST(Usac_Ransac_Stop, standardNumberOfSamples)
     }
 }
 
-//! Models of random matches must have a large false-alarm probability (Report::chance). Copies of a
+//! For random matches, the false-alarm probability (Report::chance) must exceed 0.01. Copies of a
 //! match must count as one independent inlier.
 TEST(Usac_Ransac_Report, nonRandomness)
 {

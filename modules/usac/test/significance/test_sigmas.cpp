@@ -221,7 +221,7 @@ TEST(Usac_Sigmas_, invalid)
     }
 }
 
-//! An object keeps its sigmas for other points, whose number must be the same.
+//! An object must keep its sigmas for other points. It must reject points of another number.
 TEST(Usac_Sigmas_, setPoints)
 {
     const MixedNoise one(HOMOGRAPHY, 1), two(HOMOGRAPHY, 2);
@@ -234,7 +234,7 @@ TEST(Usac_Sigmas_, setPoints)
         Exception);
 }
 
-//! Params::neighborRadius is in pixels, whatever the unit of the threshold is.
+//! Params::neighborRadius must be in pixels, whatever the unit of the threshold is.
 TEST(Usac_Sigmas_, radiusOfNeighborhoods)
 {
     const MixedNoise mixed(HOMOGRAPHY, 1);

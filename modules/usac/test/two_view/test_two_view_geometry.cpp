@@ -89,7 +89,7 @@ TEST(Usac_TwoViewGeometry, calibrated)
     }
 }
 
-//! The models must equal those of the functions for a single problem bit by bit.
+//! The models must equal, bit by bit, those of the functions for a single problem.
 TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
