@@ -7,7 +7,7 @@
 
 namespace benchmark {
 
-/** Does all that usac_benchmark does. A program calls it after it has registered its own methods
+/** Does all that usac_benchmark does. A program with methods of its own registers these first
 (registry.hpp):
 
     int program(int argc, char** argv)
@@ -19,7 +19,8 @@ namespace benchmark {
     // program.hpp: runProgram prints exceptions as messages
     int main(int argc, char** argv) { return benchmark::runProgram(program, argc, argv); }
 
-Takes the command line of usac_benchmark (doc/benchmark.md). Wrong options raise std::runtime_error.
+The command line is that of usac_benchmark (doc/benchmark.md). Wrong options raise
+std::runtime_error.
 @return the exit code: 0, or 2 if some pairs could not be read. */
 int runBenchmark(int argc, char** argv);
 

@@ -31,7 +31,7 @@ MethodFactory withComponents(const cv::usacv20::Params& params, const ComponentC
     if (!change)
         throw std::runtime_error("withComponents: the change is empty");
     cv::usacv20::Params base = params;
-    base.scores.clear();  // scores belong to one pair; each run sets those of its own pair
+    base.scores.clear();  // scores belong to a single pair; with `+scores`, each run sets its own
     return [=](const MethodName& name) -> cv::Ptr<Method> {
         return cv::makePtr<ComponentsMethod>(name, base, change, problems);
     };

@@ -16,9 +16,9 @@ namespace benchmark {
 
     usac.components().sampler = cv::makePtr<MySampler>();
 
-It is called for each run, within the measured time. It must make new components each time, since
-components keep what they learn of the points. It must always make the same components: the timed
-run and the run that makes the report must give the same model. */
+The function is called for each run, within the measured time. It must make new components each
+time, since components keep data about the points. These must always behave in the same way, since
+the timed run and a second run, which makes the report, must give the same model. */
 typedef std::function<void(cv::usacv20::Usac& usac)> ComponentChange;
 
 /** An estimator of this module with user-defined components. `+scores` and `{field=value}` in the
@@ -38,15 +38,15 @@ private:
     ProblemSet problems;
 };
 
-/** Makes the factory that registerMethod takes:
+/** Makes a factory for registerMethod:
 
     registerMethod("custom:mine", withComponents(Params::usacV20(), [](Usac& usac) { ... }));
 
-@param params names the other components and their options. Threshold, confidence, limit of
-iterations and seed come from the command line; `scores` are those of the pair if the name has
-`+scores`, otherwise none.
-@param change must not be empty; otherwise std::runtime_error is raised
-@param problems that the components can be used for */
+@param params selects the other components and their options. Its threshold, confidence, limit of
+iterations and seed are replaced by those of the command line; its scores, by those of the pair if
+the method's name has `+scores`, otherwise by none.
+@param change the function; if it is empty, std::runtime_error is raised
+@param problems the problems that the components can be used for */
 MethodFactory withComponents(const cv::usacv20::Params& params, const ComponentChange& change,
                              const ProblemSet& problems = ProblemSet());
 

@@ -14,44 +14,43 @@
 
 namespace benchmark {
 
-//! The input of a whole estimator: a pair without its ground truth.
+//! The input of an Estimator: settings and a pair without its ground truth.
 struct Task
 {
-    Settings settings;  //!< problem, threshold in pixels, confidence, limit of iterations, seed
+    Settings settings;
     std::vector<cv::Point2f> points1, points2;  //!< pixels
     std::vector<cv::Point3f> objectPoints;      //!< P, R, M: used instead of points1
     std::vector<cv::Point3f> spacePoints2;      //!< R, M: used instead of points2
     std::vector<float> scores;  //!< one for each match, lower is better; empty without `+scores`
-    cv::Matx33d K1, K2;         //!< E: camera matrices; P: K2 alone; others: identity
+    cv::Matx33d K1, K2;  //!< E: camera matrices; P: K2 is the camera matrix; otherwise the identity
     std::vector<double> distortion;  //!< P: lens distortion coefficients; empty: none
     std::map<std::string, double>
-        fields;  //!< numbers of EstimatorTraits::fields, as changed by the method's name
+        fields;  //!< EstimatorTraits::fields, with the values that the method's name sets
 };
 
-/** Estimates a model. Each run calls it once, and this call is what is timed. An exception counts
-as a failure.
-@return the model, of type CV_64F and of the same form as the functions of calib3d return it (3 x 3;
-A and S 2 x 3; P and R [R t]; M [s R t]), or an empty matrix if there is none; the mask, N values of
-CV_8U, or an empty matrix if all matches are inliers (used for the pose); the number of iterations,
-or -1 if unknown */
+/** A function that estimates a model by itself. It is called once in each run, and its time is
+measured. An exception counts as a failure.
+@return the model, of type CV_64F and in the form in which the functions of this module return it
+(H, F and E 3 x 3; A, S and T 2 x 3; P and R [R t]; M [s R t]), or an empty matrix if there is none;
+the mask, N values of CV_8U, or an empty matrix (the pose error of F and E then uses all matches,
+and the number of inliers is reported as 0); the number of iterations, or -1 if it is unknown */
 typedef std::function<Estimate(const Task& task)> Estimator;
 
-//! The abilities of a whole estimator.
+//! The abilities of an Estimator.
 struct EstimatorTraits
 {
     explicit EstimatorTraits(const ProblemSet& problems_ = ProblemSet(), bool takesScores_ = false)
         : problems(problems_), takesScores(takesScores_)
     {}
 
-    ProblemSet problems;  //!< the problems that it is run for
+    ProblemSet problems;  //!< the problems that the estimator is run for
     bool takesScores;     //!< false: `+scores` after its name is an error
     std::map<std::string, double>
-        fields;  //!< further numeric options that `{field=value}` sets, with defaults
+        fields;  //!< further options that `{field=value}` can set, with their default values
 };
 
-/** A method that calls a function that makes a model from points, from this module or elsewhere.
-`{field=value}` sets `threshold`, `confidence`, `maxIterations`, `seed` and the fields in
-EstimatorTraits. */
+/** A method that calls an Estimator. `{field=value}` in its name sets `threshold`, `confidence`,
+`maxIterations`, `seed`, or one of EstimatorTraits::fields. */
 class EstimatorMethod : public Method
 {
 public:
@@ -74,7 +73,7 @@ private:
     Task task;
 };
 
-/** Makes the factory that registerMethod takes:
+/** Makes a factory for registerMethod:
 
     registerMethod("custom:mine", wholeEstimator([](const Task& task) -> Estimate { ... }));
 

@@ -20,8 +20,8 @@ char letterOf(ProblemType problem);
 //! Finds the problem of a letter. @return false for an unknown letter.
 bool problemOf(char letter, ProblemType& problem);
 
-/** Tentative correspondences with their ground truth: of two images, of object points and one image
-(image 2), or of two point sets in space. */
+/** Tentative correspondences with their ground truth: between two images, between object points and
+one image (image 2), or between two point sets in space. */
 struct ImagePair
 {
     std::string name;
@@ -31,34 +31,36 @@ struct ImagePair
     std::vector<float> scores;              //!< one for each match, lower is better
 
     cv::Size2d size1, size2;
-    bool hasHomography, hasCamera1, hasCamera2, hasPose;  //!< which of the matrices below are known
+    bool hasHomography, hasCamera1, hasCamera2, hasPose;  //!< true if H; K1; K2; R and t are known
     cv::Matx33d H;                                        //!< image 1 -> image 2
     cv::Matx33d K1, K2;
     std::vector<double> distortion;  //!< P: lens distortion as in calib3d; empty: none
-    cv::Matx33d R;                   //!< x2 ~ R x1 + t; problems R and M: X2 = scale R X1 + t
-    cv::Vec3d t;
+    cv::Matx33d R;                   //!< point in camera 2 = R * point in camera 1 (P: object) + t
+    cv::Vec3d t;                     //!< R and M: point of space 2 = scale R * point of space 1 + t
     double scale;            //!< problem M: scale of space 2 relative to space 1; otherwise 1
     std::vector<int> right;  //!< R, M: indices of the right matches; empty: unknown
     /** P: median depth of the right matches. R, M: size of the scene, the root mean square distance
-    of the right points of space 2 from their mean. */
+    of the right points of space 2 from their mean. Of all matches if it is unknown which are right.
+     */
     double depth;
     std::vector<cv::Point2d> truth1, truth2;  //!< correspondences that are known to be right
-    bool truthIsHomography;                   //!< true: errors are measured with H, not with truth2
+    bool truthIsHomography;  //!< true: the true points of image 2 are H truth1, not truth2
 
     ImagePair()
         : hasHomography(false), hasCamera1(false), hasCamera2(false), hasPose(false), scale(1),
           depth(0), truthIsHomography(false)
     {}
 
-    //! Number of the correspondences.
+    //! Number of correspondences.
     int size() const { return (int)(points2.size() + spacePoints2.size()); }
-    //! Returns the correspondences in another order, with the cameras, without the ground truth.
+    //! Returns the points in another order, with the camera matrices and the distortion, without
+    //! the scores and the ground truth.
     ImagePair reordered(const std::vector<int>& order) const;
 };
 
-/** Reads `<path>.corr` and `<path>.json`; for P, R and M, `<path>.txt`, `<path>.score` and
-`<path>.json`. Raises std::runtime_error with file and line if the files lack something that
-`problem` needs. */
+/** Reads `<path>.corr` and `<path>.json`; for P, R and M, `<path>.txt`, `<path>.json` and, if it
+exists, `<path>.score`. Raises std::runtime_error with the file and, where possible, the line if a
+file cannot be read or lacks something that `problem` needs. */
 ImagePair readImagePair(const std::string& path, ProblemType problem);
 
 }  // namespace benchmark

@@ -12,8 +12,8 @@
 
 namespace benchmark {
 
-//! A recursive-descent parser. Each function starts at the first character of its element and ends
-//! after its last character.
+//! A recursive-descent parser. Each parsing function begins at an element of the document, or at
+//! white space before it, and ends just after this element.
 class JsonParser
 {
 public:
@@ -150,7 +150,8 @@ private:
         at += end - begin;
     }
 
-    //! Escapes for characters beyond ASCII are kept as written; names in this format need none.
+    //! Unknown escape sequences, which include \uXXXX, are kept as written; the strings in these
+    //! files need none.
     std::string string()
     {
         std::string result;
@@ -181,7 +182,7 @@ private:
     const std::string& text;
     const std::string& file;
     size_t at;
-    int line;  //!< line number of `at`; strings cannot contain line breaks
+    int line;  //!< line number of `at`; line breaks in strings, which JSON forbids, do not count
     int depth;
 };
 

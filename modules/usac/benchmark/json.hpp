@@ -13,8 +13,9 @@ namespace benchmark {
 
 /** A value of a JSON document (RFC 8259).
 
-cv::FileStorage refuses documents with `null`, which the description of a pair contains wherever
-something is unknown. An accessor raises std::runtime_error if the value is of another type. */
+It is used because cv::FileStorage refuses documents with `null`, which the description of a pair
+contains wherever something is unknown. An accessor raises std::runtime_error if the value is of
+another type. */
 class Json
 {
 public:

@@ -16,26 +16,27 @@ namespace benchmark {
 struct Run
 {
     int pair, repeat;  //!< pair: index into ListResult::pairs
-    double error;      //!< pixels, for P, R and M degrees; infinite without a model
+    double error;      //!< pixels (P, R, M: degrees), see modelError; infinite without a model
     bool failed;
-    double poseError;    //!< degrees; negative if there is no true pose
-    double centerError;  //!< see ProblemKind::centerError; negative for problems without one
-    double cost;         //!< the cost that estimators minimize, see modelCost
+    double poseError;    //!< degrees, see poseError(); negative if the true pose is unknown
+    double centerError;  //!< see ProblemKind::centerError; negative for problems without a center
+    double cost;         //!< see modelCost
     double cpuMs, wallMs;
-    int iterations;  //!< negative: the method does not report it
-    int inliers;
+    int iterations;  //!< negative: the method does not report the number
+    int inliers;     //!< number of inliers in the method's mask
 };
 
 /** Measures time and error of single calls.
 
-A method that throws an exception counts as failed. The message is printed to the standard error
-once for each method and problem. */
+A call that throws an exception counts as a failure. For each method and problem, only the message
+of the first exception is printed to the standard error. */
 class Meter
 {
 public:
     explicit Meter(Progress& progress_) : progress(progress_) {}
 
-    //! @param repeat added to the seed. @return everything except Run::pair.
+    //! Runs a method once. @param repeat number that is added to the seed. @return the results;
+    //! the caller must set Run::pair.
     Run measure(Method& method, const ImagePair& pair, Settings settings, int repeat);
 
 private:

@@ -11,8 +11,8 @@
 
 namespace benchmark {
 
-//! Settings that all methods get. Defaults: confidence 0.99, the others from the ProblemKind; for
-//! H, F and E they are those of the paper.
+//! Settings that all methods get. Defaults: confidence 0.99, seed 1; threshold and maxIterations of
+//! the ProblemKind, which for H, F and E are those of the paper.
 struct Settings
 {
     explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);
@@ -41,7 +41,7 @@ public:
     explicit Method(const std::string& name_) : label(name_) {}
     virtual ~Method() {}
 
-    //! The name as given on the command line.
+    //! The method's name as given on the command line.
     const std::string& name() const { return label; }
     //! @return false if the method cannot solve the problem.
     virtual bool solves(ProblemType problem) const = 0;
@@ -49,7 +49,8 @@ public:
     virtual void prepare(const ImagePair& pair, const Settings& settings) = 0;
     //! The call whose time is measured.
     virtual void run(const ImagePair& pair, Estimate& estimate) = 0;
-    //! Adds what the method reports about its last run; not included in the measured time.
+    //! Adds what the method reports about its last run, such as the number of iterations; not
+    //! included in the measured time.
     virtual void tell(const ImagePair&, Estimate&) {}
 
 private:
@@ -63,12 +64,13 @@ private:
     cv:RANSAC, cv:USAC_MAGSAC, ...            a flag of calib3d
     custom:...                                a method that the program registered, see registry.hpp
 
-`+scores` after a name passes the scores of the correspondences. `{field=value,...}` after a name of
-the first two kinds sets numeric fields of cv::usacv20::Params; after a custom name it sets the
-fields of that method. An unknown name raises std::runtime_error. */
+`+scores` after a name passes the scores of the correspondences to the method; among the flags of
+calib3d only cv:USAC_PROSAC allows this. `{field=value,...}` after a name of the first two kinds
+sets numeric fields of cv::usacv20::Params; after a custom name it sets the fields of that method.
+An unknown name raises std::runtime_error. */
 cv::Ptr<Method> createMethod(const std::string& name);
 
-//! All names that createMethod knows.
+//! All names that createMethod knows, separated by commas.
 std::string knownMethods();
 
 }  // namespace benchmark

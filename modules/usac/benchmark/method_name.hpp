@@ -14,13 +14,13 @@ namespace benchmark {
  */
 struct MethodName
 {
-    //! Raises std::runtime_error if a brace is not closed at the end.
+    //! Raises std::runtime_error if the name has a '{', but no '}' at its end or before `+scores`.
     explicit MethodName(const std::string& name);
 
-    std::string full;    //!< as given
-    std::string base;    //!< USACV20, preset:ransac, cv:RANSAC, custom:mine
-    std::string fields;  //!< text between the braces, "field=value,..."; may be empty
-    bool scores;         //!< true: the method uses the scores of the correspondences
+    std::string full;    //!< the whole name
+    std::string base;    //!< for example USACV20, preset:ransac, cv:RANSAC or custom:mine
+    std::string fields;  //!< text between the braces, "field=value,..."; empty if there is none
+    bool scores;         //!< true if the name has `+scores`
 };
 
 }  // namespace benchmark

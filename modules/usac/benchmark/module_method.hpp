@@ -13,16 +13,16 @@ namespace benchmark {
 
 /** A method that runs a flag or a preset of this module.
 
-A flag is run through its cv::usacv20::Params, because the function that takes the flag takes no
-seed; estimate and time are the same. The report comes from a second run, which must give the same
-model. With `+scores` and a preset that relies on the order of the points, this order follows from
-the scores.
+A flag is run through its cv::usacv20::Params, because the function that takes a flag has no
+argument for the seed; estimate and time are the same. The report comes from a second run, which
+must give the same model. With `+scores`, Params::ordering is ORDERING_AUTO, so that the order of
+the points follows from the scores, even with a preset for sorted points.
 */
 class ModuleMethod : public Method
 {
 public:
-    //! @param name may have `+scores` and `{fields}`, which change the parameters. @param params
-    //! those of the base name.
+    //! @param name the base name, with or without `+scores` and `{fields}`, which change `params`
+    //! @param params the parameters that belong to the base name
     ModuleMethod(const MethodName& name, const cv::usacv20::Params& params);
 
     bool solves(ProblemType) const CV_OVERRIDE { return true; }
@@ -36,10 +36,11 @@ public:
     //! Sets Params::initialModel of the prepared run.
     void beginWith(const cv::Mat& model);
 
-    //! Makes the estimator of the prepared run; it can be run once.
+    //! Makes the estimator of the prepared run.
     virtual cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair) const;
 
-    //! @param name a flag, or "preset:" and a preset. An unknown name raises std::runtime_error.
+    //! The parameters of a base name: a flag, or "preset:" followed by a preset. An unknown name
+    //! raises std::runtime_error.
     static cv::usacv20::Params paramsOf(const std::string& name);
     static std::string names();
 

@@ -17,7 +17,7 @@ struct OpenCVFlag
 {
     const char* name;
     int value;
-    const char* problems;  //!< letters of the problems
+    const char* problems;  //!< letters of the problems that the flag can be used for
 };
 
 const OpenCVFlag OPENCV_FLAGS[] = {

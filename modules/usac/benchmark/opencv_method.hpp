@@ -9,36 +9,39 @@
 
 namespace benchmark {
 
-/** A method that runs a flag of calib3d, called as a user calls it.
+/** A method that calls a function of calib3d with a flag, as a user does.
 
 H: `cv::findHomography(points1, points2, flag, threshold, mask, maxIters, confidence)`. F:
 `cv::findFundamentalMat(points1, points2, flag, threshold, confidence, maxIters, mask)`.
 
-E: with 1000 iterations, `cv::findEssentialMat(points1, points2, K1, dist, K2, dist, flag,
-confidence, threshold, mask)`, which always does 1000 iterations. For another number, RANSAC and
-LMEDS call the overload with one camera matrix, after the same change of coordinates to the mean
-camera that the overload with two matrices makes. The USAC flags call the overload with
-cv::UsacParams, filled with the values that the flag stands for. (For USAC_FAST, calib3d sets
-iteration counts of the local optimization that cv::UsacParams cannot express.)
+E: if the limit is 1000 iterations, `cv::findEssentialMat(points1, points2, K1, dist, K2, dist,
+flag, confidence, threshold, mask)`, whose limit is always 1000. For other limits there are two
+ways. With RANSAC and LMEDS, the overload with one camera matrix is called, after the same change of
+coordinates to the mean camera that the overload with two matrices makes. With the USAC flags, the
+overload with cv::UsacParams is called, with the values that calib3d uses for the flag. (For
+USAC_FAST, calib3d sets iteration counts of the local optimization that cv::UsacParams cannot
+express.)
 
 A: `cv::estimateAffine2D(points1, points2, mask, flag, threshold, maxIters, confidence)`, with 10
-iterations of the final refinement. S: likewise `cv::estimateAffinePartial2D`, which has RANSAC and
-LMEDS only.
+iterations of the final refinement. S: `cv::estimateAffinePartial2D` with the same arguments, which
+accepts only RANSAC and LMEDS.
 
 P: `cv::solvePnPRansac(objectPoints, points2, K2, distortion, rvec, tvec, false, maxIters,
-threshold, confidence, inliers, flag)`; PNP_ITERATIVE is its flag SOLVEPNP_ITERATIVE and so on. The
-measured time includes the conversion of the rotation vector and the indices to a matrix and a mask,
-which takes a few microseconds.
+threshold, confidence, inliers, flag)`; PNP_ITERATIVE means its flag SOLVEPNP_ITERATIVE and so on.
+The measured time includes the conversion of the rotation vector to a matrix and of the indices of
+the inliers to a mask, which takes a few microseconds.
 
-R and M: calib3d has no flags for them, but functions for affine maps of space, see
-RigidMotion::Rival.
+R and M: calib3d has no flags for these problems, but functions for affine maps of space, see
+RigidMotion::Rival. T: no flag is called.
 
 These functions use fixed seeds; every repeat gives the same result (USAC_PARALLEL: nearly). */
 class OpenCVMethod : public Method
 {
 public:
-    //! @param flag without "cv:". @param scores true for USAC_PROSAC: the points are sorted by
-    //! score, within the measured time.
+    //! @param flag name of the flag, without "cv:"
+    //! @param scores true: the points are sorted by their scores, within the measured time
+    //!
+    //! An unknown flag, or scores with a flag other than USAC_PROSAC, raises std::runtime_error.
     OpenCVMethod(const std::string& name, const std::string& flag, bool scores);
 
     bool solves(ProblemType problem) const CV_OVERRIDE;
@@ -51,7 +54,7 @@ private:
     void runSorted(const ImagePair& pair, Estimate& estimate) const;
 
     int flag;
-    std::string problems;  //!< letters of the problems that it solves
+    std::string problems;  //!< letters of the problems that the flag can be used for
     bool sortPoints;
     Settings settings;
 };

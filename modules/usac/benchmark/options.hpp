@@ -15,17 +15,17 @@ namespace benchmark {
 struct Options
 {
     std::vector<std::string> lists, methods;
-    std::string baseline;      //!< name of a method
+    std::string baseline;      //!< the method that ratios in the tables refer to
     std::string csv, runsCsv;  //!< output files; empty: none
     char problem;              //!< a letter; '\0': taken from the name of each list
     int repeats, seed, threads;
 
-    //! The settings that the methods get. Values missing on the command line are the problem's
-    //! defaults.
+    //! The settings that the methods get for a problem. A threshold or limit of iterations that is
+    //! missing from the command line has the problem's default.
     Settings settings(ProblemType of) const;
 
-    /** Reads the command line. @return false if it only asks for help, which has then been printed.
-    Wrong options raise std::runtime_error. */
+    /** Reads the command line. @return false if the command line is empty or asks for help; the
+    help text has then been printed. Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:

@@ -21,7 +21,8 @@ std::string folderOf(const std::string& path)
 
 std::string lastPart(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
-//! Splits "homogr.H.list" into "homogr" and 'H'; '\0' if the name has no letter of a problem.
+//! Splits "homogr.H.list" into "homogr" and 'H'. `letter` is set to '\0' if the name has no letter
+//! of a problem.
 std::string splitName(const std::string& file, char& letter)
 {
     std::string name = lastPart(file);

@@ -11,11 +11,12 @@
 
 namespace benchmark {
 
-/** A list of image pairs. The file names one pair on each line, without extension. Empty lines and
-lines that start with # are skipped.
+/** A list of image pairs. Each line of the file has the path of a pair without extension. Empty
+lines and lines that start with # are skipped.
 
-Paths are relative to the folder of the list, or to its parent if that folder is called `lists`. The
-letter in the file name states the problem: `<dataset>.H.list`, `<dataset>.F.list` and so on.
+Relative paths begin at the folder of the list, or at the parent of this folder if it is called
+`lists`. A letter in the file name determines the problem: `<dataset>.H.list`, `<dataset>.F.list`
+and so on.
 */
 struct PairList
 {
@@ -31,8 +32,8 @@ struct PairList
     std::vector<Entry> entries;
 };
 
-/** Reads a list. @param letter the problem, or '\0' to take it from the file name.
-Raises std::runtime_error if the file cannot be read or its name does not state the problem. */
+/** Reads a list. @param letter the problem, or '\0' to take the letter from the file name.
+Raises std::runtime_error if the file cannot be read, or if there is no letter of a problem. */
 PairList readPairList(const std::string& file, char letter);
 
 //! The files `<folder>/lists/*.H.list` and so on, in the order of problemLetters(). @param letter

@@ -26,8 +26,8 @@ struct Enumerators
     bool flags;  //!< true: the values are 1, 2, 4, 8, ...; false: 0, 1, 2, ...
 };
 
-//! The names of the values of the enumeration fields of Params in their order, without the prefix
-//! that the names of an enumeration share.
+//! For each field of Params that has an enumeration, the names of the enumerators in the order of
+//! their values, without the prefix that they share.
 const std::vector<Enumerators>& enumerators()
 {
     static const std::vector<Enumerators> all = {
@@ -59,7 +59,8 @@ std::string normalized(std::string name)
 }
 
 //! Finds the value of "prosac", or of "sprt|standard" for a field with flags. `all` gets all names
-//! of the enumeration. @return false if the text has an unknown name
+//! of the enumeration. @return false if the text is empty or has an unknown name, or several names
+//! for a field without flags
 bool valueOf(const Enumerators& of, const std::string& text, double& value, std::string& all)
 {
     std::istringstream in(text);
@@ -80,7 +81,8 @@ bool valueOf(const Enumerators& of, const std::string& text, double& value, std:
     return found > 0;
 }
 
-//! Assigns a value to the field of the given name if it is a numeric field.
+//! Assigns a value to the numeric field of the given name, if there is one. For
+//! cv::usacv20::visitFields(), which calls it with each field of Params.
 struct Assignment
 {
     Params& params;

@@ -15,12 +15,13 @@ namespace benchmark {
 struct Field
 {
     //! Raises std::runtime_error unless the text has the form name=value. The value is a number or,
-    //! for an enumeration field of Params, a name: "sampler=prosac", "termination=sprt|standard".
+    //! for a field of Params with an enumeration, one or several of its enumerators:
+    //! "sampler=prosac", "termination=sprt|standard".
     explicit Field(const std::string& assignment);
 
     //! The value; raises std::runtime_error if it is not an integer.
     int integer() const;
-    //! Raises std::runtime_error with the assignment and what is wrong with it.
+    //! Raises std::runtime_error with the assignment and the text `what`.
     void fail(const std::string& what) const;
 
     std::string assignment, name;
@@ -30,8 +31,9 @@ struct Field
 //! Splits "sampler=1,localIterations=3" into its assignments.
 std::vector<Field> parseFields(const std::string& assignments);
 
-/** Sets numeric fields by name: "sampler=prosac,localIterations=3".
-An unknown name or an invalid value raises std::runtime_error. */
+/** Sets numeric fields by name: "sampler=prosac,localIterations=3". An unknown name, or a value
+that is not a number (or enumerator) as the field needs it, raises std::runtime_error. Ranges of
+values are not checked. */
 void setFields(cv::usacv20::Params& params, const std::string& assignments);
 
 }  // namespace benchmark

@@ -10,12 +10,14 @@
 
 namespace benchmark {
 
-//! Opens a file for writing unless the name is empty. Raises std::runtime_error if that fails. It
-//! is called before a run, so that a wrong path is found early.
+//! Opens a file for writing unless its name is empty. Raises std::runtime_error if the file cannot
+//! be opened. Programs open their output files before they start, so that a wrong path is found
+//! early.
 void openOutput(std::ofstream& out, const std::string& file);
 
-/** The body of a main() function. An exception becomes a message on the standard error and the exit
-code 1. OpenCV's own printing of exceptions is turned off to avoid a second message. */
+/** The body of a main() function: calls `program` and returns its exit code. An exception of
+`program` becomes a message on the standard error and the exit code 1. OpenCV's own printing of
+exceptions is turned off to avoid a second message. */
 int runProgram(int (*program)(int argc, char** argv), int argc, char** argv);
 
 }  // namespace benchmark

@@ -9,7 +9,8 @@
 
 namespace benchmark {
 
-/** A progress bar on the standard error if that is a terminal; otherwise it prints nothing. */
+/** A progress bar on the standard error. Nothing is printed if the standard error is not a
+terminal. */
 class Progress
 {
 public:
@@ -18,7 +19,7 @@ public:
 
     //! Starts the next of `total` steps. @param what text that names the step.
     void step(const std::string& what);
-    //! Removes the bar, so that a message can be printed in its line.
+    //! Removes the bar, so that a message can be printed on its line.
     void clear();
 
 private:

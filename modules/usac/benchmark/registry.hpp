@@ -14,7 +14,7 @@ namespace benchmark {
 
 /** Makes a method from its name as given on the command line. `name.base` is the registered name.
 The factory interprets `name.scores` and `name.fields` and raises std::runtime_error if the method
-does not support them. The method must be called `name.full`.
+does not support them. Method::name() of the new method must be `name.full`.
 
 Two functions return factories: withComponents (components_method.hpp) for an estimator of this
 module with user-defined components, and wholeEstimator (estimator_method.hpp) for any function that
@@ -22,8 +22,8 @@ makes a model from points. A custom factory is needed for other classes derived 
 example to prepare runs outside of the measured time. */
 typedef std::function<cv::Ptr<Method>(const MethodName& name)> MethodFactory;
 
-/** Makes a method known to createMethod, and so to `--methods` and `--help` of the program. It must
-be called before runBenchmark, from one thread.
+/** Makes a method known to createMethod, and thus to `--methods` and `--help` of the program. All
+methods must be registered before runBenchmark is called, from a single thread.
 
 @param name "custom:" and letters, digits, '_', '-' or '.'
 @param factory makes a new method each time the name is used
@@ -34,7 +34,8 @@ void registerMethod(const std::string& name, const MethodFactory& factory);
 //! True for names that begin with "custom:", which only registerMethod can define.
 bool isCustom(const std::string& name);
 
-//! Makes the method registered as `name.base`. Raises std::runtime_error if there is none.
+//! Makes the method registered as `name.base`. Raises std::runtime_error if no such method is
+//! registered, or if its factory returns a null pointer.
 cv::Ptr<Method> createCustom(const MethodName& name);
 
 //! All registered names in alphabetical order, separated by commas; may be empty.

@@ -31,7 +31,7 @@ ListResult Runner::run(const PairList& list)
         const bool first = result.pairs.empty();
         const ListResult::PairInfo info = {pair.name, pair.size()};
         result.pairs.push_back(info);
-        // repeat -1 is a warm-up
+        // repeat -1 is the warm-up
         for (int repeat = first ? -1 : 0; repeat < options.repeats; ++repeat)
             for (size_t m : shuffledOrder())
             {

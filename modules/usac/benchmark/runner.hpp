@@ -32,10 +32,10 @@ struct ListResult
 /** Runs all methods on the pairs of a list.
 
 For each pair and each repeat all methods run one after the other, so that a disturbance of the
-machine affects all of them. Their order is drawn at random each time, so that no method always runs
-after a similar one that leaves useful data in the caches. The orders are reproducible. Before
-anything is measured, each method runs once on the first pair. Messages about unreadable pairs go to
-the standard error.
+machine affects all methods. Their order is drawn at random each time, so that no method always runs
+after a similar one that leaves useful data in the caches. The orders are reproducible. On the first
+pair of a list, each method first runs once as a warm-up, whose results are dropped. Messages about
+unreadable pairs go to the standard error.
 */
 class Runner
 {
@@ -43,7 +43,7 @@ public:
     Runner(const std::vector<cv::Ptr<Method>>& methods, const Options& options, Progress& progress);
 
     ListResult run(const PairList& list);
-    //! Number of pairs so far that could not be read.
+    //! Number of pairs that could not be read so far.
     int unreadable() const { return unreadablePairs; }
 
 private:

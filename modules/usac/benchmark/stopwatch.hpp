@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-/** Measures processor time of the whole process (sum over all threads) and wall time since its
-construction. */
+/** Measures the processor time of the whole process (the sum over all threads) and the wall time
+since the stopwatch was constructed. */
 class Stopwatch
 {
 public:

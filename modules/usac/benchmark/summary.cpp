@@ -15,7 +15,7 @@ namespace {
 
 const double NOT_KNOWN = std::numeric_limits<double>::quiet_NaN();
 
-//! All figures whose average over lists is an arithmetic mean.
+//! The figures whose average is the arithmetic mean over all lists on which they are known.
 double Summary::*const MEANS[] = {&Summary::failures, &Summary::medianCpu,
                                   &Summary::meanCpu,  &Summary::medianWall,
                                   &Summary::meanWall, &Summary::auc1,
@@ -54,7 +54,7 @@ std::vector<double> collect(const std::vector<std::vector<Summary>>& lists, size
     return values;
 }
 
-//! The median of one figure over the repeats of each pair. The runs of a pair must be consecutive.
+//! For each pair, the median of a figure over its repeats. The runs of a pair must be consecutive.
 std::vector<double> medianPerPair(const std::vector<Run>& runs, double Run::*figure)
 {
     std::vector<double> result, ofPair;
@@ -70,7 +70,7 @@ std::vector<double> medianPerPair(const std::vector<Run>& runs, double Run::*fig
 }
 
 //! Area under the cumulative distribution of the pose error from 0 to `threshold` degrees, in
-//! percent of the threshold.
+//! percent of the threshold. Runs without a known pose error are left out.
 double areaUnderCurve(const std::vector<Run>& runs, double threshold)
 {
     std::vector<double> parts;
@@ -119,7 +119,7 @@ Summary summarizeRuns(const std::vector<Run>& runs, ProblemType problem)
     return summary;
 }
 
-//! value / reference; NaN if either of them is infinite.
+//! value / reference; NaN if one of the two is infinite or NaN, or if the reference is 0.
 double ratio(double value, double reference)
 {
     return std::isfinite(value) && std::isfinite(reference) && reference > 0 ? value / reference

@@ -12,27 +12,27 @@ namespace benchmark {
 
 /** The figures of one method on one list, or averaged over lists. An unknown figure is NaN.
 
-For times, the median over the repeats of each pair is taken first, and the figures are over pairs.
-All other figures are over pairs and repeats together. */
+Times: first the median over the repeats of each pair is computed, then the median or mean of these
+values over the pairs. All other figures are computed from all runs (pairs and repeats) together. */
 struct Summary
 {
     Summary();
 
     int lists;            //!< number of lists; 0: the method does not solve the problem, or no pair
                           //!< could be read
-    int errorLists;       //!< number of lists that `medianError` averages
+    int errorLists;       //!< number of lists over which `medianError` is averaged
     double medianError;   //!< pixels; P, R and M: degrees; a failure counts as infinite
     double medianCenter;  //!< median of ProblemKind::centerError; a failure counts as infinite
-    double failures;      //!< percent
+    double failures;      //!< percent of the runs
     double medianCpu, meanCpu, medianWall, meanWall;  //!< milliseconds
-    /** Mean of max(0, 1 - pose error / threshold) in percent: the area under the cumulative
-    distribution of the pose error from 0 to the threshold, without interpolation between its steps.
-    The threshold is 1 degree for the rotation of P, R and M, and 5, 10 and 20 degrees for E and F.
-     */
+    /** Mean of max(0, 1 - pose error / limit) in percent: the area under the cumulative
+    distribution of the pose error from 0 to the limit, without interpolation between its steps.
+    `auc1` is known for P, R and M, the others are known for F and E; the number in the name is the
+    limit in degrees. */
     double auc1, auc5, auc10, auc20;
     double medianIterations;
     double errorRatio, medianCpuRatio, meanCpuRatio, medianWallRatio,
-        meanWallRatio;  //!< relative to the baseline
+        meanWallRatio;  //!< the figures divided by those of the baseline
 };
 
 //! Summaries of all methods on one list. @param baseline index of a method.
@@ -40,9 +40,10 @@ std::vector<Summary> summarize(const ListResult& result, int baseline);
 
 /** Averages over lists for all methods, as in Table 2 of the paper.
 
-The error is averaged over the lists on which every method solves more than half of the runs. Ratios
-are averaged by geometric means.
-@param lists the summaries of all methods for each list. */
+The errors (also of the center) are averaged over the lists on which every method that was run
+succeeds in more than half of the runs. The average of ratios is the geometric mean, that of all
+other figures the arithmetic mean.
+@param lists for each list, the summaries of all methods */
 std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists);
 
 }  // namespace benchmark

@@ -19,7 +19,7 @@ struct Column
 {
     const char *title, *csvName, *format;  //!< title: null omits the column in Markdown tables
     double Summary::*figure;
-    bool ofAll;  //!< false: CSV files have the column only if the results contain a problem whose
+    bool ofAll;  //!< false: a CSV file has the column only if the results contain a problem whose
                  //!< error is in degrees (P, R, M)
 };
 
@@ -61,7 +61,7 @@ std::string field(double value) { return print(value, "%.6g", ""); }
 //! Quotation marks are needed, since names may contain commas.
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-//! True if the column has a title and the figure of some method is known.
+//! True if the column has a title and its figure is known for at least one method.
 bool isShown(const std::vector<Summary>& rows, const Column& column)
 {
     for (size_t m = 0; m < rows.size() && column.title; ++m)

@@ -12,18 +12,18 @@
 
 namespace benchmark {
 
-/** Writes the results: a table for each list, then averages over all lists and over the lists of
-each problem. */
+/** Writes the results: a table for each list, then averages over all lists and, if the lists are of
+several problems, over the lists of each problem. */
 class Tables
 {
 public:
     Tables(const Options& options, const std::vector<ListResult>& results);
 
     void markdown(std::ostream& out) const;
-    //! Writes the same figures with a row for each list and method. Averages have the list names
-    //! `average`, `average.H` and so on.
+    //! Writes the same figures as CSV, with a row for each list and method. The list names of
+    //! averages are `average`, `average.H` and so on.
     void csv(std::ostream& out) const;
-    //! Writes one row for each call.
+    //! Writes the single runs as CSV, one row for each.
     void runsCsv(std::ostream& out) const;
 
 private:
@@ -41,8 +41,8 @@ private:
 
     const Options& options;
     const std::vector<ListResult>& results;
-    int baseline;              //!< index of a method
-    bool inPixels, inDegrees;  //!< units of the errors in the results
+    int baseline;              //!< index of the method that ratios refer to
+    bool inPixels, inDegrees;  //!< true if the results have errors in this unit
     std::vector<Table> tables;
 };
 

@@ -24,7 +24,7 @@ std::string contentsOf(const std::string& file)
     return text.str();
 }
 
-//! True if `json` is null or contains the letter; it is a letter or a list of letters.
+//! True if `json` is null, is this letter, or is a list that contains this letter.
 bool names(const Json& json, char letter)
 {
     if (json.isNull())

@@ -21,21 +21,21 @@ struct ScaleOptions
     std::vector<int> sizes;            //!< sweep over the number of matches, ascending
     std::vector<double> inliers;       //!< sweep over the inlier ratio, descending
     std::vector<double> boundInliers;  //!< inlier ratios for which the lower bound is measured
-    int size;                          //!< number of matches in the sweep over inlier ratios
+    int size;                          //!< number of matches, except in the sweep over sizes
     double part;                       //!< inlier ratio in the sweep over sizes
     double noise;
     int repeats, seed, threads;
-    double limit;  //!< milliseconds of a median call; slower methods skip harder scenes
+    double limit;  //!< milliseconds; a method whose median time is longer skips harder scenes
     bool sweepSizes, sweepInliers, bound;
     std::string csv, boundCsv;  //!< output files; empty: none
 
-    //! The `repeat`-th scene, which is the same for all methods.
+    //! The scene with the number `repeat`, from 0; all methods get the same scene.
     opencv_test::Scene scene(ProblemType problem, int size, double part, int repeat) const;
     //! The settings that the methods get.
     Settings settings(ProblemType problem) const;
 
-    /** Reads the command line. @return false if it only asks for help, which has then been printed.
-    Wrong options raise std::runtime_error. */
+    /** Reads the command line. @return false if the command line is empty or asks for help; the
+    help text has then been printed. Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:

@@ -16,7 +16,7 @@ namespace benchmark {
 /** The options of usac_structured's command line. */
 struct StructuredOptions
 {
-    bool search, accuracy, random;  //!< exactly one is true, the one that --mode names
+    bool search, accuracy, random;  //!< the mode (option --mode): exactly one of these is true
     std::vector<std::string> methods;
     std::vector<ProblemType> problems;
     std::vector<std::string> motions, kinds, orders, by;
@@ -24,8 +24,8 @@ struct StructuredOptions
     std::vector<double> ratios;
     std::vector<double> noises;  //!< ratios of noise to threshold for mode=accuracy
     bool ratiosGiven, brief;
-    bool startsTrue;  //!< count a search failure only if the search that starts from the true model
-                      //!< keeps it
+    bool startsTrue;  //!< true: a missed model counts as a search failure only if a search that
+                      //!< starts from the true model returns that model
     double noise, threshold, confidence;
     int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
     std::string csv;  //!< output file; empty: none
@@ -33,8 +33,8 @@ struct StructuredOptions
     //! The settings that the methods get in a cell.
     Settings settings(const Cell& cell) const;
 
-    /** Reads the command line. @return false if it only asks for help, which has then been printed.
-    Wrong options raise std::runtime_error. */
+    /** Reads the command line. @return false if the command line is empty or asks for help; the
+    help text has then been printed. Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 
 private:

@@ -18,19 +18,20 @@ struct SceneCommand
 {
     std::string folder, name;
     std::string letters;               //!< letters of the problems that the scenes can be used for
-    ProblemType problem;               //!< for makeScene(); unused for views and motions of space
+    ProblemType problem;  //!< argument of makeScene(); unused for views and motions of space
     int pairs;                         //!< number of scenes
-    opencv_test::SceneOptions images;  //!< options of the first scene; seeds increase by 1
-    ViewOptions view;                  //!< as `images`, for views
-    SpaceOptions space;                //!< as `images`, for motions of space
+    opencv_test::SceneOptions images;  //!< image pairs: options of the first scene; the seed of
+                                       //!< each further scene is greater by 1
+    ViewOptions view;                  //!< the same for views
+    SpaceOptions space;                //!< the same for motions of space
 
     //! isView: the scenes are views of object points; isSpace: motions of space; neither: image
     //! pairs
     bool isView() const { return letters == "P"; }
     bool isSpace() const { return letters == "R" || letters == "M"; }
 
-    //! @return false if the command line only asks for help, which has then been printed. Wrong
-    //! options raise std::runtime_error.
+    //! Reads the command line. @return false if the command line is empty or asks for help; the
+    //! help text has then been printed. Wrong options raise std::runtime_error.
     bool parse(int argc, char** argv);
 };
 

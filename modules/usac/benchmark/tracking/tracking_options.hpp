@@ -21,8 +21,8 @@ struct TrackingOptions
     double noise, speed;
     std::string csv;  //!< output file; empty: none
 
-    /** Reads the command line. @return false if it only asks for help, which has then been printed.
-    Wrong options raise std::runtime_error. */
+    /** Reads the command line. @return false if the command line asks for help; the help text has
+    then been printed. Wrong options raise std::runtime_error. */
     bool parse(int argc, char** argv);
 };
 
