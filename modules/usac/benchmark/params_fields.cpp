@@ -81,8 +81,8 @@ bool valueOf(const Enumerators& of, const std::string& text, double& value, std:
     return found > 0;
 }
 
-//! Assigns a value to the numeric field of the given name, if there is one. For
-//! cv::usacv20::visitFields(), which calls it with each field of Params.
+//! A visitor for cv::usacv20::visitFields(): assigns a value to the numeric field of the given
+//! name. `done` becomes true if there is a field of this name.
 struct Assignment
 {
     Params& params;

@@ -16,7 +16,7 @@ namespace {
 //! exceeds this many thresholds.
 const double WRONG = 1;
 
-//! The 0.95 quantile of chi-square with 1 to 8 degrees of freedom.
+//! The 0.95 quantiles of the chi-square distributions with 1 to 8 degrees of freedom.
 const double QUANTILES[] = {3.8415, 5.9915, 7.8147, 9.4877, 11.0705, 12.5916, 14.0671, 15.5073};
 
 }  // namespace

@@ -17,33 +17,37 @@ class Calibration
 public:
     Calibration();
 
-    //! Makes a scene, estimates, and counts the result. @param widening see KnownScene::run
+    //! Makes a scene, estimates its model, and counts the result. @param widening see
+    //! KnownScene::run
     void add(const SceneCell& cell, int seed, const cv::usacv20::Params& params, double widening);
     void add(const Calibration& other);
 
     int models() const { return determined; }
-    //! Mean of the squared Mahalanobis distance divided by the degrees of freedom; 1 if calibrated.
+    //! Mean of the squared Mahalanobis distance divided by the number of parameters; 1 if the
+    //! covariance is calibrated.
     double mean() const { return sum / determined; }
     //! Fraction of the models whose 95 % confidence region contains the true model.
     double inside() const { return (double)within / determined; }
     //! Mean ratio of estimated to true noise over the scenes where the noise was estimated.
     double sigma() const { return sigmas / estimated; }
-    //! Geometric mean of the ratio of the error to that of weighted least squares over the right
-    //! matches. It is defined only if SceneCell::spread is not 1. The mean is over the scenes for
-    //! which the estimator finds a model also without Params::sigmas.
+    //! Geometric mean of the ratio of the model's error to that of weighted least squares over the
+    //! right matches. It is defined only if SceneCell::spread is not 1. Scenes are left out if the
+    //! estimator without Params::sigmas has no model, or one with an error above 1000 thresholds.
     double relativeError() const { return std::exp(logs[0] / compared); }
     //! The same ratio for the estimator without Params::sigmas.
     double relativeErrorWithoutSigmas() const { return std::exp(logs[1] / compared); }
 
     static std::string header(
         bool compared);  //!< the header of a Markdown table after its first columns
+    //! The row of a Markdown table after its first columns.
     std::string row() const;
 
 private:
     void compare(const KnownScene& scene, double error, const cv::usacv20::Params& params,
                  double widening);
 
-    int scenes, none, wrong, unknown;
+    int scenes, none, wrong, unknown;  //!< all; without a model; with a wrong model; with an
+                                       //!< undetermined covariance
     int determined, within, estimated;
     double sum, sigmas;
     int compared;

@@ -35,9 +35,10 @@ Mat rowsOf(const std::vector<Point>& points, const std::vector<uchar>& chosen)
 
 const std::vector<uchar> ALL;
 
-//! Standard deviation of the points' noise for which each component of the error has the deviation
-//! that the cell states. For homographies, affinities and similarities both images have noise. That
-//! of image 1 is mapped to image 2 by a nearly rigid map, so the variances add up.
+//! Standard deviation of the points' noise for which each component of the error has the standard
+//! deviation that SceneCell::noise states. For homographies, affinities and similarities both
+//! images have noise, and a nearly rigid map transfers that of image 1 to image 2, so the variances
+//! add up.
 double noiseOf(const SceneCell& cell)
 {
     const bool both = cell.problem == HOMOGRAPHY || cell.problem == AFFINITY ||
@@ -117,8 +118,9 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
     truth = Mat(scene.motion, true);
 }
 
-//! Multiplies the noise of every second match by SceneCell::spread and sets `sigmas`; wrong matches
-//! have no noise. @param exact1, exact2 the points without noise
+//! Multiplies the noise of every second match by SceneCell::spread and sets `sigmas`, unless
+//! `spread` is 1. Wrong matches have no noise, so they do not change.
+//! @param exact1, exact2 the points without noise
 void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2)
 {
     if (cell.spread == 1)

@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-//! Properties that the scenes of one cell share; the scenes differ in their seed.
+//! Properties that a group of scenes (a cell) shares; its scenes differ only in their seeds.
 struct SceneCell
 {
     cv::usacv20::ProblemType problem;
@@ -21,7 +21,7 @@ struct SceneCell
     double ratio;       //!< inlier ratio
     double noise;  //!< standard deviation of each component of the error, divided by the threshold
     double threshold;  //!< pixels; R, M: in the unit in which the cloud is a cube of side 2
-    double spread;  //!< noise of every second match, in units of that of the others; if it is not
+    double spread;  //!< noise of every second match, divided by that of the others; if it is not
                     //!< 1, the estimator gets these ratios as Params::sigmas
 };
 
@@ -35,19 +35,19 @@ public:
     KnownScene(const SceneCell& cell, int seed);
 
     //! Runs the estimator. @param widening ratio of the estimator's threshold to that of the cell
-    //! @return false if it finds no model
+    //! @return false if the estimator finds no model
     bool run(const cv::usacv20::Params& options, double widening);
     /** The squared Mahalanobis distance of the true model from the estimated one under
-    Report::covariance: x^T C^-1 x with the least-squares solution x of tangentOfModel * x =
-    (entries of the true model) - (entries of the estimate). */
+    Report::covariance, C: x^T C^-1 x with the least-squares solution x of tangentOfModel * x =
+    (entries of the true model) - (entries of the estimate). NaN if C is not determined. */
     double squaredDistance() const;
     //! Root mean square distance of the noise-free true matches from the model, in thresholds of
     //! the cell. A large value shows that the estimated model is wrong.
     double error() const { return error(model); }
-    //! error() of the estimator without Params::sigmas, with the threshold of the larger noise;
-    //! infinite if it finds no model.
+    //! error() of the estimator without Params::sigmas, whose threshold is multiplied by
+    //! SceneCell::spread, as it must fit the larger noise; infinite if there is no model.
     double errorWithoutSigmas(const cv::usacv20::Params& options, double widening) const;
-    //! error() of least squares over the right matches, weighted by their true noise.
+    //! error() of the least-squares fit to the right matches with weights from their true noise.
     double errorOfFit() const;
 
     const cv::usacv20::Report& report() const { return learned; }
@@ -61,8 +61,8 @@ private:
     cv::Mat points1, points2;    //!< matrices of N rows with 2 or 3 coordinates
     cv::Mat clean1, clean2;      //!< the true matches, without noise
     std::vector<uchar> inliers;  //!< 1 where a match is right
-    std::vector<float> sigmas;   //!< empty if all are equal
-    cv::Mat K, truth, model;
+    std::vector<float> sigmas;   //!< relative noise of the matches; empty if all are equal
+    cv::Mat K, truth, model;     //!< truth: the true model; model: the estimate
     cv::usacv20::Report learned;
 };
 

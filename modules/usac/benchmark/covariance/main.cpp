@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // Measures how well Report::covariance describes the errors of models on synthetic scenes with
-// known true models. The squared Mahalanobis distance of the true model, divided by the degrees of
-// freedom, should be 1 on average, and the 95 % confidence region should contain 95 % of the true
-// models.
+// known true models. The squared Mahalanobis distance of the true model, divided by the number of
+// parameters, should be 1 on average, and the 95 % confidence regions should contain 95 % of the
+// true models.
 //
 //     usac_covariance --scenes=10000 > covariance.md
 
@@ -142,8 +142,8 @@ std::vector<SceneCell> cellsOf(const Options& options, ProblemType problem)
     return cells;
 }
 
-//! The first entries of the table row that counts the scenes of a cell. `by` is the property that
-//! all cells of a row share.
+//! The first entries of the table row in which the scenes of a cell are counted. `by` is the
+//! property that all cells of a row share.
 std::string rowOf(const std::string& letter, const SceneCell& cell, const std::string& by)
 {
     const std::string start = "| " + letter + " | ";

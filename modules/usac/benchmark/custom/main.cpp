@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The benchmark with user-defined methods in addition to those of usac_benchmark: two methods with
-// a replaced component and one whole estimator.
+// The benchmark with user-defined methods in addition to those of usac_benchmark: two methods in
+// which a component is replaced, and an estimator of its own.
 //
 //     usac_custom_benchmark --data=<folder>
 //     --methods=USACV20,custom:spread,custom:tukey,custom:ransac > tables.md
@@ -33,8 +33,8 @@ void tukeyQuality(cv::usacv20::Usac& usac)
     usac.components().score = cv::makePtr<custom::TukeyScore>();
 }
 
-//! An example of a whole estimator: any function that makes a model from points. It calls OpenCV's
-//! RANSAC, so its accuracy equals that of the method cv:RANSAC.
+//! An example for wholeEstimator, which accepts any function that makes a model from points. This
+//! one calls OpenCV's RANSAC, so its accuracy equals that of the method cv:RANSAC.
 Estimate opencvRansac(const Task& task)
 {
     const Settings& settings = task.settings;

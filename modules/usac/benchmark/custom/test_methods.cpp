@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // Methods for test_custom.py, test_problems.py, test_views.py and test_spaces.py; their results are
-// known beforehand. With the single argument "mistakes", the program tries registrations that the
-// registry must refuse, and prints the error message of each on a line.
+// known beforehand. With the single argument "mistakes", the program makes invalid registrations
+// and factories, which must raise exceptions, and prints the message of each exception on a line.
 
 #include <iostream>
 #include <stdexcept>
@@ -38,7 +38,7 @@ void sameSampler(cv::usacv20::Usac& usac)
 
 void noSampler(cv::usacv20::Usac& usac) { usac.components().sampler.reset(); }
 
-//! Encodes the settings and data that it receives in the number of iterations. @return the identity
+//! Encodes some of its settings and data in the number of iterations. The model is the identity.
 Estimate echo(const Task& task)
 {
     const Settings& s = task.settings;

@@ -12,8 +12,8 @@ namespace benchmark {
 
 namespace {
 
-//! P, the pose [R t] of a camera from object points and their images, x ~ R X + t. The error of the
-//! camera center is in percent of the depth of the scene.
+//! P, the pose [R t] of a camera from object points and their images, x ~ R X + t. centerError() is
+//! the distance of the camera centers in percent of the median depth of the scene.
 class AbsolutePose : public MotionKind
 {
 public:

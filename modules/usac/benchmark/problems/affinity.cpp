@@ -10,7 +10,7 @@ namespace benchmark {
 
 namespace {
 
-//! A, an affine map of image 1 to image 2. The default settings are those of calib3d's function.
+//! A, an affine map from image 1 to image 2. The default settings are those of calib3d's function.
 class Affinity : public PlaneMap
 {
 public:

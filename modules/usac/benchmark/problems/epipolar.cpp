@@ -28,8 +28,8 @@ struct Rays
     std::vector<cv::Vec3d> rays1, rays2;
 };
 
-//! Viewing rays of the inliers; or of all correspondences, if the mask has no inliers or not as
-//! many rows as there are correspondences.
+//! Viewing rays of the inliers; of all correspondences if the mask has no inliers, or if it is not
+//! a mask of type CV_8U with one entry for each correspondence.
 Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
 {
     const cv::Matx33d inverse1 = pair.K1.inv(), inverse2 = pair.K2.inv();

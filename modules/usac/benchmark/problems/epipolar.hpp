@@ -22,7 +22,7 @@ public:
     double poseError(const ImagePair& pair, const Estimate& estimate) const CV_OVERRIDE;
 
 protected:
-    //! Converts a model to a fundamental matrix, or to an essential matrix.
+    //! The fundamental matrix, and the essential matrix, that belongs to a model of the problem.
     virtual cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const = 0;
     virtual cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const = 0;
 };

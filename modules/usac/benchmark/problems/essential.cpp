@@ -13,7 +13,7 @@ namespace {
 
 const int ITERATIONS_OF_TWO_CAMERAS = 1000;
 
-//! The parameters that calib3d derives from a USAC flag for E.
+//! The parameters that calib3d derives from a USAC flag for E, as far as cv::UsacParams has them.
 cv::UsacParams usacParamsOf(int flag, const Settings& settings)
 {
     cv::UsacParams params;
@@ -36,7 +36,7 @@ cv::UsacParams usacParamsOf(int flag, const Settings& settings)
     return params;
 }
 
-//! Transforms the points of a camera to the pixels of a camera with the matrix `mean`.
+//! Converts pixels of a camera with the matrix K to pixels of a camera with the matrix `mean`.
 cv::Mat toCamera(const std::vector<cv::Point2f>& points, const cv::Matx33d& K,
                  const cv::Matx33d& mean)
 {

@@ -10,7 +10,7 @@ namespace benchmark {
 
 namespace {
 
-//! H, the homography of image 1 to image 2.
+//! H, the homography from image 1 to image 2.
 class Homography : public PlaneMap
 {
 public:

@@ -11,12 +11,13 @@
 namespace benchmark {
 
 //! Reads lines `X1 Y1 Z1 X2 Y2 Z2` into the points of both spaces. Raises std::runtime_error with
-//! file and line.
+//! file and line if a line has another form.
 void readSpacePoints(const std::string& file, ImagePair& pair);
 
 /** Reads the true motion between two spaces. The points must have been read before. Raises
 std::runtime_error with file and line.
-@param scaled true: the motion may have a scale other than 1 */
+@param letter letter of the problem, which the file must allow
+@param scaled false: a scale other than 1 is an error */
 void readMotionTruth(const TruthReader& in, char letter, bool scaled, ImagePair& pair);
 
 }  // namespace benchmark

@@ -10,8 +10,8 @@ namespace benchmark {
 
 namespace {
 
-const double MAX_ROTATION_ERROR = 5;  //!< degrees, limit of a successful estimate
-const double MAX_CENTER_ERROR = 5;    //!< percent, limit of a successful estimate
+const double MAX_ROTATION_ERROR = 5;  //!< degrees; an estimate with a larger error is a failure
+const double MAX_CENTER_ERROR = 5;    //!< percent; an estimate with a larger error is a failure
 
 }  // namespace
 

@@ -9,8 +9,9 @@
 
 namespace benchmark {
 
-/** Problems whose model is a 3x4 matrix of a motion. Their error is that of the rotation in
-degrees. An estimate is a failure if this error is above 5 degrees or the center error is above 5 %.
+/** Problems whose model is a 3x4 motion matrix (P, R, M). The error of a model is the angle between
+its rotation and the true one in degrees. An estimate is a failure if this error is above 5 degrees
+or the center error is above 5 %.
  */
 class MotionKind : public ProblemKind
 {

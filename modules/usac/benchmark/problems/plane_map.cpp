@@ -11,7 +11,8 @@ namespace benchmark {
 
 namespace {
 
-//! Converts the model to a map of homogeneous points; a model of two rows gets the third row 0 0 1.
+//! Converts a model of `rows` rows to a map of homogeneous points; a model of two rows gets the
+//! third row 0 0 1. @return false if the shape is wrong or a value is not finite.
 bool toMap(const cv::Mat& model, int rows, cv::Matx33d& M)
 {
     if (rows == 3)

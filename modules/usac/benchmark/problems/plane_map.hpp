@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-/** Maps of image 1 to image 2, given by a matrix of two or three rows that multiplies homogeneous
+/** Maps from image 1 to image 2, given by a matrix of two or three rows that multiplies homogeneous
 points. Errors are distances in image 2, in pixels. */
 class PlaneMap : public ProblemKind
 {

@@ -12,14 +12,15 @@
 namespace benchmark {
 
 /** The properties of one problem: the ground truth that a pair must have, the error measures of
-estimates, and the calls of this module and of calib3d. kindOf() returns the only object of a
-problem.
+estimates, and the calls of this module and of calib3d. There is one object for each problem, which
+kindOf() returns.
 */
 class ProblemKind
 {
 public:
-    //! @param letter of the problem in lists and tables. @param modelSize size of a model as the
-    //! functions return it. @param threshold, maxIterations defaults of the command line
+    //! @param letter letter of the problem in lists and tables
+    //! @param modelSize size of a model
+    //! @param threshold, maxIterations defaults of the command line
     ProblemKind(ProblemType type, char letter, const cv::Size& modelSize, double threshold,
                 int maxIterations);
     virtual ~ProblemKind() {}
@@ -32,47 +33,46 @@ public:
 
     //! True if the error of a model is in pixels; otherwise it is in degrees.
     virtual bool inPixels() const { return true; }
-    //! True if the problem needs the camera matrix of image 1 (image 2).
+    //! True if the problem needs the camera matrix of image 1, or of image 2.
     virtual bool hasCamera1() const { return false; }
     virtual bool hasCamera2() const { return false; }
-    //! Reads the matches and the ground truth of a pair, see readImagePair(). Default: the files of
-    //! two images.
+    //! Reads the matches and the ground truth of a pair, see readImagePair(). Default: reads the
+    //! files of an image pair.
     virtual void read(const std::string& path, ImagePair& pair) const;
 
-    //! Error measures, see measures.hpp. Models are in the coordinates of the input. Default of
-    //! poseError(): negative, as there is no pose.
+    //! Error measures, see measures.hpp. Models are in the coordinates of the input. By default,
+    //! poseError() is negative, because the problem has no pose.
     virtual double modelError(const ImagePair& pair, const cv::Mat& model) const = 0;
     virtual double failureLimit(const ImagePair& pair) const = 0;
     virtual double modelCost(const ImagePair& pair, const cv::Mat& model,
                              double threshold) const = 0;
     virtual double poseError(const ImagePair& pair, const Estimate& estimate) const;
-    //! Error of the camera center in percent of the depth of the scene, or the measure that
-    //! replaces it (see the derived classes). Infinite without a model, negative if the problem has
-    //! none.
+    //! Error of the camera center in percent of the depth of the scene; R and M: another measure in
+    //! percent, see RigidMotion. Infinite without a model; negative for all other problems.
     virtual double centerError(const ImagePair& pair, const cv::Mat& model) const;
-    //! True if the estimate is a failure. @param error, centerError errors of the model. Default:
-    //! the error is above failureLimit().
+    //! True if the estimate is a failure; by default, if the error is above failureLimit() or NaN.
+    //! @param error, centerError results of modelError() and centerError()
     virtual bool failed(const ImagePair& pair, double error, double centerError) const;
 
-    //! An estimator of this module for the matches of a pair; it can be run once.
+    //! An estimator of this module for the matches of a pair.
     virtual cv::Ptr<cv::usacv20::Usac> estimator(const ImagePair& pair,
                                                  const cv::usacv20::Params& params) const;
     //! Calls the function of this module as a user does. @param estimate output: model and mask
     virtual void callModule(const ImagePair& pair, const cv::usacv20::Params& params,
                             Estimate& estimate) const = 0;
-    //! Calls the function of calib3d as a user does, with a flag. @param estimate output, as that
-    //! function returns it
+    //! Calls the function of calib3d as a user does, with a flag. @param estimate output: model and
+    //! mask; empty if the function fails
     virtual void callOpenCV(const ImagePair& pair, int flag, const Settings& settings,
                             Estimate& estimate) const = 0;
 
 protected:
-    //! Raises an exception if the pair lacks something that the problem needs. Default: checks
-    //! nothing.
+    //! Called by the default of read(): raises an exception if the pair lacks something that the
+    //! problem needs in addition to true points. Default: checks nothing.
     virtual void checkTruth(const TruthReader& in, const ImagePair& pair) const;
 };
 
-//! kindOf<NAME>() for each row of the table of problems, defined in the file of the problem: the
-//! only object of its kind.
+//! Declares kindOf<NAME>() for each problem in registry.inl.hpp. The function is defined in the
+//! file of the problem and returns the problem's only object.
 #define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) const ProblemKind& kindOf##NAME();
 #include "../../src/problems/registry.inl.hpp"
 

@@ -12,17 +12,18 @@ namespace benchmark {
 /** R, the rigid motion [R t] that maps points of space 1 to points of space 2; M, the same with a
 scale, [s R t].
 
-The rotation of an affine map is taken as the closest rotation. centerError() is the root mean
-square distance between the right points of space 1 moved by the estimated and by the true motion,
-in percent of the size of the scene. calib3d has no function for this problem; the functions of
-Rival are the most similar ones. */
+The rotation of an estimated affine map is the rotation closest to its 3x3 part. centerError() is
+the root mean square distance between the right points of space 1 moved by the estimated and by the
+true motion, in percent of the size of the scene (ImagePair::depth); all points are used if it is
+unknown which are right. calib3d has no function for these problems; those of Rival are the most
+similar ones. */
 class RigidMotion : public MotionKind
 {
 public:
     /** AFFINE3D: `cv::estimateAffine3D(points1, points2, model, mask, threshold, confidence)`,
     RANSAC for an affine map of space with at most 1000 samples of four points. AFFINE3D_REFIT: the
-    same, followed by a least-squares motion of the inliers, which the overload without a threshold
-    computes. */
+    same, followed by a least-squares motion of the inliers (M: with a scale), which the overload
+    without a threshold computes. */
     enum Rival { AFFINE3D = 1000, AFFINE3D_REFIT };
 
     explicit RigidMotion(bool scaled);

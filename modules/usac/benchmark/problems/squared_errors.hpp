@@ -11,8 +11,9 @@
 
 namespace benchmark {
 
-//! Converts the model to double. If a function returns several stacked models, the first is taken.
-//! @return false if the shape is wrong or a value is not finite.
+//! Converts a model of three columns to double. Only the first three rows are used, since some
+//! functions return several stacked models. @return false if the shape is wrong or a value is not
+//! finite.
 bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix);
 
 //! Converts the 3x4 model [A t] to double. @return false if the shape is wrong or a value is not
@@ -51,8 +52,8 @@ double truncatedMean(int count, double threshold, const Error& errorOf)
     return sum / count;
 }
 
-//! Angle in degrees. It is computed from the chord |R1 - R2| = 2 sqrt(2) sin(angle / 2), which is
-//! accurate for small angles, too.
+//! Angle in degrees between two rotations, or between two vectors; accurate for small angles, too.
+//! For rotations it follows from |R1 - R2| = 2 sqrt(2) sin(angle / 2).
 double angleBetween(const cv::Matx33d& R1, const cv::Matx33d& R2);
 double angleBetween(const cv::Vec3d& a, const cv::Vec3d& b);
 

@@ -10,14 +10,14 @@
 
 namespace benchmark {
 
-//! Reads lines `x1 y1 x2 y2 score`; a missing score is 1. Raises std::runtime_error with file and
-//! line.
+//! Reads lines `x1 y1 x2 y2 score`; a score that is missing is set to 1. Raises std::runtime_error
+//! with file and line if a line has another form.
 void readCorrespondences(const std::string& file, ImagePair& pair);
 
-//! Reads the ground truth of two images.
+//! Reads the ground truth of an image pair, which must be allowed for the problem `letter`.
 void readTwoViewTruth(const TruthReader& in, char letter, ImagePair& pair);
 
-//! Raises an exception if the pair has no ground truth to measure an error with.
+//! Raises an exception if the pair has no true points with which an error can be measured.
 void checkTruePoints(const TruthReader& in, const ImagePair& pair);
 
 }  // namespace benchmark

@@ -11,16 +11,18 @@
 namespace benchmark {
 
 //! Reads lines `X Y Z u v` into the object points and the points of image 2. Raises
-//! std::runtime_error with file and line.
+//! std::runtime_error with file and line if a line has another form.
 void readObjectPoints(const std::string& file, ImagePair& pair);
 
-//! Reads one score on each line, one for each match. If there is no such file, all scores are 1.
+//! Reads the scores of all matches, one on each line. If there is no such file, all scores are 1.
 void readScores(const std::string& file, ImagePair& pair);
 
-//! Reads an array of indices of matches; `null` gives an empty vector.
+//! Reads an array of indices of matches into an empty vector, which stays empty if the value is
+//! `null`. @param size number of matches
 void readIndices(const Json& json, int size, std::vector<int>& indices);
 
-//! Reads the camera and its true pose. The points must have been read before.
+//! Reads the camera and its true pose. The points must have been read before. The file must allow
+//! the problem `letter`.
 void readViewTruth(const TruthReader& in, char letter, ImagePair& pair);
 
 }  // namespace benchmark

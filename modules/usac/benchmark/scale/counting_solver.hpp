@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-/** A minimal solver that records its samples and the first models. It is not thread-safe. It solves
-samples one by one, so that it solves only samples that the run reaches. */
+/** Wraps a minimal solver and records its samples and the first models. It is not thread-safe.
+together() is 1, so that only samples are solved that the run reaches. */
 class CountingSolver : public cv::usacv20::MinimalSolver
 {
 public:
@@ -36,8 +36,9 @@ public:
 
     //! Number of samples solved so far.
     int solved() const { return (int)samples.size() / sampleSize(); }
+    //! The point indices of the i-th solved sample.
     const int* sample(int i) const { return &samples[(size_t)i * sampleSize()]; }
-    //! Number of all models, including those of samples from which the polishing starts.
+    //! Number of models from all samples solved so far, including the samples of the polishing.
     int modelsOfAll() const { return computed; }
     //! The first models found, at most MOST_MODELS.
     const std::vector<Model>& models() const { return found; }

@@ -11,9 +11,9 @@ namespace benchmark {
 
 /** A verifier that counts the points that models of minimal samples are tested with.
 
-It is called before and after each block of points, so it can count every point. Blocks and
-decisions are those of the wrapped verifier; if there is none, the blocks are those of a run without
-a verifier. It is not thread-safe. */
+A verifier is called before and after each block of points, so it can count all tested points.
+Blocks and decisions are those of the wrapped verifier; if there is none, the blocks are those of a
+run without a verifier, and no model is rejected. It is not thread-safe. */
 class CountingVerifier : public cv::usacv20::Verifier
 {
 public:
@@ -64,7 +64,7 @@ public:
     int64 tested() const { return count; }
 
 private:
-    enum { LARGEST_BLOCK = 256 };
+    enum { LARGEST_BLOCK = 256 };  //!< as in src/scoring/rate.cpp
 
     const cv::Ptr<cv::usacv20::Verifier> verifier;
     mutable int before;

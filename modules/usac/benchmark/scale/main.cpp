@@ -4,8 +4,8 @@
 
 // Measures how the time of robust estimators grows with the number of matches and with the fraction
 // of outliers on synthetic scenes. For the module's methods it also compares the time of the search
-// with a lower bound: the time that the minimal solver and the kernel (the computation of errors)
-// need alone.
+// with a lower bound: the time that only the minimal solver and the kernel (the computation of
+// errors) need.
 //
 //     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
 //     python3 modules/usac/benchmark/plot_scale.py scale.csv --out=pictures
@@ -52,8 +52,8 @@ void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& 
     }
 }
 
-//! Measures the lower bounds. It leaves out OpenCV's methods, because they do not report the
-//! numbers of samples and models.
+//! Measures the lower bounds of the module's methods. OpenCV's methods are left out, because they
+//! do not report the numbers of samples and models.
 void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods)
 {
     std::ofstream csv;

@@ -43,7 +43,7 @@ const char KEYS[] = "{help h usage ? | | print this }"
 
 bool isPart(double value) { return value > 0 && value <= 1; }
 
-//! Parses inlier ratios and sorts them in descending order, so that the hardest is last.
+//! Parses inlier ratios and sorts them in descending order, so that the hardest scenes are last.
 std::vector<double> partsOf(const std::vector<std::string>& texts, const std::string& option)
 {
     std::vector<double> parts;

@@ -10,8 +10,8 @@
 
 namespace benchmark {
 
-//! Converts a synthetic scene to a pair of the benchmark. Its ground truth are the noise-free right
-//! matches.
+//! Converts a synthetic scene to a pair of the benchmark. The true points of the pair are the
+//! noise-free right matches; it has the cameras and the pose, but no homography.
 ImagePair toImagePair(const opencv_test::Scene& scene);
 
 }  // namespace benchmark

@@ -18,11 +18,12 @@ using opencv_test::Scene;
 
 namespace {
 
-//! Number of times that each scene is timed; the minimum counts.
+//! Number of times that each scene is timed; the minimum time is used.
 const int ROUNDS = 15;
 
-//! Wall time in milliseconds of solving all samples, in batches of the same size as in a run, for
-//! comparison with Report::searchMs. @param found output, number of models.
+//! Milliseconds in which `solver` solves all samples that were recorded in `samples`, in batches of
+//! the same size as in a run. Wall time, as in Report::searchMs. @param found output: number of
+//! models
 double solverMsOf(const Usac& usac, const MinimalSolver& solver, const CountingSolver& samples,
                   int& found)
 {
@@ -48,7 +49,8 @@ double solverMsOf(const Usac& usac, const MinimalSolver& solver, const CountingS
     return watch.wallMs();
 }
 
-//! Mean wall time in milliseconds of testing one point with one model.
+//! Mean wall time in milliseconds in which the error of one point under one model is computed and
+//! scored.
 double kernelMsOf(const Context& context, const std::vector<Model>& models)
 {
     const Stopwatch watch;
@@ -115,7 +117,7 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
         kernel = std::min(kernel, kernelMsOf(context, solver->models()));
     }
     samples += expected.iterations;
-    // leaves out the samples that polishing solves
+    // solver->solved() would include the samples that polishing solves
     solved += expected.iterations - expected.rejectedSamples;
     models += expected.models;
     points += verifier->tested();

@@ -13,22 +13,22 @@
 namespace benchmark {
 
 /** Compares the time of a run's search (Report::searchMs: all except reading the points, local
-optimization and polishing) with a lower bound: the time of the minimal solver alone for the samples
-that it solved, plus the time of the kernel (the computation of errors) alone for the points that
-the models were tested with.
+optimization and polishing) with a lower bound: the time of the minimal solver for the samples that
+it solved, plus the time of the kernel (the computation of errors) for the points that the models
+were tested with, each without the rest of the search.
 
-The solver is timed on the samples of the run, the kernel on models of the run over all points. A
+The solver is timed on the samples of the run; the kernel, on models of the run with all points. A
 run with counting components determines the numbers of samples and points; the same run without
 these components is timed. Each time is the minimum of several measurements, since the same
-instructions run each time. Single-threaded. */
+instructions run each time. All runs use one thread. */
 class SearchBound
 {
 public:
     SearchBound(const std::string& method, ProblemType problem, double part,
                 const ScaleOptions& options);
 
-    //! Measures all scenes. Raises std::runtime_error if the method's use of points cannot be
-    //! counted.
+    //! Measures all scenes. Raises std::runtime_error if the points that the method tests cannot be
+    //! counted, or if the counting components change the run.
     void run(const cv::usacv20::Params& params);
 
     static void markdownHeader(std::ostream& out);
@@ -47,7 +47,7 @@ private:
     // sums over the scenes
     int64 samples, solved, models, points;
     double searchMs, solverMs, kernelMs,
-        allSolverMs;  //!< allSolverMs: solver time if all samples had been solved
+        allSolverMs;  //!< allSolverMs: time of the solver if all drawn samples had been solved
 };
 
 }  // namespace benchmark

@@ -28,21 +28,23 @@ public:
 
     void run(const std::vector<cv::Ptr<Method>>& methods, Meter& meter, Progress& progress);
 
-    //! Number of scenes of different difficulty, for Progress.
+    //! Number of steps of the sweep (sizes or inlier ratios), for Progress.
     size_t size() const { return points.size(); }
     void markdown(std::ostream& out) const;
     static void csvHeader(std::ostream& out);
     void csv(std::ostream& out) const;
 
 private:
+    //! A step of the sweep.
     struct Point
     {
-        int size;
-        double part;
+        int size;     //!< number of matches
+        double part;  //!< inlier ratio
         std::vector<Summary> rows;  //!< one for each method; Summary::lists is 0 if it did not run
     };
 
-    //! @param active the methods to run; methods that prove too slow are removed.
+    //! Measures the methods on the scenes of a point. @param active true for the methods to run;
+    //! becomes false for methods whose median time exceeds ScaleOptions::limit
     void measure(Point& point, const std::vector<cv::Ptr<Method>>& methods,
                  std::vector<bool>& active, Meter& meter) const;
     std::string label(const Point& point) const;

@@ -14,8 +14,8 @@ namespace benchmark {
 
 namespace {
 
-//! A ratio of noise to threshold. With less noise, ratios of errors mainly reflect rounding, so the
-//! table shows the errors themselves.
+//! A ratio of noise to threshold. With less noise the table shows the errors themselves: without
+//! noise, their ratios to the errors of least squares would reflect only rounding.
 const double LITTLE_NOISE = 0.05;
 //! Inlier ratio for the motion "aerial", a plane with relief seen from a drone, unless the user
 //! sets ratios.
@@ -53,7 +53,8 @@ std::string poseText(const std::vector<double>& poses, const std::vector<bool>& 
            cv::format(" (%.0f) |", percentOf(wrong));
 }
 
-//! values / by, without runs whose model is far from the truth, since their ratios are arbitrary.
+//! The ratios values / by. Runs whose model is far from the truth are left out, since their ratios
+//! are arbitrary.
 std::vector<double> quotients(const std::vector<double>& values, const std::vector<bool>& far,
                               const std::vector<double>& by)
 {
@@ -133,7 +134,7 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
     cell.options(0, sceneOptions);
     sceneOptions.noise = noise * options.threshold;
     Settings settings = options.settings(cell);
-    std::vector<Errors> all(methods.size() + 1);  // the last element is for least squares
+    std::vector<Errors> all(methods.size() + 1);  // the last element has those of least squares
     for (int run = 0; run < options.runs; ++run)
     {
         sceneOptions.seed = settings.seed = options.seed + run;

@@ -14,19 +14,19 @@
 namespace benchmark {
 
 /** Compares the errors of methods with those of least squares over the right matches, for several
- motions and noise levels. Wrong matches are uniformly distributed. */
+camera motions and noise levels. Wrong matches are uniformly distributed. */
 class AccuracyTable
 {
 public:
     //! Unknown methods raise std::runtime_error.
     explicit AccuracyTable(const StructuredOptions& options);
 
-    //! Writes a table for each problem to `out`, and a row for each cell and method to `csv` unless
-    //! it is null.
+    //! Writes a table for each problem to `out`, and a row for each cell, noise level and method to
+    //! `csv` unless that pointer is null.
     void run(std::ostream& out, std::ostream* csv);
 
 private:
-    //! The results of all runs of one method, or of least squares, in one cell.
+    //! The results of a method, or of least squares, on all scenes of a cell with one noise level.
     struct Errors
     {
         std::vector<double> errors, poses;

@@ -11,7 +11,7 @@ namespace benchmark {
 
 namespace {
 
-//! Makes the same call as ModuleMethod::run, but with the report.
+//! Estimates the same model as ModuleMethod::run, but also gets the report.
 void runModule(const ModuleMethod& method, const ImagePair& pair, Estimate& estimate, bool& limited)
 {
     cv::usacv20::Report report;

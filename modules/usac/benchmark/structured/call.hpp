@@ -12,14 +12,14 @@ namespace benchmark {
 //! One call of a method with its results.
 struct Call
 {
-    //! Runs the method. An exception counts as no model. @param initial Params::initialModel, for
-    //! methods of this module only; empty: none
+    //! Runs the method. A cv::Exception counts as no model.
+    //! @param initial Params::initialModel, used for methods of this module only; empty: none
     Call(Method& method, const ImagePair& pair, const Settings& settings,
          const cv::Mat& initial = cv::Mat());
 
     Estimate estimate;
     double cpuUs;  //!< processor time, microseconds
-    bool limited;  //!< true: stopped by Settings::maxIterations; false if unknown
+    bool limited;  //!< true: stopped by Settings::maxIterations; false for methods of calib3d
 };
 
 }  // namespace benchmark

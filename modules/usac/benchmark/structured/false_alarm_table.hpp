@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-/** How often methods return a model for matches of which none is right. */
+/** Measures how often methods return a model if all matches are wrong. */
 class FalseAlarmTable
 {
 public:
@@ -19,11 +19,11 @@ public:
     explicit FalseAlarmTable(const StructuredOptions& options);
 
     //! Writes a table with a row for each problem, kind and size, and a column for each method.
-    //! @param csv gets a row for each entry of the table; null: none is written
+    //! @param csv gets a row for each entry of the table; null: no such file is written
     void run(std::ostream& out, std::ostream* csv);
 
 private:
-    //! Number of scenes of the cell for which each method returns a model.
+    //! For each method, the number of scenes of the cell for which it returns a model.
     std::vector<int> measure(const Cell& cell) const;
 
     const StructuredOptions& options;

@@ -13,17 +13,17 @@ namespace benchmark {
 
 namespace {
 
-//! A model is worse than another one if its cost is higher by more than this multiple of an
+//! A model is worse than the true model if its cost is higher by more than this multiple of an
 //! outlier's cost. Differences in the polishing change the cost by less.
 const double MARGIN = 0.5;
 //! An inlier of the true model counts as lost if its distance from another model exceeds this many
 //! thresholds.
 const double LOST = 2;
-//! A model that loses at most this fraction of the true model's inliers counts as the true model,
-//! with a less accurate refinement.
+//! A model that loses at most this fraction of the true model's inliers is not a search failure: it
+//! counts as the true model with a less accurate refinement.
 const double FEW = 0.01;
-//! Limits of a right result. H and F: this many thresholds, or standard deviations of the noise if
-//! these are larger. E: degrees.
+//! Limits of a right result. WRONG_ERROR is a multiple of the threshold or, if this is larger, of
+//! the noise's standard deviation; WRONG_POSE (for E) is in degrees.
 const double WRONG_ERROR = 3, WRONG_POSE = 5;
 
 }  // namespace

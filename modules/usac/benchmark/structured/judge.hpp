@@ -14,22 +14,23 @@ namespace benchmark {
 //! The judgment on one model.
 struct Verdict
 {
-    bool worse;  //!< has a cost higher than the true model by more than half the cost of an outlier
-    bool failed;  //!< a search failure: worse, and not close to the true model
-    bool far;  //!< RMS distance of the noise-free right matches is above three thresholds and three
-               //!< times the noise
-    bool wrong;        //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
-    bool none;         //!< no model; sets worse, failed, far and wrong, too
-    double error;      //!< RMS distance of the noise-free right matches, pixels; infinite without a
-                       //!< model
+    bool worse;   //!< the cost exceeds that of the true model by more than half the cost of an
+                  //!< outlier
+    bool failed;  //!< a search failure: worse, and more than 1 % of the true model's inliers have
+                  //!< errors of more than two thresholds
+    bool far;     //!< `error` is above three thresholds and three standard deviations of the noise
+    bool wrong;   //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
+    bool none;    //!< there is no model; worse, failed, far and wrong are then true, too
+    double error;      //!< RMS distance of the noise-free right matches from the model, pixels;
+                       //!< infinite without a model
     double poseError;  //!< degrees; negative for H and F
 };
 
 /** Compares models with the true model of a scene.
 
-The true model is the one of lower cost among two: the model that the scene was made with, and its
-least-squares fit to the right matches. The cost is that of MSAC, the sum of min(1, (error /
-threshold)^2) over all matches. */
+Two models are candidates for the true model: the model that the scene was made with, and its
+least-squares fit to the right matches. The one with the lower cost is used. The cost is that of
+MSAC, the sum of min(1, (error / threshold)^2) over all matches. */
 class Judge
 {
 public:
@@ -41,14 +42,16 @@ public:
 
     const cv::Mat& trueModel() const { return best; }
 
-    //! The least-squares fit to all right matches, the reference for accuracy.
+    //! The least-squares fit to all right matches, with whose errors those of methods are compared.
     const cv::Mat& leastSquares() const { return fit; }
 
 private:
     double costOf(const cv::Mat& model) const;
     //! Distance in pixels of a match, with its noise, from a model.
     double distance(const cv::Mat& model, int row) const;
+    //! Makes this model the true model if its cost is lower.
     void offer(const cv::Mat& model);
+    //! True if nearly all inliers of the true model are close to this model, too.
     bool sameInliers(const cv::Mat& model) const;
 
     const opencv_test::Scene& scene;

@@ -13,10 +13,9 @@ using namespace opencv_test;
 namespace {
 
 const int COPIES = 5;
-//! Kind `second`: ratio of the numbers of matches of the other model and of the right model, for
-//! example 270 / 300.
+//! Kind `second`: number of matches of the other model divided by the number of right matches.
 const double SECOND = 0.9;
-//! Kind `partSecond`: the same ratio; other wrong matches are anywhere.
+//! Kind `partSecond`: the same ratio, if there are that many wrong matches.
 const double PART_SECOND = 0.7;
 
 struct NamedScores
@@ -65,12 +64,13 @@ const NamedOutliers OUTLIERS[] = {
     {"border", OUTLIERS_BORDER},
 };
 
-//! Kinds whose wrong matches agree with each other. The name is followed by their number in percent
-//! of all matches.
+//! Kinds with wrong matches that agree with each other. The number of these matches, in percent of
+//! all matches, is appended to the name.
 const NamedOutliers AGREEING[] = {
     {"shift", OUTLIERS_SHIFT}, {"moving", OUTLIERS_PLANE}, {"place", OUTLIERS_PLACE}};
 
-//! For a name that is `word` and a number of percent, the number as a fraction; otherwise 0.
+//! For a name that consists of `word` and an integer from 0 to 100 (percent), the integer as a
+//! fraction; for any other name 0.
 double partOf(const std::string& name, const std::string& word)
 {
     const std::string number = name.compare(0, word.size(), word) == 0 ? name.substr(word.size())

@@ -23,7 +23,7 @@ std::string scoredName(std::string name)
     return name.insert(std::min(name.find('{'), name.size()), SUFFIX);
 }
 
-//! True for all methods of this module. Among the flags of calib3d only USAC_PROSAC uses scores.
+//! False for flags of calib3d, except USAC_PROSAC. All other methods can use scores.
 bool takesScores(const std::string& name)
 {
     return name.compare(0, 3, "cv:") != 0 || name == "cv:USAC_PROSAC";

@@ -15,22 +15,23 @@
 
 namespace benchmark {
 
-/** Measures how often methods miss the true model over a grid of scenes. In each scene all methods
-run one after the other. */
+/** Measures how often methods miss the true model, over a grid of kinds of scenes. On each scene,
+all methods run one after the other. */
 class SearchGrid
 {
 public:
     //! Unknown methods raise std::runtime_error.
     explicit SearchGrid(const StructuredOptions& options);
 
-    //! @param csv gets a row for each cell and method as soon as it is measured; may be null
+    //! @param csv gets a row for each cell and method as soon as the cell is measured; null: no
+    //! such file is written
     void run(std::ostream* csv);
-    //! Writes a table with a row for each group of cells and method; a brief table has a row for
-    //! each group and a column for each method.
+    //! Writes the full table, with a row for each group of cells and method, or the brief one, with
+    //! a row for each group and a column for each method.
     void markdown(std::ostream& out) const;
 
 private:
-    //! A method with and without scores; null if it cannot be run that way.
+    //! A method without and with scores; a null pointer if the method cannot be run that way.
     struct Entry
     {
         cv::Ptr<Method> plain, scored;
@@ -41,8 +42,11 @@ private:
     void measure(const Cell& cell, const opencv_test::SceneOptions& scene, std::ostream* csv);
     void full(std::ostream& out) const;
     void brief(std::ostream& out) const;
-    //! Writes the head of a table. @param names names of the further columns.
+    //! Writes the head of a table. The first columns are the properties of a group.
+    //! @param names names of the further columns @param columns number of the further columns
     void head(std::ostream& out, const std::string& names, size_t columns) const;
+    //! The cells of a group have the same values of the properties in StructuredOptions::by, which
+    //! its name consists of.
     std::string groupOf(const Cell& cell) const;
     Tally& tallyOf(const std::string& group, size_t method);
 

@@ -20,18 +20,18 @@ struct Proportion
     //! In percent, as "1.20 [0.40, 3.50]"; "-" if `of` is 0.
     std::string text() const;
 
-    int of;
-    double value, low, high;  //!< 0 .. 1
+    int of;                   //!< number of cases
+    double value, low, high;  //!< the proportion and its interval, 0 .. 1
 };
 
-/** Counts the results of calls of one method on the scenes of one or more cells. */
+/** Counts of the results of one method on the scenes of one or more cells. */
 class Tally
 {
 public:
     Tally();
 
     void add(const Call& call, const Verdict& verdict);
-    //! Adds the counts of a whole cell.
+    //! Adds the counts of a whole cell with this name.
     void add(const Tally& cell, const std::string& name);
 
     //! Proportion of search failures among the calls that did not reach the limit of iterations.
@@ -43,19 +43,19 @@ public:
     enum { COLUMNS = 10 };  //!< number of columns in a Markdown table
     static std::string markdownHeader();
     std::string markdown() const;
-    //! A table entry: the proportion of search failures and, after a plus sign, the percentage of
-    //! calls that failed because of the limit of iterations.
+    //! A table entry: failures() and, after a plus sign, the percentage of calls that failed when
+    //! they reached the limit of iterations.
     std::string brief() const;
     static std::string csvHeader();
     std::string csv() const;
 
 private:
-    //! Negative if the method does not report iterations.
+    //! Negative if the method does not report its number of iterations.
     double meanIterations() const;
 
     int calls, limited, failed, limitedFailed, worse, wrong, none;
     double iterations;  //!< sum over the calls
-    bool tells;         //!< every call reported its iterations
+    bool tells;         //!< true if all calls have reported their iterations
     std::vector<float> times;
     std::string worstCell;
     double worstRate;

@@ -21,7 +21,7 @@ typedef cv::Vec<double, TrueModel::MAX_DIRECTIONS> Step;
 //! difference is of the order of the squared step (1e-12), and its rounding error is about 1e-16 /
 //! step = 1e-10; both are far below what the last iterations need.
 const double DIFFERENCE = 1e-6;
-//! Few steps suffice, since the search starts at the true model.
+//! Far fewer steps suffice as a rule, since the search starts at the true model.
 const int MAX_STEPS = 60;
 
 cv::Matx33d crossMatrix(const cv::Vec3d& v)
@@ -132,7 +132,7 @@ void TrueModel::normalEquations(const std::vector<int>& rows, cv::Mat& A, cv::Ma
     }
     A = J.t() * J;
     A += n * n.t() * (cv::trace(A)[0] / count);  // fixes the scale, which does not affect errors
-    b = -J.t() * cv::Mat(J.rows, 1, CV_64F, values.data());  // in OpenCV 5, Mat(values) is 1-D
+    b = -J.t() * cv::Mat(J.rows, 1, CV_64F, values.data());  // OpenCV 5: Mat(values) would be 1-D
 }
 
 TrueModel TrueModel::leastSquares(const std::vector<int>& rows) const

@@ -11,8 +11,9 @@
 namespace benchmark {
 
 /** A model as a point of its manifold: H up to scale, F of rank 2, or E = [t]x R. Models are in the
-coordinates of the normalized image plane, where their entries are of about unit size. Both images
-have the same camera matrix with a single focal length, so errors remain proportional to pixels. */
+coordinates of the normalized image plane, where their entries have a size of about 1. Errors there
+are proportional to errors in pixels, since both images have the same camera matrix, with a single
+focal length. */
 class TrueModel
 {
 public:
@@ -21,26 +22,30 @@ public:
     //! Starts from the model that the scene was made with.
     explicit TrueModel(const opencv_test::Scene& scene);
 
-    /** Least squares of the transfer (H) or Sampson distances of the noisy points, starting from
-    this model. It uses Levenberg-Marquardt with numeric derivatives until convergence. It shares no
-    code with the module, whose solvers are being measured.
+    /** The model that minimizes the squared transfer errors (H) or Sampson distances (F, E) of the
+    noisy points. The Levenberg-Marquardt method, with numeric derivatives, starts from this model
+    and iterates until it converges. No code of the module is used, since its solvers are measured.
     @param rows the rows of the scene to use */
     TrueModel leastSquares(const std::vector<int>& rows) const;
 
-    //! The model in the form that an estimator returns: H and F in pixels, E.
+    //! The model in the form that an estimator returns: H and F for pixels, E for the normalized
+    //! image plane.
     cv::Mat matrix() const;
 
 private:
+    //! Number of dimensions of the tangent space, including the scale.
     int directions() const;
     int residualsOfRow() const { return scene->problem == cv::usacv20::HOMOGRAPHY ? 2 : 1; }
     void setMatrix(const cv::Matx33d& M);
-    //! Moves the model by a step in its tangent space. One direction of this space, `radial`,
-    //! changes the scale only.
+    //! The model after a step in its tangent space. One direction of this space, radial(), changes
+    //! only the scale.
     TrueModel moved(const cv::Vec<double, MAX_DIRECTIONS>& step) const;
     cv::Vec<double, MAX_DIRECTIONS> radial() const;
-    //! Signed distances in the normalized image plane; two for each row for H, otherwise one.
+    //! Signed errors of the rows in the normalized image plane: for H two coordinates of each row,
+    //! otherwise one distance.
     void residuals(const std::vector<int>& rows, std::vector<double>& values) const;
-    //! J^T J plus a term that fixes the radial direction, and -J^T r.
+    //! A = J^T J plus a term that fixes the radial direction, b = -J^T r, for the residuals r and
+    //! their derivatives J by a step.
     void normalEquations(const std::vector<int>& rows, cv::Mat& A, cv::Mat& b) const;
 
     const opencv_test::Scene* scene;

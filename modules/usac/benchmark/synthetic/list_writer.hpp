@@ -15,12 +15,12 @@ namespace benchmark {
 /** Makes the folders of a data set, its lists and the names of its pairs.
 
 For each letter, `<folder>/lists/<name>.<letter>.list` names the pairs, whose files are
-`<folder>/pairs/<name>/<number>` with an extension. Existing files of these names are replaced.
-Files that cannot be written raise std::runtime_error. */
+`<folder>/pairs/<name>/<number>` with an extension. Existing files of these names are replaced. A
+file or folder that cannot be written raises std::runtime_error. */
 class ListWriter
 {
 public:
-    //! @param letters problems that the pairs can be used for
+    //! @param letters letters of the problems that the pairs can be used for
     ListWriter(const std::string& folder, const std::string& name, const std::string& letters);
 
     //! Adds the next pair to all lists. @return its path without extension
@@ -38,9 +38,9 @@ void closeFile(std::ofstream& out, const std::string& file);
 //! Writes one score on each line.
 void writeScores(const std::string& file, const std::vector<float>& scores);
 
-//! Opens a new JSON file. Raises std::runtime_error if that fails.
+//! Opens a new JSON file. Raises std::runtime_error if the file cannot be opened.
 void openJson(cv::FileStorage& out, const std::string& file);
-//! Writes the first rows of a matrix, by default all.
+//! Writes the first `rows` rows of a matrix.
 void writeMatrix(cv::FileStorage& out, const std::string& name, const cv::Matx33d& matrix,
                  int rows = 3);
 void writeVector(cv::FileStorage& out, const std::string& name, const cv::Vec3d& vector);

@@ -12,11 +12,12 @@ using opencv_test::Scene;
 
 namespace {
 
-//! Largest number of true points that are written. More points make the measurement of errors
-//! slower but not more accurate.
+//! Largest number of true points that are written. More points would make the measurement of errors
+//! slower, but hardly more accurate.
 const int MAX_TRUE_POINTS = 500;
 
-//! Writes the true map between the images or the true cameras.
+//! Writes the true model: for A, S and T the affine map between the images, otherwise the cameras,
+//! and for H also the homography.
 void writeModel(cv::FileStorage& out, const Scene& scene)
 {
     if (opencv_test::isAffine(scene.problem))

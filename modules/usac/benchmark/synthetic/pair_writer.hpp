@@ -15,7 +15,8 @@ see ListWriter. */
 class PairWriter
 {
 public:
-    //! @param letters problems that the pairs can be used for: "H", "FE", "A", "S" or "T".
+    //! @param letters letters of the problems that the pairs can be used for: "H", "FE", "A", "S"
+    //! or "T"
     PairWriter(const std::string& folder, const std::string& name, const std::string& letters);
 
     void write(const opencv_test::Scene& scene);

@@ -13,7 +13,7 @@ namespace benchmark {
 //! A random vector of unit length.
 cv::Vec3d randomDirection(cv::RNG& rng);
 
-//! @param axis vector of unit length
+//! The matrix of a rotation. @param axis vector of unit length
 cv::Matx33d rotationAbout(const cv::Vec3d& axis, double degrees);
 
 //! The numbers 0 to size - 1 in random order.
@@ -21,8 +21,9 @@ std::vector<int> shuffled(int size, cv::RNG& rng);
 
 /** Makes the matches of a scene in random order.
 @param duplicates number of right matches that are copies of other right matches
-@param make `make(row, i)` makes a match: a right one for i < 0, otherwise the i-th wrong one
-@param copy `copy(row, from)` makes a match that repeats the match `from`
+@param inliers, outliers numbers of right matches (with the copies) and of wrong matches
+@param make `make(row, i)` makes a match: a right one if i < 0, otherwise the i-th wrong one
+@param copy `copy(row, from)` makes a match that repeats the match in the row `from`
 @return for each row, 1 if it is right */
 template <class Make, class Copy>
 std::vector<uchar> makeRows(int inliers, int outliers, int duplicates, cv::RNG& rng,

@@ -58,7 +58,7 @@ bool isPart(double value) { return value >= 0 && value <= 1; }
 struct SceneKind
 {
     const char* name;
-    ProblemType problem;  //!< for makeScene(); unused for views and motions of space
+    ProblemType problem;  //!< argument of makeScene(); unused for views and motions of space
     const char* letters;
 };
 
@@ -87,7 +87,8 @@ const OutlierKind OUTLIERS[] = {
     {"second", OUTLIERS_SECOND_MODEL},
 };
 
-//! The kind of the given name. Raises std::runtime_error with all names if there is none.
+//! The element of `kinds` with the given name. Raises std::runtime_error with all known names if
+//! there is no such element. @param option the option that the error message names
 template <class Kind, size_t count>
 const Kind& find(const Kind (&kinds)[count], const std::string& name, const char* option)
 {
@@ -114,7 +115,7 @@ void requireKinds(const std::string& scene, const SceneCommand& command, const A
             "--angle: for pairs of images only");
 }
 
-//! Reads the options of pairs of images.
+//! Reads the options of image pairs; views and motions of space share most of these.
 void readImages(const cv::CommandLineParser& parser, const std::string& scene,
                 SceneOptions& options)
 {
@@ -140,7 +141,8 @@ void readImages(const cv::CommandLineParser& parser, const std::string& scene,
             "--size, --inliers: there is no right match");
 }
 
-//! Copies the options that views and motions of space share with image pairs.
+//! Copies the options that views and motions of space share with image pairs, and refuses kinds of
+//! wrong matches that exist for image pairs only.
 template <class Options>
 void readMatches(const SceneOptions& images, Options& options)
 {
@@ -162,7 +164,7 @@ double readThickness(const cv::CommandLineParser& parser)
     return thickness;
 }
 
-//! Reads the options of views. @param images options shared with image pairs
+//! Reads the options of views. @param images options of image pairs, some of which views share
 void readView(const cv::CommandLineParser& parser, const std::string& scene,
               const SceneOptions& images, ViewOptions& options)
 {

@@ -25,8 +25,8 @@ struct SceneCommand
     ViewOptions view;                  //!< the same for views
     SpaceOptions space;                //!< the same for motions of space
 
-    //! isView: the scenes are views of object points; isSpace: motions of space; neither: image
-    //! pairs
+    //! isView: the scenes are views of object points; isSpace: they are motions of space; if both
+    //! are false, the scenes are image pairs.
     bool isView() const { return letters == "P"; }
     bool isSpace() const { return letters == "R" || letters == "M"; }
 

@@ -18,12 +18,14 @@ namespace {
 //! Width of the cloud of points, and distance of the middle of each cloud from the origin of its
 //! space.
 const double WIDTH = 200, DISTANCE = 300;
+//! Sides of the cubes of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL.
 const double CLUSTER = WIDTH / 8, PATCH = WIDTH / 4;
-//! second motion: limits of its rotation in degrees, and length of its shift
+//! Second motion: limits of its rotation in degrees, and length of its shift.
 const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;
 const double LARGEST_SCALE = 2;
 
-//! A cube within the cloud, in the axes of the cloud and relative to its middle.
+//! A cube within the cloud, or the whole cloud, in coordinates along the axes of the cloud relative
+//! to its middle.
 struct Cube
 {
     Vec3d corner;
@@ -44,7 +46,8 @@ Cube randomCube(RNG& rng, double side)
     return cube;
 }
 
-/** Makes single matches without noise. The random numbers come from the caller. */
+/** Makes single matches without noise. The constructor draws the cloud's pose and the motion, which
+it writes to `scene`. All random numbers come from the generator that the caller passes. */
 class SpaceGeometry
 {
 public:
@@ -97,8 +100,8 @@ private:
 
     const SpaceOptions& options;
     const SpaceScene& motion;
-    Matx33d axes;  //!< axes of the cloud; if it is flat, the third is the plane's normal
-    Vec3d middle;
+    Matx33d axes;  //!< columns: axes of the cloud; the third one is the normal of a flat cloud
+    Vec3d middle;  //!< middle of the cloud in space 1
     Matx33d turn;  //!< rotation about the middle, for the second motion
     Vec3d shift;
     Cube whole, from, to, patch;

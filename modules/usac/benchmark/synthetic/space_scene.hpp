@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-//! A synthetic cloud of points before and after a rigid motion of space.
+//! Options of a synthetic cloud of points before and after a motion of space.
 struct SpaceOptions
 {
     SpaceOptions()
@@ -21,16 +21,16 @@ struct SpaceOptions
 
     int inliers, outliers;
     int duplicates;  //!< number of right matches that are copies of other right matches
-    double noise;    //!< standard deviation of each coordinate in space 2, where the cloud is 200 *
-                     //!< scale wide
-    bool scaled;     //!< true: the scale is between 1/2 and 2; false: 1
+    double noise;    //!< standard deviation of each coordinate in space 2, where the width of the
+                     //!< cloud is 200 * scale
+    bool scaled;     //!< true: the scale is between 1/2 and 2; false: the scale is 1
     bool flat;       //!< true: points of space 1 on a plane; false: in a cube
     double thickness;  //!< if flat: standard deviation of the distances from the plane, as a
                        //!< fraction of the cloud's width
     /** OUTLIERS_UNIFORM: a point of the cloud with a random point of the cube around the moved
-    cloud. OUTLIERS_CLUSTERED: from a cube of an eighth of the width to another such cube.
-    OUTLIERS_SECOND_MODEL: matches of another motion in a cube of a quarter of the width, at most
-    half as many as right matches; the other wrong matches are uniform. */
+    cloud. OUTLIERS_CLUSTERED: from a cube whose side is an eighth of the width to another such
+    cube. OUTLIERS_SECOND_MODEL: matches of another motion in a cube whose side is a quarter of the
+    width, at most half as many as right matches; the other wrong matches are uniform. */
     opencv_test::OutlierModel outlierModel;
     double scoreInformation;  //!< probability that a right match has a better score than a wrong
                               //!< one

@@ -21,9 +21,9 @@ const double WIDTH = opencv_test::SCENE_WIDTH, HEIGHT = opencv_test::SCENE_HEIGH
              MARGIN = 5;
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6.5, LEAST_DEPTH = 1, MOST_DEPTH = 20;
 const double MAX_TILT = 50, MIN_TURN = 15,
-             MAX_TURN = 40;  //!< degrees: largest tilt of the plane; limits of the rotation of the
-                             //!< second pose
-//! Sides of the squares in pixels: for clustered matches, and for matches of a second pose.
+             MAX_TURN = 40;  //!< degrees: largest tilt of the plane; limits of the rotation between
+                             //!< the true and the second pose
+//! Sides in pixels of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL.
 const double CLUSTER = 80, PATCH = 160;
 
 struct Square
@@ -50,8 +50,8 @@ Point2d randomPixel(RNG& rng)
     return Point2d(rng.uniform(MARGIN, WIDTH - MARGIN), rng.uniform(MARGIN, HEIGHT - MARGIN));
 }
 
-/** Makes single matches. The constructor draws the geometry from the generator that it gets; the
-methods use their own argument. Points X are in camera coordinates. */
+/** Makes single matches without noise. All random numbers come from the generators that the caller
+passes. Points X are in camera coordinates. */
 class ViewGeometry
 {
 public:
@@ -67,14 +67,14 @@ public:
         patch = randomSquare(rng, PATCH);
     }
 
-    //! Makes a point of the object and its image.
+    //! Makes a point of the object that is visible, and its image.
     void right(RNG& rng, Vec3d& X, Point2d& x) const
     {
         while (!follow(rng, randomPixel(rng), X) || !see(X, x))
             ;
     }
 
-    //! Makes the i-th wrong match. @return true if its image point gets noise
+    //! Makes the i-th wrong match. @return true if the caller must add noise to its image point
     bool wrong(int i, RNG& rng, Vec3d& X, Point2d& x) const
     {
         if (options.outlierModel == opencv_test::OUTLIERS_SECOND_MODEL && i < options.inliers / 2 &&
@@ -93,8 +93,8 @@ public:
     }
 
 private:
-    //! Makes a point of the object on the ray of a pixel. @return false if its depth is out of
-    //! range
+    //! Makes a point of the object on the ray of a pixel; if the object is a plane with a
+    //! thickness, near the ray. @return false if the depth of the point is out of range
     bool follow(RNG& rng, const Point2d& pixel, Vec3d& X) const
     {
         const Vec3d ray((pixel.x - WIDTH / 2) / FOCAL, (pixel.y - HEIGHT / 2) / FOCAL, 1);
@@ -109,7 +109,8 @@ private:
         return X[2] > LEAST_DEPTH && X[2] < MOST_DEPTH;
     }
 
-    //! Projects a point. @return false if the image point is outside of the image.
+    //! Projects a point. @return false if the point is too close to the camera or behind it, or if
+    //! its projection is outside of the image or less than MARGIN pixels from the border
     bool see(const Vec3d& X, Point2d& x) const
     {
         const Point2d p(X[0] / X[2], X[1] / X[2]);
@@ -119,8 +120,9 @@ private:
                x.y < HEIGHT - MARGIN;
     }
 
-    //! Makes a point of the object and its image after another motion of the object.
-    //! @return false if no point of the square `patch` is visible after this motion
+    //! Makes a point of the object, whose true image is in the square `patch`, and its image after
+    //! another motion of the object. @return false if none of 1000 points is visible after this
+    //! motion
     bool second(RNG& rng, Vec3d& X, Point2d& x) const
     {
         const Vec3d middle(0, 0, MIDDLE);

@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-//! A synthetic view of object points.
+//! Options of a synthetic view of object points.
 struct ViewOptions
 {
     ViewOptions()
@@ -21,16 +21,18 @@ struct ViewOptions
 
     int inliers, outliers;
     int duplicates;     //!< number of right matches that are copies of other right matches
-    double noise;       //!< standard deviation of each image coordinate, pixels
+    double noise;       //!< standard deviation of each image coordinate, pixels; uniform wrong
+                        //!< matches have no noise
     bool onPlane;       //!< true: object points on a plane, tilted by at most 50 degrees from the
                         //!< image plane; false: depths from 4 to 9
     double thickness;   //!< if on a plane: standard deviation of the distances from the plane, as a
-                        //!< fraction of its distance from the camera
+                        //!< fraction of the plane's distance from the camera
     double distortion;  //!< first radial coefficient of the lens distortion
     /** OUTLIERS_UNIFORM: an object point with a random point of the image. OUTLIERS_CLUSTERED:
-    object points that are visible in a square of 80 pixels, with points of another such square.
-    OUTLIERS_SECOND_MODEL: matches of another pose in a square of 160 pixels, at most half as many
-    as right matches; the other wrong matches are uniform. */
+    object points whose true images are in a square of 80 pixels, with points of another such
+    square. OUTLIERS_SECOND_MODEL: object points whose true images are in a square of 160 pixels,
+    with their images under another pose, at most half as many as right matches; the other wrong
+    matches are uniform. Lens distortion is ignored for these squares. */
     opencv_test::OutlierModel outlierModel;
     double scoreInformation;  //!< probability that a right match has a better score than a wrong
                               //!< one
@@ -45,7 +47,7 @@ struct ViewScene
     std::vector<cv::Point2d> points;
     std::vector<float> scores;  //!< from 0 to 1, lower is better
     std::vector<uchar> truth;   //!< 1: a right match
-    cv::Matx33d K, R;           //!< x ~ K (R X + t), up to distortion
+    cv::Matx33d K, R;           //!< x ~ K (R X + t), apart from the distortion
     cv::Vec3d t;
     double distortion;
 

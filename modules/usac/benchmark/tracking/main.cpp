@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Measures how the model of the previous frame (Params::initialModel) helps a tracker. The
-// sequences show a camera that moves smoothly and jumps once. Trackers run with and without this
-// model, for several limits of samples.
+// Measures how the model of the previous frame, as Params::initialModel, helps a tracker. In each
+// sequence, a camera moves smoothly and jumps once. Trackers run with and without this model, for
+// several limits of the number of samples.
 //
 //     usac_tracking --problems=P --ratios=0.2,0.6 --limits=1,32 > tracking.md
 
@@ -19,11 +19,11 @@ using namespace benchmark;
 
 namespace {
 
-//! Names of the enumerators of Beginning.
+//! Names of the enumerators of Beginning in the tables.
 const char* const BEGINNINGS[] = {"no", "yes", "yes or again"};
 
-//! Runs all trackers on each frame in turn, so that a disturbance of the machine affects all of
-//! them. The tracker that runs first changes from frame to frame.
+//! Runs all trackers on each frame in turn, so that a disturbance of the machine affects all
+//! trackers. The tracker that runs first changes from frame to frame.
 void runAll(const TrackingOptions& options, SequenceOptions sequence,
             std::vector<Tracker>& trackers)
 {

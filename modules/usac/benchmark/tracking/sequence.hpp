@@ -15,21 +15,21 @@ struct SequenceOptions
     ProblemType problem;  //!< HOMOGRAPHY or ABSOLUTE_POSE
     int size;             //!< number of matches in a frame
     double inliers;       //!< inlier ratio
-    double noise;         //!< standard deviation of each image coordinate, pixels
-    double speed;         //!< a speed of 1 moves image points by about 1.4 pixels a frame
-    int jump;             //!< number of the frame before which the camera jumps to another place
+    double noise;  //!< standard deviation of each coordinate of right matches in image 2, pixels
+    double speed;  //!< 1: image points move by about 1.4 pixels per frame
+    int jump;      //!< number of the first frame after the camera has jumped to another place
     int seed;
 };
 
 /** A sequence of frames of 640 x 480 pixels. A camera moves smoothly in front of a box of object
-points (P) or a picture on a plane (H), and jumps once. Each frame has new matches; wrong ones are
-uniform in the image. */
+points (P) or a picture on a plane (H), and jumps once. The matches of each frame are drawn anew;
+image points of wrong matches are uniform in the frame. */
 class Sequence
 {
 public:
     explicit Sequence(const SequenceOptions& options_) : options(options_) {}
 
-    //! The matches and the ground truth of a frame; reproducible.
+    //! The matches and the ground truth of a frame. The same number gives the same result.
     ImagePair frame(int number) const;
 
 private:

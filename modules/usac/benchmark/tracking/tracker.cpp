@@ -54,7 +54,7 @@ Estimate Tracker::estimate(const ImagePair& frame, const cv::usacv20::Params& wi
 void Tracker::count(const ImagePair& frame, const cv::usacv20::Params& with)
 {
     cv::usacv20::Report
-        report;  // from an untimed run, since counting independent inliers takes time
+        report;  // from an untimed run, since filling a report (independent inliers) takes time
     cv::Mat mask;
     kindOf(problem).estimator(frame, with)->run(mask, &report);
     samples += report.iterations;

@@ -16,9 +16,10 @@ namespace benchmark {
 enum Beginning {
     BEGIN_ANEW,       //!< not at all
     BEGIN_WITH_LAST,  //!< as the initial model of each frame
-    /** As BEGIN_WITH_LAST. If there is no model, or if it has less than half as many inliers as the
-    model of the previous frame, the frame is estimated again without an initial model and with the
-    problem's default limit of iterations. */
+    /** As BEGIN_WITH_LAST. If the result is no model, or one with less than half as many inliers as
+    that of the previous frame, the frame is estimated again without an initial model and with the
+    problem's default limit of iterations. If the previous frame has no model, only this second
+    estimate is made. */
     BEGIN_WITH_LAST_OR_AGAIN
 };
 
@@ -31,23 +32,23 @@ public:
 
     //! Estimates the model of the next frame. @param afterJump true for all frames after the jump
     void track(const ImagePair& frame, int seed, bool afterJump);
-    //! Starts another sequence.
+    //! Starts a sequence; must be called before its first frame.
     void restart();
 
     Beginning begins() const { return beginning; }
     int limit() const { return params.maxIterations; }
 
-    double medianError() const;   //!< median of the errors; failures count as infinite
+    double medianError() const;   //!< median over the frames; the error of a failure is infinite
     double failures() const;      //!< percentage of frames that failed
     double meanSamples() const;   //!< per frame
     double meanCpuMs() const;     //!< per frame
-    double meanRecovery() const;  //!< mean number of failed frames after a jump before the first
-                                  //!< success; without a success, all frames after the jump count
+    double meanRecovery() const;  //!< mean over the sequences of the number of failed frames after
+                                  //!< the jump until the first success (without a success: of all)
     int frames() const { return (int)errors.size(); }
 
 private:
     Estimate estimate(const ImagePair& frame, const cv::usacv20::Params& with);
-    //! Adds the number of samples of an estimate, which is repeated for this purpose.
+    //! Repeats an estimate, outside of the measured time, to add its number of samples.
     void count(const ImagePair& frame, const cv::usacv20::Params& with);
     void judge(const ImagePair& frame, const Estimate& found, bool afterJump);
 
@@ -57,8 +58,8 @@ private:
     cv::Mat last;  //!< model of the previous frame; empty: none
     int lastInliers;
     std::vector<double> errors;
-    double samples, cpuMs;  //!< sums
-    int failed, sequences, lost;
+    double samples, cpuMs;        //!< sums over the frames
+    int failed, sequences, lost;  //!< lost: sum of the numbers that meanRecovery() averages
     bool isLost;  //!< true if all frames since the jump have failed so far
 };
 
