@@ -5,13 +5,14 @@
 
 """Compares methods pair by pair, from the files that `usac_benchmark --runs=FILE` has written.
 
-The median over a list of few pairs is the error on one of these pairs; a comparison pair by pair
-uses all of them. The table goes to the standard output, in Markdown. For each list it has:
+The median over a list of few pairs is the error on one of these pairs, whereas a comparison pair by
+pair uses all pairs. The error of a method on a pair is the median over its runs; it is infinite if at
+least half of the runs fail. The table goes to the standard output, in Markdown. For each list it has:
 
 - the ratio of the errors of the first method to those of another method, as a geometric mean over the
-  pairs, with its 95 % interval (bootstrap over the pairs);
-- the numbers of pairs on which the first method is better and worse: its error differs by more than two
-  per cent, or only one of the two methods finds a model;
+  pairs on which both errors are finite, with its 95 % interval (bootstrap over these pairs);
+- the numbers of pairs on which the first method is better and worse: its error differs by more than
+  2 %, or is finite for only one of the two methods;
 - the number of pairs on which the first method is worse although its model has the lower cost. A
   better search would not help there."""
 
@@ -41,8 +42,8 @@ class Pair:
 
 
 def read_pairs(files):
-    """Returns {(problem, list): {pair: {method: Pair}}} in the order of the files. A failed run has
-    an infinite error."""
+    """Returns {(problem, list): {pair: {method: Pair}}} in the order of the files. The error of a
+    failed run is infinite."""
     results = {}
     for file in files:
         read_rows(file, COLUMNS, "usac_benchmark --runs", lambda row: _add(results, row))
@@ -57,7 +58,7 @@ def _add(results, row):
 
 
 class Comparison:
-    """Compares `method` with `other` on the pairs of a list that both methods were run on."""
+    """Compares `method` with `other` on those pairs of a list on which both methods were run."""
 
     def __init__(self, pairs, method, other):
         both = [(p[method], p[other]) for p in pairs.values() if method in p and other in p]

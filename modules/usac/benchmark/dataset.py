@@ -7,9 +7,9 @@
 
 The matches are of RootSIFT features. A feature of image 1 is matched with its nearest neighbor in
 image 2 if the ratio of the distances to the nearest and the second nearest neighbor is below a limit.
-This ratio is the score of the match. The ground truth are points annotated by hand, if the data set
-has them; otherwise those matches that agree with the published homography, epipolar geometry or poses.
-No robust estimator is used.
+This ratio is the score of the match. The ground truth consists of points annotated by hand, if the
+data set has them, otherwise of those matches that agree with the published homography, epipolar
+geometry or poses. No robust estimator is used.
 """
 
 import argparse
@@ -29,8 +29,8 @@ READERS = {"homogr": ground_truth.homogr, "evd": ground_truth.evd, "kusvod2": gr
            "strecha": ground_truth.strecha, "kitti": ground_truth.kitti, "tum": ground_truth.tum,
            "tanks_and_temples": ground_truth.tanks_and_temples, "cpc": ground_truth.cpc, "1dsfm": ground_truth.one_dsfm}
 VIDEOS = ("kitti", "tum")
-# A match is right if its distance from the ground truth is below these limits in pixels, for H, and
-# for F and E.
+# Default limits of the distance of a right match from the ground truth in pixels: for H, and for F
+# and E.
 TOLERANCE_H, TOLERANCE_F = 3.0, 1.0
 
 
@@ -41,8 +41,9 @@ class NoPair(Exception):
 def detect(image, features):
     """Returns the points (N x 2, pixels) and RootSIFT descriptors of at most `features` features.
     RootSIFT descriptors are square roots of L1-normalized SIFT descriptors. OpenCV doubles the image
-    for the finest scale, which shifts all points by a quarter of a pixel. This shift is undone here,
-    so that the center of the first pixel is at (0, 0)."""
+    for the finest scale. Without its option for precise upscaling, which older versions lack, this
+    shifts all points by a quarter of a pixel. The shift is undone here, so that the center of the
+    first pixel is at (0, 0)."""
     precise = "enable_precise_upscale" in cv2.SIFT_create.__doc__
     sift = cv2.SIFT_create(features, enable_precise_upscale=True) if precise else cv2.SIFT_create(features)
     keypoints, descriptors = sift.detectAndCompute(image, None)
@@ -65,8 +66,8 @@ def _features_of(file, features):
 
 
 def match(features1, features2, ratio, most):
-    """Returns the points of both images and the scores, in the order of the features of image 1.
-    Only the `most` matches with the best scores are kept; 0 keeps all."""
+    """Returns the matched points of both images and the scores, in the order of the features of image
+    1. Matches with a score below `ratio` are kept; if `most` is not 0, at most `most`, the best."""
     (points1, descriptors1), (points2, descriptors2) = features1, features2
     if len(descriptors2) < 2 or not len(descriptors1):
         return np.empty((0, 2)), np.empty((0, 2)), np.empty(0)
@@ -80,15 +81,15 @@ def match(features1, features2, ratio, most):
 
 def _undistort(points, K, distortion):
     """Returns the pixels at which a camera with the same K, but without distortion, would see the
-    points."""
+    points. `distortion` None: there is none."""
     if distortion is None or not len(points):
         return points
     return cv2.undistortPoints(points.reshape(-1, 1, 2), K, np.array(distortion, float), P=K).reshape(-1, 2)
 
 
 def _true_points(truth, points1, points2, known, tolerance):
-    """Returns the ground truth of a pair: gt_points and gt_kind, see pairs.Pair. `known` has the
-    cameras, if the data set has them."""
+    """Returns the ground truth of a pair: gt_points and gt_kind, see pairs.Pair. `known` has K1, K2, R
+    and t, if the data set has cameras; otherwise it is empty."""
     if truth.points is not None:
         return truth.points, "annotated"
     if truth.H is not None:
@@ -102,8 +103,8 @@ def _true_points(truth, points1, points2, known, tolerance):
 
 
 def build(truth, args):
-    """Returns the pair for a Truth. Raises NoPair if there are too few matches or too few right
-    matches."""
+    """Returns the pair for a Truth. Raises NoPair if an image cannot be read, or if there are too few
+    matches or true points."""
     size1, *features1 = _features_of(truth.image1, args.features)
     size2, *features2 = _features_of(truth.image2, args.features)
     points1, points2, scores = match(features1, features2, args.ratio, args.max)

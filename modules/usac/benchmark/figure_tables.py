@@ -43,8 +43,8 @@ def number(value, form):
 
 
 def cell(row, digits=3, auc=True):
-    """Returns the cell of a list and a method: median error / failures in % / median CPU
-    milliseconds, and the AUC at 10 degrees if the errors are of poses."""
+    """Returns the table cell of a list and a method: median error / failures in % / median CPU
+    milliseconds, and the AUC at 10 degrees if it is known and `auc` is True."""
     parts = [number(row["median_error"], "%%.%df" % digits), number(row["failures_percent"], "%.1f"),
              number(row["median_cpu_ms"], "%.2f")]
     return " / ".join(parts + [number(row["auc10"], "%.0f")] if auc and not math.isnan(row["auc10"]) else parts)
@@ -54,8 +54,8 @@ def averages(tables, methods, names=None, baseline=None, hopeless=()):
     """Returns a table with a row for each method and a column for each problem. A baseline adds a
     column: the geometric mean over the lists of the ratio of the method's time to the baseline's
     time. A list on which one of the methods has an infinite median error is left out of the average
-    errors of all methods. `hopeless` names methods for whose failures no list is left out; their own
-    average error may then be infinite."""
+    errors of all methods. Failures of the methods in `hopeless` do not exclude a list, so the average
+    error of these methods can be infinite."""
     problems = list(dict.fromkeys(problem for problem, _ in tables))
     lists = {p: [table for (problem, _), table in tables.items() if problem == p] for p in problems}
     solved = {p: [t for t in lists[p] if all(math.isfinite(t[m]["median_error"]) for m in methods if m in t and m not in hopeless)]
@@ -85,7 +85,8 @@ def averages(tables, methods, names=None, baseline=None, hopeless=()):
 
 
 def best(table, rivals, column):
-    """Returns (value, name) of the rival with the lowest value in a column of a list's table."""
+    """Returns (value, name) of the rival with the lowest value in a column of a list's table; (NaN, "")
+    if the table has none of the rivals."""
     return min(((table[m][column], m) for m in rivals if m in table), default=(math.nan, ""))
 
 
@@ -119,8 +120,8 @@ def losses(tables, method, rivals, fastest, margin=1.02):
 
 
 def ratios(table, methods, baseline):
-    """Returns a table of the methods on one list of absolute poses, with the errors of the camera
-    centers and the AUC at one degree."""
+    """Returns a table of the methods on one list of absolute poses: errors of the rotations and of the
+    camera centers, failures, AUC at one degree, times, and times divided by those of the baseline."""
     rows = []
     for m in methods:
         row = table[m]
@@ -145,8 +146,8 @@ def against(tables, methods, baseline):
 
 
 def tracking(file):
-    """Returns a table of a file that usac_tracking has written with --csv: a row for each limit of
-    the number of samples, a column for each kind of initial model."""
+    """Returns a table of a file that usac_tracking has written with --csv: a row for each problem,
+    inlier ratio and limit of the number of samples, a column for each use of the initial model."""
     rows = collections.OrderedDict()
     with open(file, newline="") as lines:
         for row in csv.DictReader(lines):

@@ -10,8 +10,9 @@ and a body. In the body and in the documents that quote it, a block is the text 
 the file of the measurement; measure.py writes both.
 
 test_data/hashes.txt has hashes of the results of the estimator. The stamp of a measurement has a digest
-of those rows of this file that belong to its presets and problems. If this digest differs from that of
-the current rows, results have changed since the measurement, which then counts as older."""
+of those rows of hashes.txt that belong to the presets and data sets of the measurement. If this digest
+differs from that of the current rows, results have changed since the measurement, which then counts
+as older."""
 
 import glob
 import hashlib
@@ -48,9 +49,9 @@ def write_text(path, text):
 
 
 class Rows:
-    """The rows of hashes.txt that a measurement depends on: those of the given data sets and presets
-    (params). An empty tuple stands for all. Lines about the machine that made the file are not among
-    these rows."""
+    """The rows of hashes.txt that a measurement depends on: those of the given data sets (`sets`) and
+    presets (`params`). An empty tuple selects all data sets or presets. Lines about the machine that
+    made the file are never included."""
 
     def __init__(self, sets=(), params=()):
         self.sets, self.params = sets, params
@@ -74,7 +75,7 @@ def hash_rows(hashes):
 
 
 def find_blocks(text, file):
-    """Returns [(name, start, end)] for each block: start and end of the text between its marks."""
+    """Returns [(name, start, end), ...] of all blocks: start and end of the text between the marks."""
     found, position = [], 0
     for begin in BEGIN.finditer(text):
         if begin.group(1) == "end":
@@ -105,7 +106,7 @@ def inline_block(name, text):
 
 def filled(text, file, contents):
     """Returns the text of a document in which the blocks named in `contents` have their new text. A
-    block within a line stays within this line."""
+    block within a line stays within this line unless its new text has several lines."""
     for name, start, end in reversed(find_blocks(text, file)):
         if name in contents:
             new = contents[name].strip()
@@ -158,8 +159,8 @@ def documents(root):
 
 class Project:
     """All measurements of the project, and the documents that quote them. `rows` is {name of a
-    measurement: its Rows}. `current` names the measurements that README.md may quote only if results
-    have not changed since."""
+    measurement: its Rows}. `current` has the names of measurements that must not be older than the
+    last change of results if README.md quotes them."""
 
     def __init__(self, root, rows, current):
         self.root, self.rows, self.current = root, rows, current
@@ -197,7 +198,7 @@ class Project:
         return "\n".join(lines)
 
     def contents(self):
-        """Returns {name: text} of all blocks that a document may quote."""
+        """Returns {name: text} of all blocks that a document can quote."""
         found = {"hashes/cpp": str(len(hash_rows(self.hashes))),
                  "hashes/python": str(len(json.loads(read_text(os.path.join(self.root, PYTHON_HASHES))))),
                  "index": self.index()}
@@ -218,8 +219,9 @@ class Project:
         return changed
 
     def check(self):
-        """Returns a message for each mistake: damaged files, and quotations that differ from the
-        measurement or are older than the results."""
+        """Returns a message for each mistake: damaged files of measurements or, if there are none,
+        quotations that differ from the measurement and quotations in README.md that are older than
+        the results."""
         if self.mistakes:
             return self.mistakes
         contents, mistakes = self.contents(), []

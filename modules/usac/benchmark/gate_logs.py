@@ -5,7 +5,7 @@
 """Reads counts of tests, coverage and times from the files that run_tests.sh and sanitize.sh leave
 in USAC_BUILD_DIR. For each part NAME of the tests (PARTS) these are NAME.log, NAME.commit (the tested
 commit), and NAME.before and NAME.after with the processor times of the shell. In the table of
-measurements, a part without a log keeps its old row."""
+doc/measurements/tests.md, a part without a log keeps its old row."""
 
 import datetime
 import os
@@ -15,7 +15,7 @@ PARTS = {"cpp": "C++", "perf": "performance", "python": "Python inside OpenCV", 
          "python_package_alone": "package without `cv2`", "benchmark": "benchmark", "opencv": "OpenCV's own", "sanitized": "C++ with sanitizers",
          "sources": "rules of the sources", "tsan": "ThreadSanitizer", "assertions": "assertions of libstdc++", "valgrind": "valgrind",
          "coverage": "coverage", "fuzz": "fuzzer", "lint": "lint"}
-# The parts with tests that run_tests.sh, the gate, runs.
+# The parts of the gate: those that run_tests.sh runs and that have tests.
 GATE = ("cpp", "perf", "python", "consumer", "python_package", "python_package_alone", "benchmark", "opencv", "sanitized")
 TOOLS = ("sanitized", "tsan", "assertions", "valgrind")
 COLUMNS = ("part", "passed", "failed", "more", "processor s", "commit", "date", "results")
@@ -28,8 +28,8 @@ class GateError(ValueError):
 
 
 def read_counts(log):
-    """Returns the numbers (passed, failed) of tests from a log. If there are several such lines, the
-    last one counts, as in run() of common.sh."""
+    """Returns the numbers (passed, failed) of tests from a log. If several lines have counts, the last
+    one is used, as in run() of common.sh."""
     for pattern in COUNTS:
         found = re.findall(pattern, log, re.M)
         if found:
@@ -40,8 +40,8 @@ def read_counts(log):
 
 
 def read_more(name, log):
-    """Returns as text what the log of a part has besides the counts of tests: coverage, or the number
-    of inputs and the run time of the fuzzer; "-" for other parts."""
+    """Returns the further results in the log of a part as text: for `coverage` the covered lines and
+    branches, for `fuzz` the number of inputs and the run time; "-" for other parts."""
     if name == "coverage":
         found = re.findall(r"^(lines|branches): [\d.]+% \((\d+) out of (\d+)\)$", log, re.M)
         if len(found) != 2:
@@ -66,8 +66,8 @@ def read_seconds(before, after):
 
 def read_row(folder, name, stamp):
     """Returns the row of a part as {column: text}, or None if it has no log. stamp(time, commit) must
-    return (commit, digest of hashes.txt) of the tested state; its `commit` is empty if there is no
-    file NAME.commit."""
+    return (commit, digest of hashes.txt) of the tested state. Its arguments are the time of the log and
+    the contents of the file NAME.commit, or "" if there is no such file."""
     def text(suffix):
         with open(os.path.join(folder, name + suffix), encoding="utf-8", errors="replace") as file:
             return file.read()
@@ -93,7 +93,7 @@ def read_row(folder, name, stamp):
 
 
 def parse_table(text):
-    """Returns {part: row} of the table in the text of an earlier file of this measurement."""
+    """Returns {part: row} of the table in the text of an earlier doc/measurements/tests.md."""
     lines = [line.strip("| ").split(" | ") for line in text.splitlines() if re.match(r"\| [a-z_]+ \|", line)]
     return {row[0]: dict(zip(COLUMNS, row)) for row in lines if len(row) == len(COLUMNS) and row[0] in PARTS}
 
@@ -111,8 +111,8 @@ def outcome(row):
 
 
 def sentences(rows):
-    """Returns {name: text for README} for those of TOOLS, `fuzz` and `coverage` that have a row, and
-    for `gate` if all parts of GATE have a row."""
+    """Returns {name: text for README.md} for the parts in TOOLS, `fuzz` and `coverage`, as far as they
+    have a row, and for `gate` if all parts of GATE have a row."""
     found = {name: "%s tests, %s" % (rows[name]["passed"], outcome(rows[name])) for name in TOOLS if name in rows}
     if "fuzz" in rows:
         found["fuzz"] = "%s, %s" % (rows["fuzz"]["more"], outcome(rows["fuzz"]).replace("none failed", "no finding"))

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Two-view geometry: relative pose, epipolar geometry, and distances of correspondences from it.
-Needs NumPy only."""
+"""Two-view geometry: relative pose, fundamental matrix, and errors of correspondences. Needs NumPy
+only."""
 
 import numpy as np
 

@@ -6,8 +6,8 @@
 for each data set.
 
 Each function takes a folder and returns a list of Truth. It raises DataError if a file is missing or
-has another form. Coordinates are taken as they are published, and (0, 0) is taken as the center of the
-first pixel. With this convention the annotated points of homogr agree best with matched features."""
+does not have the expected form. Coordinates are not changed; (0, 0) is regarded as the center of the
+first pixel, because then the annotated points of homogr agree best with matched features."""
 
 import bisect
 import glob
@@ -27,9 +27,8 @@ class DataError(ValueError):
 
 
 class Camera:
-    """A camera x ~ K (R X + t). If only the focal length is published, K is made from the size of
-    the image, with the principal point in the middle. `distortion` has OpenCV's coefficients; None
-    stands for no distortion."""
+    """A camera x ~ K (R X + t). If only the focal length is published, the principal point of K is the
+    middle of the image. `distortion` has OpenCV's coefficients; None: there is no distortion."""
 
     def __init__(self, image, R, t, K=None, focal=None, distortion=None):
         self.image, self.R, self.t = image, np.asarray(R, float), np.asarray(t, float)
@@ -49,7 +48,7 @@ class Camera:
 
 class Truth:
     """The published ground truth of two images, which is one of these: annotated points (M x 4: x1 y1
-    x2 y2), H, F, or two cameras. The others are None."""
+    x2 y2), H, F, or two cameras. The members for the other three are None."""
 
     def __init__(self, name, image1, image2, problems, points=None, H=None, F=None, cameras=None):
         self.name, self.image1, self.image2, self.problems = name, image1, image2, problems
@@ -61,8 +60,8 @@ class Truth:
 
 
 def homogr(folder):
-    """homogr of Lebeda, Matas and Chum: planar scenes, about ten correspondences each annotated by
-    hand.
+    """homogr of Lebeda, Matas and Chum: planar scenes, each with about ten correspondences that were
+    annotated by hand.
 
     <folder>/<name>A.<type>, <name>B.<type>: images 1 and 2
     <folder>/<name>_vpts.mat: MATLAB, structure `validation`, whose `pts` is 6 x M: homogeneous
@@ -182,8 +181,8 @@ def _kitti_matrix(file):
     raise DataError(file + ": no line 'P0:'")
 
 
-# fx, fy, cx, cy in pixels, and distortion coefficients of the color cameras, from the page of the data
-# set.
+# fx, fy, cx, cy in pixels, and distortion coefficients of the color cameras (None: no distortion),
+# from the page of the data set.
 _TUM_CAMERAS = {
     "freiburg1": ((517.3, 516.5, 318.6, 255.3), (0.2624, -0.9531, -0.0054, 0.0026, 1.1633)),
     "freiburg2": ((520.9, 521.0, 325.1, 249.7), (0.2312, -0.7849, -0.0033, -0.0001, 0.9172)),
@@ -198,8 +197,9 @@ def tum(folder, step=1):
 
     <folder>/<...freiburg1, 2 or 3...>/groundtruth.txt: lines `time tx ty tz qx qy qz qw`, camera ->
     world
-    <folder>/<...>/rgb.txt: lines `time file`; <folder> may be a sequence itself. Its name
-    determines the camera.
+    <folder>/<...>/rgb.txt: lines `time file`
+
+    <folder> can also be the folder of a sequence. The name of this folder determines the camera.
 
     A folder with pairs_with_gt.txt is read as FM-Bench publishes TUM, see tanks_and_temples."""
     if _is_fm_bench(folder):
@@ -288,7 +288,7 @@ def one_dsfm(folder):
     """A scene of 1DSfM of Wilson and Snavely, e.g. Piccadilly: the pairs with a two-view geometry whose cameras are both in
     the reference reconstruction.
 
-    <folder>/gt_bundle.out: reconstruction, Bundler's format v0.3; a focal length of 0 is no camera
+    <folder>/gt_bundle.out: reconstruction, Bundler's format v0.3; a focal length of 0 means no camera
     <folder>/list.txt: the image of each camera, the first word of each line; relative to <folder> or to <folder>/images
     <folder>/EGs.txt: one two-view geometry on each line; the first two words are the numbers of the cameras"""
     scene = os.path.basename(os.path.abspath(folder))
@@ -305,8 +305,8 @@ def one_dsfm(folder):
 
 
 def _bundler_cameras(folder):
-    """Returns the camera of each image, or None if it has no camera. In Bundler's coordinates a camera
-    looks along -z with y up. The returned cameras look along z with y down."""
+    """Returns a list with the camera of each image, or None for an image without a camera. In Bundler's
+    coordinates a camera looks along -z with y up. The returned cameras look along z with y down."""
     file, images_file = os.path.join(folder, "gt_bundle.out"), os.path.join(folder, "list.txt")
     images = [words[0] for _, words in _lines(images_file)]
     lines = _lines(file)
@@ -365,8 +365,8 @@ def _image(folder, stem):
 
 
 def _lines(file):
-    """Yields number and words of each line that is neither empty nor a comment. Blanks and commas
-    separate the words."""
+    """Yields the number and the words of each line that is neither empty nor a comment. Blanks and
+    commas separate the words."""
     try:
         with open(file) as text:
             for number, line in enumerate(text, 1):
@@ -388,8 +388,8 @@ def _floats(file, number, words, count):
 
 
 def _numbers(file, shape):
-    """Returns all numbers of a file in an array of this shape. The first length may be -1, which means
-    any length."""
+    """Returns all numbers of a file in an array of this shape. If the first length is -1, any length is
+    accepted."""
     values = [_floats(file, number, words, len(words)) for number, words in _lines(file)]
     values = np.concatenate(values) if values else np.empty(0)
     size = abs(int(np.prod(shape)))

@@ -8,22 +8,21 @@
     measure.py --build=BUILD --data=DATA [NAME ...]
                 runs measurements (default: those that README.md quotes)
     measure.py --logs=USAC_BUILD_DIR
-                takes counts of tests, coverage and times from run_tests.sh and sanitize.sh
+                takes counts of tests, coverage and times from the logs of run_tests.sh and sanitize.sh
     measure.py --build=BUILD --structured [SECTION ...]
-                runs the commands above the tables of structured_tables.md, of all sections or of
-                those whose headings begin with SECTION
+                runs the commands above the tables of structured_tables.md, in all sections or in
+                those whose headings begin with SECTION, and replaces the tables
     measure.py --fill
-                writes the quotations again from the files
+                writes all quotations again from the files of the measurements
     measure.py --copied NAME
-                renews date and digest of constants_tables, structured_tables or
-                collections_tables, after a table there was replaced by hand by the output of its
-                command
+                renews the date and the digest of constants_tables, structured_tables or
+                collections_tables, after the output of a command has been copied there by hand
     measure.py --check
                 fails if a quotation differs from the measurement, if a file was changed by hand,
                 or if README.md quotes a measurement older than the last change of results
 
-BUILD is a build folder of this project, which is brought up to date first. DATA is a folder as
-usac_benchmark takes it."""
+BUILD is a build folder of this project; it is brought up to date first, except for --structured.
+DATA is a folder of data as for usac_benchmark --data."""
 
 import argparse
 import collections
@@ -78,7 +77,7 @@ def machine_name():
 
 def busy_words(before, after, seconds):
     """Returns a remark on other programs, if they took more than half of the processors during the
-    `seconds` of a measurement; otherwise an empty text. `before` and `after` are of
+    `seconds` of a measurement; otherwise an empty text. `before` and `after` are results of
     processor_times()."""
     if not before or not after or seconds <= 0:
         return ""
@@ -92,8 +91,8 @@ def git(*arguments):
 
 
 class Run:
-    """The surroundings of a measurement: programs, data and a scratch folder. It also records the
-    commands and the number of repeats for the stamp."""
+    """The surroundings of a measurement: programs, data and a scratch folder. The object also records
+    the commands and the number of repeats for the stamp."""
 
     def __init__(self, build, data, repeats, scratch):
         self.build, self.data, self.scratch, self.chosen = build, data, scratch, repeats
@@ -115,14 +114,14 @@ class Run:
         return os.path.join(self.scratch, name)
 
     def times(self, default):
-        """Sets the number of repeats, `default` if the user has chosen none; returns the option of the
-        programs for it."""
+        """Sets the number of repeats, to `default` if the user has chosen none; returns the option
+        --repeats with this number."""
         self.repeats = self.chosen or default
         return "--repeats=%d" % self.repeats
 
     def call(self, program, *arguments, shown=True):
-        """Runs a program; returns its standard output. The stamp shows the command without output
-        files and with the words DATA and SCENES instead of the folders."""
+        """Runs a program; returns its standard output. If `shown`, the stamp gets the command, without
+        output files, and with the words DATA and SCENES instead of the folders."""
         words = [program if program.endswith(".py") else os.path.join(self.build, "bin", program)] + list(arguments)
         if program.endswith(".py"):
             words = [sys.executable, os.path.join(ROOT, "modules", "usac", "benchmark", program)] + list(arguments)
@@ -144,8 +143,8 @@ class Run:
         return sorted(path for letter in letters for path in glob.glob(os.path.join(self.data, "lists", "*.%s.list" % letter)))
 
     def benchmark(self, name, *options):
-        """Runs usac_benchmark. Returns its tables, the file of the single runs, and its text
-        without the title and with headings one level deeper."""
+        """Runs usac_benchmark. Returns its tables, the path of the file with the single runs, and its
+        standard output without the title and with headings one level deeper."""
         csv, runs = self.path(name + ".csv"), self.path(name + ".runs.csv")
         text = self.call("usac_benchmark", *options, "--csv=" + csv, "--runs=" + runs)
         return tables.read_tables(csv), runs, re.sub("^#", "##", re.sub(r"\A# .*\n+", "", text), flags=re.M)
@@ -223,7 +222,7 @@ def measure_threshold(run):
 
 
 def measure_automatic(run):
-    """Measures the threshold that USACV20_AUTO estimates."""
+    """Compares USACV20_AUTO, which estimates the threshold, with several given thresholds."""
     text = run.call("threshold.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), run.times(3), "--estimated=" + AUTO,
                     "--plot=" + os.path.join(ROOT, THRESHOLD_PICTURE), *["--list=" + path for path in run.lists("HFE")])
     run.commands = ["threshold.py --data=DATA --repeats=%d --estimated=USACV20_AUTO (lists of H, F and E)" % run.repeats]
@@ -309,8 +308,8 @@ def measure_covariance(run):
 
 
 def measure_sigmas(run):
-    """Measures how much Params::sigmas reduce the errors of models if every second match has five times
-    the noise of the other matches."""
+    """Measures how much Params::sigmas reduces the errors of models if every second match has five
+    times the noise of the other matches."""
     run.repeats = 1
     text = run.call("usac_covariance", "--spread=5", "--noises=0.1,0.3", "--by=problem,ratio", "--scenes=%d" % (run.chosen or 2000))
     return ("Scenes as in [covariance.md](covariance.md), with noise of 0.1 and 0.3 thresholds, five times that in every second match; the estimator gets "
@@ -340,7 +339,7 @@ KINDS = collections.OrderedDict((
     ("constants_tables", Kind("Half and double of the chosen numbers; choices between variants", None, Rows(), False)),
     ("structured_tables", Kind("Structured scenes", None, Rows(), False)),
     ("collections_tables", Kind("Collections of images", None, Rows(), False))))
-COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # files with copied tables, and the commands that made these
+COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # files with tables and the commands whose outputs they are
 PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_scale", "usac_synthetic", "usac_tracking")
 
 
@@ -378,8 +377,8 @@ def measure(name, build, data, repeats):
 
 
 def tested(time, commit):
-    """Returns (commit, digest of hashes.txt) of the state that a log has tested. If `commit` is empty,
-    the last commit before `time` is taken."""
+    """Returns (commit, digest of hashes.txt) of the state that was tested when a log was written. If
+    `commit` is empty, the last commit before `time` is used."""
     commit = commit or git("log", "-1", "--format=%h", "--before=" + time.isoformat())
     return commit or "-", KINDS["tests"].rows.digest(git("show", "%s:%s" % (commit, HASHES)) or read_text(os.path.join(ROOT, HASHES)))
 
@@ -417,8 +416,9 @@ def take_copied(root, name):
 
 
 def measure_structured(build, sections):
-    """Runs the commands of structured_tables.md and replaces the tables. `results` in the stamp stays,
-    because it belongs to the oldest table of the file."""
+    """Runs the commands in these sections of structured_tables.md, or in all sections if the list is
+    empty, and replaces the tables. `results` in the stamp stays, because it belongs to the oldest table
+    of the file."""
     m = Measurement.read(ROOT, "structured_tables")
     run = Run(build, "", None, "")
     m.body = structured_tables.renewed(m.body, sections, state(), lambda arguments: run.call(structured_tables.PROGRAM, *arguments))
@@ -427,7 +427,7 @@ def measure_structured(build, sections):
 
 
 def check(out):
-    """Prints all mistakes of the figures in documents; returns their number."""
+    """Prints all mistakes in the figures of documents; returns the number of mistakes."""
     state_of_all = project()
     mistakes = state_of_all.check()
     for mistake in mistakes:

@@ -9,15 +9,15 @@ import os
 
 import numpy as np
 
-PROBLEMS = ("H", "F", "E", "A", "S", "T")  # problems on pairs of images
+PROBLEMS = ("H", "F", "E", "A", "S", "T")  # problems of image pairs
 LISTS = PROBLEMS + ("P", "R", "M")  # problems that have lists; views.py has the files of P, spaces.py those of R and M
 KINDS = ("annotated", "labels", "homography", "pose", "exact")
 _MATRICES = ("H", "K1", "K2", "R")
 
 
 class PairError(ValueError):
-    """Raised if a pair or a list breaks the rules of the format. The message names file and line if
-    there is one."""
+    """Raised if a pair or a list breaks the rules of the format. The message names the file and the
+    line if these are known."""
 
 
 class Pair:
@@ -67,14 +67,14 @@ class Pair:
 
 
 def require(condition, what):
-    """Raises PairError with the text if the condition does not hold."""
+    """Raises PairError with the text `what` if the condition does not hold."""
     if not condition:
         raise PairError(what)
 
 
 def to_array(value, shape, name):
-    """Converts a value to an array of double; None stays None. Raises PairError, with the name of the
-    value, if it does not have this shape."""
+    """Converts a value to an array of doubles of this shape; None stays None. Raises PairError, with
+    the name of the value, if the conversion is not possible."""
     if value is None:
         return None
     try:
@@ -84,7 +84,7 @@ def to_array(value, shape, name):
 
 
 def write_pair(path, pair):
-    """Writes <path>.corr and <path>.json; creates the folder."""
+    """Checks the pair, and writes <path>.corr and <path>.json; creates the folder."""
     try:
         pair.check()
     except PairError as error:
@@ -136,8 +136,8 @@ def _read_correspondences(file):
 
 
 def write_rows(path, rows, digits, scores, description):
-    """Writes <path>.txt, <path>.score and <path>.json; creates the folder. `digits` is the format of
-    the numbers in a row, for numpy.savetxt."""
+    """Writes `rows` to <path>.txt, `scores` to <path>.score and `description` to <path>.json; creates
+    the folder. `digits` is the format of a number, or of a whole row, as in numpy.savetxt."""
     os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
     text = json.dumps(description, separators=(",", ":"), allow_nan=False)
     np.savetxt(path + ".txt", rows, digits)
@@ -147,8 +147,8 @@ def write_rows(path, rows, digits, scores, description):
 
 
 def read_scored_rows(path, count, expected):
-    """Returns the rows of <path>.txt, of `count` numbers each, and the scores of <path>.score; all
-    scores are 1 if that file does not exist."""
+    """Returns the rows of <path>.txt, each of `count` numbers, and the scores of <path>.score; all
+    scores are 1 if there is no <path>.score."""
     rows = np.array(read_rows_of_numbers(path + ".txt", (count,), expected)).reshape(-1, count)
     if os.path.exists(path + ".score"):
         return rows, read_rows_of_numbers(path + ".score", (1,), "a score")
@@ -156,7 +156,8 @@ def read_scored_rows(path, count, expected):
 
 
 def read_description(file):
-    """Returns the object of a JSON file. Raises PairError with file and line if there is none."""
+    """Returns the object in a JSON file. Raises PairError with file and line if the file has another
+    form."""
     with open(file) as text:
         try:
             description = json.load(text)
@@ -196,7 +197,7 @@ def list_file(folder, dataset, problem):
 
 def write_list(file, paths):
     """Writes a list of pairs; `paths` are without extension. The stored paths are relative to the
-    folder of the list, or to its parent if that folder is called `lists`, as usac_benchmark
+    folder of the list, or to the parent of this folder if it is called `lists`, as usac_benchmark
     expects."""
     split_name(file)
     base = _base(file)
@@ -207,7 +208,7 @@ def write_list(file, paths):
 
 
 def read_list(file):
-    """Returns the paths of the pairs of a list, without extension."""
+    """Returns the paths of the pairs in a list, without extension."""
     split_name(file)
     paths = []
     with open(file) as lines:

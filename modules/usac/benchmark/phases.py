@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Shows which phases of a call take the time: runs usac_benchmark on synthetic scenes under
+"""Shows how much of the time of a call each phase takes: runs usac_benchmark on synthetic scenes under
 Valgrind's callgrind and counts the instructions of each phase. The counts do not depend on other
-work of the machine. A table goes to the standard output, in Markdown.
+programs that run at the same time. A table goes to the standard output, in Markdown.
 
     phases.py --build=BUILD --sizes 100 1000 --parts 0.9 0.5
 
@@ -23,8 +23,9 @@ import figure_tables
 
 SCENES = collections.OrderedDict((("H", "planar"), ("F", "general"), ("E", "general"), ("P", "view"), ("A", "affinity"), ("S", "similarity"),
                                   ("T", "translation"), ("R", "rigid"), ("M", "rigidScaled")))
-# For each phase two regular expressions: the functions whose calls belong to it, and callers from
-# which such calls do not count, because the caller itself already belongs to the phase.
+# For each phase two regular expressions: one for the functions whose calls belong to the phase, and
+# one (or None) for callers from which such calls do not count, because the caller itself already
+# belongs to the phase.
 PHASES = collections.OrderedDict((
     ("samples", (r"Ransac::drawBatch", None)),
     ("their models", (r"Ransac::solve", None)),
@@ -38,7 +39,7 @@ METHOD = "*ModuleMethod::run*"  # callgrind counts only the instructions during 
 
 def read_calls(file):
     """Reads an output file of callgrind. Returns the total number of instructions, and {(caller,
-    callee): number of instructions in these calls, including those of functions that the callee
+    callee): number of instructions in these calls, including those in functions that the callee
     calls}."""
     names, calls, total, caller, callee = {}, collections.Counter(), 0, "", None
     for line in file:
@@ -54,8 +55,8 @@ def read_calls(file):
 
 
 def shares(total, calls):
-    """Returns {phase: fraction of all instructions}. The last phase is the rest: reading of the input,
-    normalization, runners-up, termination, mask."""
+    """Returns {phase: fraction of all instructions}. The last entry, "rest", contains the reading of
+    the input, normalization, runners-up, termination and mask."""
     result = collections.OrderedDict()
     for phase, (inside, part) in PHASES.items():
         result[phase] = sum(cost for (caller, callee), cost in calls.items()

@@ -6,8 +6,9 @@
 """Draws the runs that `usac_benchmark --runs=FILE` has written.
 
 For each list there is a picture of the cumulative distributions of error and of time, with one curve
-for each method. A failed run has no error, so a curve of errors ends at the fraction of successful
-runs. Two more pictures are of all lists: error over time, and a summary of the distributions."""
+for each method. The error of a failed run is not drawn, so a curve of errors ends at the fraction of
+successful runs. Two more pictures show all lists: error over time, and a summary of the
+distributions."""
 
 import argparse
 import math
@@ -28,8 +29,9 @@ import numpy as np
 
 from rows import read_rows
 
-# Colors of Okabe and Ito, which color-blind people can distinguish. Markers and line styles repeat
-# with other periods than colors, so that their combinations differ.
+# Colors of Okabe and Ito, which color-blind people can distinguish. The number of markers has no common
+# divisor with the number of colors, and the line style changes each time the colors start again, so
+# that the combinations differ.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "h")
 TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix", "A": "affinity",
@@ -64,8 +66,8 @@ class Runs:
 
 
 def choose(results, methods):
-    """Returns {key: {method: ...}} with only the given methods, in the given order; with all methods if
-    the list of methods is empty."""
+    """Returns `results`, {key: {method: ...}}, with only the given methods in the given order; with all
+    methods if the list of methods is empty."""
     if not methods:
         return results
     return {key: {m: runs[m] for m in methods if m in runs} for key, runs in results.items()}
@@ -93,8 +95,8 @@ def _add(results, row, time, methods):
 
 
 class Look:
-    """Color, line and marker of each method, which are the same in all pictures. Methods of OpenCV
-    have dashed lines and hollow markers."""
+    """Color, line style and marker of each method, which are the same in all pictures. Methods of
+    OpenCV have dashed or dotted lines and hollow markers."""
 
     def __init__(self, results):
         self.methods = list(dict.fromkeys(m for runs in results.values() for m in runs))
@@ -125,9 +127,9 @@ class Look:
 
 
 def cumulative(values, weights=None):
-    """Returns the steps of the cumulative distribution: sorted values, and the fraction of all values
-    up to each. Infinite values have no step but count in the total, so the last fraction may be below
-    1."""
+    """Returns the steps of the cumulative distribution: the sorted values, and for each value the
+    fraction (of the total weight, if there are weights) of all values up to it. Infinite values have no
+    step but count in the total, so the last fraction can be below 1."""
     values = np.asarray(values, float)
     weights = np.full(len(values), 1 / len(values)) if weights is None else np.asarray(weights, float)
     order = np.argsort(values, kind="stable")
@@ -154,13 +156,13 @@ def log_axis(axis):
 
 
 def thin(axis, low, high):
-    """Keeps only the labels at powers of ten, if a logarithmic axis has more than 1.7 decades."""
+    """Keeps only the labels at powers of ten if a logarithmic axis spans more than 1.7 decades."""
     if math.log10(max(high / max(low, 1e-9), 1)) > 1.7:
         axis.set_major_locator(LogLocator(10))
 
 
 def _distribution(axes, samples, look, xlabel):
-    """Draws the distributions of {method: (values, weights)} on a log axis."""
+    """Draws the distributions of `samples`, {method: (values, weights)}, over a logarithmic axis."""
     finite = np.concatenate([np.asarray(v, float)[np.isfinite(v)] for v, _ in samples.values()] + [np.empty(0)])
     finite = finite[finite > 0]
     low, high = (np.percentile(finite, 0.5), finite.max()) if len(finite) else (0.1, 10)
@@ -204,8 +206,8 @@ def geometric_mean(values):
 
 
 def draw_scatter(results, look, time):
-    """Draws median error over median time. Small markers are of single lists. Large markers are the
-    geometric means over those lists on which all methods solve more than half of the runs."""
+    """Draws the median error over the median time. Small markers show single lists. Large markers show
+    geometric means over the lists on which all methods succeed in more than half of the runs."""
     problems = _problems(results)
     figure, panels = plt.subplots(1, len(problems), figsize=(max(3.4 * len(problems) + 0.8, 4.8), 3.9), layout="constrained",
                                   squeeze=False)
@@ -237,8 +239,8 @@ def _scatter(axes, runs, style):
 
 
 def _pooled(results, problem, look, what):
-    """Returns {method: (values, weights)} of all runs on the lists of a problem. `what` is "errors" or
-    "times". Each list has the same total weight."""
+    """Returns {method: (values, weights)} of all runs on the lists of a problem. `what`, "errors" or
+    "times", selects the values. Each list has the same total weight."""
     samples = {}
     for method in look.methods:
         parts = [getattr(runs[method], what) for key, runs in results.items() if key[1] == problem and method in runs]
@@ -249,7 +251,7 @@ def _pooled(results, problem, look, what):
 
 
 def draw_summary(results, look, time):
-    """Draws distributions of error (above) and time (below), a column for each problem. All lists
+    """Draws distributions of error (above) and time (below), with a column for each problem. All lists
     of a problem are pooled with equal weights."""
     problems = _problems(results)
     figure, panels = plt.subplots(2, len(problems), figsize=(max(2.9 * len(problems) + 0.7, 4.8), 4.9), layout="constrained",
@@ -268,14 +270,15 @@ def draw_summary(results, look, time):
 def save(figure, folder, name, form):
     os.makedirs(folder, exist_ok=True)
     file = os.path.join(folder, name + "." + form)
-    # The files have no date, so that the same runs give identical files.
+    # The date (SVG) and the version of matplotlib (PNG) are left out, so that the same runs give the
+    # same file.
     figure.savefig(file, dpi=110, metadata={"Date": None} if form == "svg" else {"Software": None})
     plt.close(figure)
     return file
 
 
 def draw_all(results, folder, form, time):
-    """Writes all pictures; returns their file names."""
+    """Writes all pictures; returns their paths."""
     with plt.rc_context(STYLE):
         look = Look(results)
         files = [save(draw_list(name, problem, runs, look, time), folder, "%s.%s" % (name, problem), form)
@@ -294,7 +297,7 @@ def add_options(parser):
 
 
 def run(draw):
-    """Prints the file names that draw() returns, or its error message; returns the exit code."""
+    """Prints the paths that draw() returns, or the message of its exception; returns the exit code."""
     try:
         for file in draw():
             print(file)

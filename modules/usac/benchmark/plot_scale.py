@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Draws the file that `usac_scale --csv=FILE` has written: time and error over the number of matches
-and over the inlier ratio, with a column of diagrams for each problem. A cross marks scenes on which at
+"""Draws the results that `usac_scale --csv=FILE` has written: time and error over the number of matches
+and over the inlier ratio, with a column of diagrams for each problem. A cross marks a point at which at
 least half of the runs failed. A curve ends where the method exceeded the time limit of usac_scale."""
 
 import argparse
@@ -28,8 +28,9 @@ def _add(results, row):
 
 
 def read_scale(file, methods=()):
-    """Returns {(sweep, problem): {method: [point, ...]}}. A sweep is one of SWEEPS; a point is {column:
-    number} of a row. `methods` selects methods and their order; an empty list selects all."""
+    """Returns {(sweep, problem): {method: [point, ...]}}. A sweep is a key of SWEEPS; a point is a row
+    of the file as {column: number}. `methods` selects methods and their order; an empty list selects
+    all."""
     results = {}
     read_rows(file, COLUMNS, "usac_scale --csv", lambda row: _add(results, row))
     results = plot.choose(results, methods)
@@ -39,8 +40,8 @@ def read_scale(file, methods=()):
 
 
 def split_failed(points, x, y):
-    """Returns two lists of (x, y): the points with a finite value, for the curve, and those points among
-    them where at least half of the runs failed, for the crosses."""
+    """Returns two lists of (x, y): for the curve, the points whose y is finite and above 0; for the
+    crosses, those of these points at which at least half of the runs failed."""
     finite = [(p[x], p[y], p["failures_percent"] >= 50) for p in points if math.isfinite(p[y]) and p[y] > 0]
     return [p[:2] for p in finite], [p[:2] for p in finite if p[2]]
 
@@ -57,15 +58,15 @@ def _panel(axes, runs, sweep, y, look):
         plot.log_axis(axis)
         plot.thin(axis, *axis.get_view_interval())
     if sweep == "inliers":
-        axes.invert_xaxis()  # lower inlier ratios to the right, so that problems become harder to the right as for the size
+        axes.invert_xaxis()  # lower inlier ratios on the right, so that problems become harder to the right, as for the size
     else:
         axes.xaxis.set_major_formatter(LogFormatterMathtext())
     axes.set_xlabel(SWEEPS[sweep])
 
 
 def draw(results, look, y, label):
-    """Draws one figure with a row of diagrams for each sweep and a column for each problem. `y` is the
-    column of the file that is drawn."""
+    """Draws a figure with a row of diagrams for each sweep and a column for each problem. `y` is the
+    column of the file for the vertical axis, `label` the label of this axis."""
     sweeps = [s for s in SWEEPS if any(key[0] == s for key in results)]
     problems = [p for p in plot.TITLES if any(key[1] == p for key in results)]
     figure, panels = plt.subplots(len(sweeps), len(problems), figsize=(max(3.1 * len(problems) + 0.6, 4.8), 2.9 * len(sweeps) + 0.5),
@@ -81,7 +82,7 @@ def draw(results, look, y, label):
 
 
 def draw_all(results, folder, form, time):
-    """Writes both pictures; returns their file names."""
+    """Writes the pictures of time and error; returns their paths."""
     with plt.rc_context(plot.STYLE):
         look = plot.Look(results)
         return [plot.save(draw(results, look, "median_%s_ms" % time, "median " + plot.time_label(time)), folder, "scale_time", form),

@@ -9,8 +9,8 @@ import csv
 
 def read_rows(file, columns, option, take):
     """Calls take(row) for each row of a CSV file. Raises ValueError with file and line if a column
-    is missing or `take` raises an error. `option` names the program and its option that write such
-    files."""
+    is missing or `take` raises TypeError or ValueError. `option` names the program that writes such
+    files, and its option, for the error messages."""
     with open(file, newline="") as lines:
         rows = csv.DictReader(lines)
         missing = [name for name in columns if name not in (rows.fieldnames or ())]

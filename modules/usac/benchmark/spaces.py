@@ -15,9 +15,9 @@ from pairs import PairError, read_description, read_scored_rows, require, to_arr
 class Motion:
     """Points of two spaces and the motion between them, X2 = scale R X1 + t.
 
-    points1, points2: N x 3. scores: N, lower is better. R, t: rotation and translation. scale: 1 for
-    the problem R (rigid motion). right: indices of the right matches, None if unknown. extra: further
-    members of the description (.json)."""
+    points1, points2: N x 3. scores: N, lower is better. R, t: rotation and translation. scale: must be
+    1 for the problem R (rigid motion). right: indices of the right matches, None if unknown. extra:
+    further members of the description (.json)."""
 
     def __init__(self, points1, points2, scores, R, t, scale=1.0, right=None, extra=None):
         self.points1, self.points2 = to_array(points1, (-1, 3), "points1"), to_array(points2, (-1, 3), "points2")
@@ -28,7 +28,7 @@ class Motion:
 
     @property
     def problem(self):
-        """The letter of the problem: R (rigid motion) or M (with a scale)."""
+        """The letter of the problem: R (rigid motion) if the scale is 1, otherwise M."""
         return "R" if self.scale == 1 else "M"
 
     def moved(self):
@@ -37,7 +37,7 @@ class Motion:
 
     def size(self):
         """Returns the size of the scene: the root mean square distance of the right points of space 2
-        from their mean."""
+        (of all if it is unknown which are right) from their mean."""
         points = self.points2[slice(None) if self.right is None else self.right]
         return np.sqrt(((points - points.mean(0)) ** 2).sum(1).mean())
 

@@ -2,11 +2,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Replaces tables of a document by the output of the commands that precede them.
+"""Replaces tables of a document with the output of the commands that precede them.
 
-A section of the document begins with a heading "## ". It may have a line that begins with "Commit
-`...`" and blocks of shell commands that begin with usac_structured. The tables between a block and
-the next text are the output of the block's commands."""
+A section of the document begins with a heading "## ". A section can have a line that begins with
+"Commit `...`" and blocks of shell commands that begin with usac_structured. The tables between a block
+and the next text are the output of the block's commands."""
 
 import re
 import shlex
@@ -17,8 +17,8 @@ COMMIT = re.compile(r"^Commit `[^`]+`(, of an earlier state)?", re.M)
 
 
 def sections(body):
-    """Returns the sections as [(heading, text with the heading)]. The heading of the text before the
-    first heading is ""."""
+    """Returns the sections as [(heading, text with the heading)]. The text before the first heading is
+    a section with the heading ""."""
     parts = re.split(r"^(?=## )", body, flags=re.M)
     return [(part[3:part.index("\n")] if part.startswith("## ") else "", part) for part in parts]
 
@@ -35,8 +35,8 @@ def tables_of(output):
 
 
 def measured(section, commit, run):
-    """Returns the text of a section with new tables and the new commit. run(arguments) must return the
-    output of the program."""
+    """Returns the text of a section with new tables and the commit `commit`. run(arguments) must return
+    the output of the program."""
     result, end = "", 0
     for match in BLOCK.finditer(section):
         result += section[end:match.end()]
@@ -47,8 +47,8 @@ def measured(section, commit, run):
 
 
 def renewed(body, names, commit, run):
-    """Returns the document with new tables in the sections whose headings begin with one of the
-    names; in all sections if there are no names."""
+    """Returns the document with new tables in the sections whose headings begin with one of `names`; in
+    all sections if there are no names. Raises ValueError if a name fits no section with commands."""
     known = [heading for heading, text in sections(body) if BLOCK.search(text)]
     unknown = [name for name in names if not any(heading.startswith(name) for heading in known)]
     if unknown:

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of pairs, lists and pictures on tiny files that the tests write, and helpers for the other
-tests in this folder.
+"""Tests of pairs, lists, pictures and comparisons pair by pair, on tiny files that the tests write, and
+helpers for the other tests in this folder.
 
 The environment variable USAC_BENCHMARK is the path of the C++ program usac_benchmark. If it is set, a
 test checks that the program reads the files that pairs.py writes. Tests of plot.py are skipped if

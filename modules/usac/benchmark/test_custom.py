@@ -33,9 +33,9 @@ def program(name):
 
 
 def read_test_data(name, size, noise=0.0):
-    """Reads a set of test_data/ as a pair. Noise (standard deviation in pixels) is added, and
-    coordinates are rounded to eighths of a pixel, which every program reads without rounding
-    errors."""
+    """Reads a data set of test_data/ as a pair. Noise of the standard deviation `noise`, in pixels, is
+    added, and coordinates are rounded to eighths of a pixel, which every program reads without
+    rounding errors."""
     rows = np.loadtxt(os.path.join(TEST_DATA, name + ".txt"))
     rows[:, :4] = np.round(8 * (rows[:, :4] + np.random.RandomState(2).normal(0, noise, (len(rows), 4)))) / 8
     with open(os.path.join(TEST_DATA, name + ".yml")) as lines:
@@ -120,10 +120,10 @@ class CustomTest(FolderTest):
 
     @unittest.skipUnless(os.path.isfile(program("example_usac_custom_quality")), "there is no such sample beside USAC_BENCHMARK")
     def test_same_quality_as_the_program_beside(self):
-        """The sample custom_quality runs the same two estimators as the benchmark, MSAC and a custom
-        quality function (Tukey), on the matches of a text file. The numbers of inliers and iterations
-        must agree with those of the benchmark. The noise of 1 pixel makes the two estimators find
-        different inliers, so that a confusion of the two is noticed."""
+        """The sample custom_quality runs the same two estimators as the benchmark, with MSAC and with a
+        custom quality function (Tukey), on the matches of a text file. Its numbers of inliers and
+        iterations must agree with those of the benchmark. Because of the noise of 1 pixel, the two
+        estimators find different inliers, so that a confusion of the two is noticed."""
         noisy, path = read_test_data("graf", (800, 640), 1.0), self.path("pairs", "noisy", "graf")
         pairs.write_pair(path, noisy)
         pairs.write_list(pairs.list_file(self.folder, "set", "H"), [path])
@@ -143,9 +143,9 @@ class CustomTest(FolderTest):
         self.assertNotEqual(told["MSAC"], told["Tukey"])
 
     def test_fields_and_scores(self):
-        """Fields {...} and +scores in the name of a method must reach methods of the module as well as
-        estimators that are not of the module. Such an estimator is custom:echo, which encodes its
-        input in its number of iterations."""
+        """Fields {...} and +scores in the name of a method must have an effect on methods of the module
+        (custom:same) and on other estimators (custom:echo, which encodes its input in its number of
+        iterations)."""
         limited, plain = "custom:same{maxIterations=7}", "custom:same"
         echo, scored = "custom:echo{maxIterations=5}", "custom:echo+scores{number=8,seed=2,maxIterations=6}"
         rows, _ = self.runs("usac_test_methods", [limited, plain, echo, scored])
@@ -168,8 +168,8 @@ class CustomTest(FolderTest):
         self.check_mistake("usac_custom_benchmark", "custom:ransac+scores", "custom:ransac+scores: takes no scores")
 
     def test_options_by_their_names(self):
-        """The names that fields accept as values must be the enumerators of params.hpp in the same
-        order, and must have the same effect as the numbers of these enumerators."""
+        """The names that fields accept as values must be the enumerators of params.hpp, without their
+        common prefix, in the same order. They must have the same effect as the enumerators' numbers."""
         with open(PARAMS) as lines:
             header = re.sub(r"//.*", "", lines.read())
         for field, enumeration in (("sampler", "SamplerType"), ("ordering", "OrderingType"), ("scoreOrder", "ScoreOrder"),
@@ -220,8 +220,8 @@ class CustomTest(FolderTest):
             "wholeEstimator: the function is empty", problems % "HX", problems % ""])
 
     def test_what_an_estimator_does_wrong(self):
-        """A wrong result of an estimator (an exception, a mask or model of wrong size) must count as a
-        failure, and must be reported only once for each problem."""
+        """An exception of a method, or a mask or model of the wrong size, must count as a failure and
+        must be reported only once."""
         for method, what in (("custom:complain", "not today"), ("custom:shortMask", "expected a mask with a byte for each"),
                              ("custom:smallModel", "expected a model of 3 x 3 doubles"), ("custom:noSampler", "components().sampler")):
             message = r"%s threw on graf \(H\), which counts as a failure; not told again: .*%s.*\n" % (method, re.escape(what))

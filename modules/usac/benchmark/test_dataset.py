@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of dataset.py, which makes pairs from images and ground truth. The tests are skipped if cv2 has
-no SIFT."""
+"""Tests of dataset.py, which makes pairs from images and ground truth. The tests are skipped if cv2 is
+missing, has no SIFT or reads no images."""
 
 import contextlib
 import io
@@ -108,7 +108,7 @@ class BuildTest(FolderTest):
         self.assertEqual(drawn, set("acd"))
 
     def test_poses(self):
-        """A plane is seen by two cameras with known poses (1DSfM format), the second with lens
+        """Two cameras with known poses (1DSfM format) see a plane; the second camera has lens
         distortion. The distortion must be removed from the points, so that they agree with the
         homography of the plane."""
         normal, R, t = np.array([0, 0, 0.2]), rotation((0.2, 1, 0), 8), np.array([-0.5, 0.1, 0.05])
@@ -140,8 +140,8 @@ class BuildTest(FolderTest):
 
     def test_points_and_fundamental_matrices(self):
         """Published points must become the ground truth unchanged. If F is published, the ground truth
-        must be the matches that agree with it. Here F = [e]x H, which agrees with all right matches of
-        the plane."""
+        must consist of the matches that agree with F. Here F = [e]x H, which agrees with all right
+        matches of the plane."""
         self.evd("wall")
         files = [self.path("in", part, "wall.png") for part in "12"]
         args = dataset.parse(["cpc", "--images", self.folder, "--out", self.folder])

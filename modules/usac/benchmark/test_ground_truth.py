@@ -24,8 +24,8 @@ except ImportError:
 class ReadersTest(FolderTest):
 
     def check_cameras(self, truth, R=None, center=None):
-        """Cameras and relative pose must be those of the scene in test_benchmark.py. Its points must
-        fulfill the epipolar constraint and have positive depths."""
+        """The cameras and their relative pose must be those of the scene in test_benchmark.py. Its
+        points must fulfill the epipolar constraint and have positive depths."""
         a, b = truth.cameras
         np.testing.assert_allclose(a.matrix(SIZE), K, atol=1e-9)
         R12, t = geometry.relative_pose(a, b)
@@ -115,8 +115,8 @@ class ReadersTest(FolderTest):
         a, b = truth.cameras
         self.assertEqual((a.distortion, b.distortion), (None, (0.01, 0, 0, 0)))
         np.testing.assert_allclose(b.matrix((641, 481)), [[650, 0, 320], [0, 650, 240], [0, 0, 1]])
-        # Bundler's formula for the image point is p = -P / P.z, with y upwards from the middle of the
-        # image. It must agree with the camera that was read.
+        # In Bundler's format the image point is -f P / P.z, with y upward from the middle of the image.
+        # The camera that was read must project to the same point.
         inCamera = (POINTS - C2) @ (flip @ R2).T
         p = 650 * -inCamera[:, :2] / inCamera[:, 2:]
         np.testing.assert_allclose(np.column_stack((320 + p[:, 0], 240 - p[:, 1])), project(b.R, C2, b.matrix((641, 481))))

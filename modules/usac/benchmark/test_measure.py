@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of measure.py and its modules, which keep the figures in documents: blocks, stamps, digests of
+"""Tests of measure.py and its modules, which write the figures in documents: blocks, stamps, digests of
 stored hashes, tables, and logs of the test scripts.
 
 The environment variable USAC_BENCHMARK is the path of the program usac_benchmark. If this program is in
@@ -385,8 +385,8 @@ class MeasureTest(FolderTest):
         self.assertEqual(measure.busy_words(None, None, 10), "")
 
     def test_project_is_consistent_in_itself(self):
-        """The real documents must have no mistakes in their figures. Figures in README.md that are
-        older than the results are ignored here, because check_sources.sh checks them."""
+        """The documents of this project must have no mistakes in their figures. Figures in README.md
+        that are older than the results are ignored here, because check_sources.sh checks these."""
         mistakes = [m for m in measure.project().check() if "older than the last change" not in m]
         self.assertEqual(mistakes, [])
 
@@ -397,8 +397,8 @@ class MeasureTest(FolderTest):
         return code, out.getvalue(), err.getvalue()
 
     def copy(self):
-        """Copies the files with figures to the temporary folder, which measure.py then takes as the
-        root of the project until the test ends."""
+        """Copies the files with figures to the temporary folder, which is the root of the project for
+        measure.py until the test ends."""
         measurements = os.listdir(os.path.join(measure.ROOT, figures.FOLDER))
         for path in [figures.HASHES, figures.PYTHON_HASHES] + figures.documents(measure.ROOT) + \
                 [os.path.join(figures.FOLDER, name) for name in measurements if name.endswith(".md")]:

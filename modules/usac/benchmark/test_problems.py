@@ -45,7 +45,7 @@ class ProgramTest(FolderTest):
 
     def benchmark(self, methods, *options, name="usac_benchmark"):
         """Runs the benchmark with one repeat. Returns the rows of its file --runs as {method: [row]},
-        those of its file --csv as {(list, method): row}, and its output with the tables."""
+        the rows of its file --csv as {(list, method): row}, and its output with the tables."""
         runs, tables = self.path("runs.csv"), self.path("tables.csv")
         done = self.call(name, "--data=" + self.folder, "--methods=" + ",".join(methods), "--runs=" + runs, "--csv=" + tables,
                          "--repeats=1", *options)
@@ -85,7 +85,7 @@ class PlaneMapTest(ProgramTest):
 
     def test_outliers(self):
         """Wrong matches of the kind "clustered" must go from one small square to another one. Those of
-        the kind "second" must agree with another affinity than the true one."""
+        the kind "second" must agree with an affinity other than the true one."""
         self.write_scenes("affinity", "--pairs=1", "--size=200", "--outliers=clustered", "--noise=0")
         pair = pairs.read_pair(self.path("pairs", "affinity", "0000"))
         wrong = np.delete(np.hstack((pair.points1, pair.points2)), pair.extra["gt_mask"], 0)

@@ -79,8 +79,8 @@ class StabilizeTest(SampleTest):
         picture = cv2.imread(self.output)
         left, right = picture[:240, :320], picture[:240, 320:640]
         sharpness = [cv2.Laplacian(half[30:-30, 30:-30], cv2.CV_64F).var() for half in (left, right)]
-        # The right half of the picture is the mean of the stabilized frames. It must be sharper than the
-        # mean of the original frames in the left half.
+        # The right half of the picture is the mean of the stabilized frames. This half must be sharper
+        # than the left half, the mean of the original frames.
         self.assertGreater(sharpness[1], 2 * sharpness[0])
 
     @needsCpp
@@ -96,7 +96,7 @@ class AbsolutePoseTest(SampleTest):
 
     def row(self, text, method, which=0):
         """Returns the columns of the line of a method in a table of the output. If the method has
-        several lines, `which` chooses one, from 0."""
+        several lines, `which` is the number of the line, from 0."""
         return [line for line in text.splitlines() if line.startswith(method + " ")][which][len(method):].split()
 
     def check(self, command):

@@ -29,8 +29,8 @@ except ImportError:
 SCALE = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_scale")
 HEAD = "sweep,problem,size,inliers,method,runs,median_cpu_ms,median_wall_ms,median_error,failures_percent,median_iterations\n"
 
-# A program that stands for usac_benchmark in the tests of threshold.py. Its errors are known functions
-# of threshold, method and list, so the expected tables can be computed by hand.
+# A program that replaces usac_benchmark in the tests of threshold.py. The errors that it writes are
+# known functions of threshold, method and list, so the expected tables can be computed by hand.
 PROGRAM = """#!%s
 import sys
 options = dict(a.lstrip("-").split("=", 1) for a in sys.argv[1:])
@@ -143,7 +143,7 @@ class ThresholdTest(FolderTest):
 
     def test_right_thresholds(self):
         """The output must name the right thresholds of H, F and E and of the other problems in the
-        lists, and the unit of errors if it is not pixels."""
+        lists, and the unit of the errors if this unit is not pixels."""
         for names, more in ((["easy.F"], ""), (["easy.S"], ", A, S and T 3 px"), (["easy.P"], ", P 4 px (errors in degrees)")):
             lists = ["--list=" + self.put("lists/%s.list" % name) for name in names]
             with contextlib.redirect_stdout(io.StringIO()) as out:

@@ -25,8 +25,8 @@ RIVALS = ["cv:AFFINE3D", "cv:AFFINE3D_REFIT"]
 
 
 def near_motion(count=30, **changes):
-    """Returns `count` points without noise and a motion close to the identity (0.4 degrees). The first
-    five matches are not marked as right."""
+    """Returns `count` matches without noise and a motion that is close to the identity (0.4 degrees)
+    unless `changes` has another one. The first five matches are not marked as right."""
     points = np.random.RandomState(5).uniform(-50, 50, (count, 3))
     values = dict(points1=points, points2=points, scores=np.linspace(0, 1, count), R=rotation((1, 2, 0.5), 0.4), t=(0.3, -0.2, 0.1),
                   right=range(5, count))
@@ -191,7 +191,7 @@ class MeasuredMotionTest(ProgramTest):
             self.assertAlmostEqual(float(row["cost"]), np.mean(np.minimum(1, (distances / 3) ** 2)), delta=1e-4)
             self.assertEqual((row["failed"], row["inliers"]), (str(int(distance > 5)), "30"))
         # A rotation error of more than 5 degrees is a failure. The points are close to the axis of the
-        # rotation, so that the error of the points does not decide.
+        # rotation, so that the center error is small and does not decide.
         for degrees in (4.9, 5.1):
             points = np.column_stack((np.linspace(-50, 50, 30), np.linspace(-3, 3, 30), np.zeros(30)))
             row = self.measure(near_motion(points1=points, points2=points, R=rotation((1, 0, 0), degrees), t=(0, 0, 0)))

@@ -45,9 +45,8 @@ class StructuredTest(FolderTest):
             return list(csv.DictReader(lines)), done.stdout
 
     def test_one_sample_is_not_enough(self):
-        """With an inlier ratio of 0.5, a sample of seven matches for F consists of inliers only
-        once in 128 samples. So one sample must nearly always fail, and 1000 samples must rarely
-        fail."""
+        """With 50 inliers among 100 matches, about one in 160 samples of seven matches (F) consists of
+        inliers only. So one sample must nearly always fail, and 1000 samples must rarely fail."""
         methods = ["preset:ransac{maxIterations=%d,significance=1}" % limit for limit in (1, 1000)]
         rows, _ = self.rows("--problems=F", "--methods=" + ",".join(methods), "--kinds=generic", "--orders=none", "--sizes=100",
                             "--ratios=0.5", "--runs=50")
@@ -63,9 +62,9 @@ class StructuredTest(FolderTest):
 
     def test_judged_by_a_start_at_the_true_model(self):
         """With --judge=start, a missed true model counts as a failure only if a search that starts from
-        this model also returns it. RANSAC with one sample misses models that it would return, so the
-        number of its failures must not change. In some scenes the score of MAGSAC++ prefers another
-        model to the true one, so it must have fewer failures than with --judge=cost."""
+        the true model returns it. RANSAC with one sample misses models that such a search returns, so
+        the number of its failures must not change. In some scenes the score of MAGSAC++ prefers another
+        model to the true one, so MAGSAC++ must have fewer failures than with --judge=cost."""
         few = ["--problems=F", "--methods=preset:ransac{maxIterations=1,significance=1}", "--kinds=generic", "--orders=none", "--sizes=100",
                "--ratios=0.5", "--runs=20"]
         wide = ["--problems=F", "--methods=USACV20_MAGSAC", "--kinds=shift35", "--orders=none", "--sizes=400", "--ratios=0.4,0.45",
@@ -151,7 +150,7 @@ class StructuredTest(FolderTest):
 
     def test_accuracy(self):
         """The error of the least-squares fit to the right matches must be proportional to the noise.
-        The error of a method divided by that of least squares must be 1 for least squares itself, and
+        The ratio of a method's error to that of least squares must be 1 for least squares itself, and
         0.9 to 10 for USACV20_ACCURATE."""
         rows, text = self.rows("--mode=accuracy", "--methods=USACV20_ACCURATE", "--motions=sideways,forward",
                                "--noises=0,0.05,0.1", "--runs=10")
@@ -169,8 +168,8 @@ class StructuredTest(FolderTest):
 
     def test_pose(self):
         """The baseline of the motion "narrow" is a hundredth of the usual one, so the parallax is hardly
-        a pixel. Without noise the least-squares pose must be right. With noise of one threshold it
-        must always be wrong."""
+        a pixel. Without noise the least-squares pose must be right. With noise of one threshold this
+        pose must be wrong in all scenes."""
         rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=narrow", "--noises=0,1", "--runs=10")
         poses = {(row["noise"], row["method"]): float(row["median_pose"]) for row in rows}
         wrong = {(row["noise"], row["method"]): float(row["wrong_percent"]) for row in rows}

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of usac_tracking, which measures how much the model of the previous frame helps a tracker as
-initial model.
+"""Tests of usac_tracking, which measures how much the model of the previous frame, as initial model,
+helps a tracker.
 
 The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_tracking is
 taken from the same folder."""
@@ -30,10 +30,10 @@ class TrackingTest(ProgramTest):
         return {(row["initial_model"], int(row["limit"])): row for row in rows}
 
     def test_few_samples(self):
-        """With an inlier ratio of 0.3, a sample of three matches consists of inliers only once in
-        37 samples, so one sample per frame must often fail without an initial model. The previous
-        frame's model is always nearly right. Samples of H consist of neighboring matches, which are
-        all inliers more often, so fewer failures are required."""
+        """With an inlier ratio of 0.3, about one in 38 samples of three matches (P) consists of inliers
+        only, so one sample per frame must often fail without an initial model. The previous frame's
+        model is nearly right, except at the jump. Samples of H often consist of neighboring matches,
+        which are all inliers more often, so fewer failures are required."""
         for problem, default, least in (("P", 1000, 80), ("H", 10000, 20)):
             rows = self.rows("--problems=" + problem, "--ratios=0.3", "--limits=1,8", "--frames=40", "--size=200", "--sequences=1",
                              "--speed=0.5")
@@ -54,7 +54,7 @@ class TrackingTest(ProgramTest):
 
     def test_no_motion(self):
         """Without motion, one sample per frame suffices once a model is found, because the previous
-        model stays right until the camera jumps. So fewer than 30 % of the frames may fail."""
+        model stays right until the camera jumps. So the failures must be below 30 % of the frames."""
         row = self.rows("--problems=P", "--ratios=0.9", "--limits=1", "--frames=20", "--size=100", "--sequences=2",
                         "--speed=0")["yes", 1]
         self.assertEqual(row["frames"], "40")

@@ -25,8 +25,8 @@ OWN = ["USACV20", "USACV20_FAST", "USACV20_MAGSAC", "USACV20+scores", "preset:ms
 
 
 def project(view, R, t):
-    """Returns pixels and depths of the object points. Of the distortion only the first coefficient
-    (k1) is applied."""
+    """Returns the pixels and the depths of the object points for the pose R, t. Only the first
+    coefficient (k1) of the distortion is applied."""
     x = view.object_points @ R.T + t
     normalized = x[:, :2] / x[:, 2:]
     k1 = view.dist_coeffs[0] if len(view.dist_coeffs) else 0
@@ -35,7 +35,8 @@ def project(view, R, t):
 
 
 def distances(view, R, t):
-    """Returns the reprojection errors in pixels; infinity for points behind the camera."""
+    """Returns the reprojection errors for the pose R, t in pixels; infinity for points behind the
+    camera."""
     pixels, depths = project(view, R, t)
     return np.where(depths > 0, np.linalg.norm(pixels - view.points, axis=1), np.inf)
 
@@ -45,8 +46,8 @@ def angle(R):
 
 
 def near_view(count=30, **changes):
-    """Returns a view of `count` points without noise whose pose is close to the identity. The first
-    five matches are not marked as right."""
+    """Returns a view of `count` points without noise whose pose is close to the identity unless
+    `changes` has another one. The first five matches are not marked as right."""
     points = np.random.RandomState(4).uniform((-2, -1.5, 4), (2, 1.5, 9), (count, 3))
     values = dict(object_points=points, points=np.zeros((count, 2)), scores=np.linspace(0, 1, count), K=K,
                   R=rotation((1, 2, 0.5), 0.4), t=(0.02, -0.01, 0.03), dist_coeffs=(-0.1, 0, 0, 0), right=range(5, count))
@@ -170,8 +171,8 @@ class SyntheticViewTest(ProgramTest):
                 self.assertEqual(row["iterations"] != "", method in OWN)
                 self.assertLess(float(row["error"]), 0.5)
                 self.assertLess(float(row["center_error"]), 1)
-                # The mask of OpenCV's PnP methods may be that of a minimal sample's model, so its number of
-                # inliers may differ more from the number of right matches.
+                # The mask of OpenCV's PnP methods can be that of a minimal sample's model, so the number
+                # of inliers can differ more from the number of right matches.
                 self.assertLess(abs(int(row["inliers"]) - (210 if row["list"] == "view" else 240)),
                                 40 if method.startswith("cv:PNP") else 10, method)
                 self.assertLess(float(row["cost"]), 0.35)
@@ -186,8 +187,8 @@ class SyntheticViewTest(ProgramTest):
         self.assertNotEqual(tables["average.P", "cv:USAC_FAST"]["median_error"], "")
 
     def test_threshold_is_in_pixels_of_the_image(self):
-        """The lens has a strong distortion. The number of inliers must be about the number of matches
-        whose reprojection error, in pixels of the distorted image, is below the threshold."""
+        """The lens has a strong distortion. The number of inliers must be close to the number of
+        matches whose reprojection error, in pixels of the distorted image, is below the threshold."""
         self.write_scenes("view", "--pairs=1", "--size=200", "--inliers=0.8", "--noise=1", "--distortion=-0.4")
         view = views.read_view(self.path("pairs", "view", "0000"))
         errors = distances(view, view.R, view.t)
@@ -229,8 +230,8 @@ class MeasuredViewTest(ProgramTest):
         self.assertEqual(self.measure(near_view(R=rotation((0, 0, 1), 5.1)))["failed"], "1")
 
     def test_points_behind_the_camera(self):
-        """A third of the points is behind the camera if the pose is the identity. Their projections
-        without a check of depths agree with the image points, but each must get the full cost of 1."""
+        """With the identity as the pose, a third of the points is behind the camera. Without a check of
+        depths their projections agree with the image points, but each must get the full cost of 1."""
         view = near_view(dist_coeffs=(), t=(0, 0, 20), R=np.eye(3))
         view.object_points[:10] *= -1
         view.points = project(view, np.eye(3), np.zeros(3))[0]

@@ -3,12 +3,13 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Measures how much larger the errors of a method become if the threshold is too wide. For this it runs
-usac_benchmark on the same lists with multiples of the right threshold and compares the median errors.
+"""Measures how much larger the errors of a method become if the threshold is too wide. The program
+usac_benchmark runs on the same lists with multiples of the right threshold, and the median errors are
+compared.
 
-With --estimated it measures a method that estimates the threshold, such as USACV20_AUTO, and that gets
-a multiple of the right threshold as upper limit. For each list its errors are compared with those of
-USACV20 with the best of several given thresholds.
+With --estimated, a method is measured that estimates the threshold, such as USACV20_AUTO. It gets a
+multiple of the right threshold as the upper limit of its estimate. For each list, its error is compared
+with that of USACV20 with the best of several given thresholds.
 
 The tables go to the standard output, in Markdown."""
 
@@ -56,8 +57,8 @@ def read_errors(file):
 
 
 def measure(program, lists, problem, factor, methods, more, read=read_errors):
-    """Runs usac_benchmark with a multiple of the right threshold; returns what `read` makes of its
-    table."""
+    """Runs usac_benchmark with a multiple of the right threshold; returns read(file) for the file that
+    usac_benchmark writes with --csv."""
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "tables.csv")
         command = [program] + ["--list=" + name for name in lists] + more + [
@@ -70,8 +71,8 @@ def measure(program, lists, problem, factor, methods, more, read=read_errors):
 
 class Ratios:
     """For each list, the ratio of a method's median error with a wide threshold to that with the right
-    threshold. The median error is infinite if at least half of the runs fail. A list on which it is
-    infinite with the right threshold is left out. A list on which it is infinite only with the wide
+    threshold. The median error is infinite if at least half of the runs fail. Lists on which one of
+    these errors is infinite or 0 are left out. A list on which the error is infinite only with the wide
     threshold counts as broken."""
 
     def __init__(self, right, wide):
@@ -87,7 +88,7 @@ class Ratios:
 
 
 def print_lists(errors, factors, methods, out):
-    """Prints a table. `errors` is {(problem, list): {method: [error for each factor]}}."""
+    """Prints all errors. `errors` is {(problem, list): {method: [error for each factor]}}."""
     print("\n## Median error, pixels, at %s times the right threshold\n" % ", ".join("%g" % f for f in factors), file=out)
     print("| list | %s |\n|---|%s" % (" | ".join(methods), "---|" * len(methods)), file=out)
     for (problem, name), row in errors.items():
@@ -115,13 +116,13 @@ def geometric_mean(values):
 
 def ratios_to(best, rows):
     """Returns the ratios of the median errors in `rows`, {list: row}, to those in `best`, {list:
-    smallest median error with a given threshold}; at most MOST."""
+    smallest median error with any of the thresholds GIVEN}; ratios above MOST are replaced by MOST."""
     return [min(float(row["median_error"]) / best[key], MOST) for key, row in rows.items()]
 
 
 def estimated_row(problem, name, rows, best, usual):
-    """Returns a row of the table of --estimated. `usual` has the rows of USACV20 with the right
-    threshold, {list: row}."""
+    """Returns a row of the table of --estimated. `rows`, `best`: see ratios_to. `usual` has the rows of
+    USACV20 with the right threshold, {list: row}."""
     ratios = ratios_to(best, rows)
     aucs = [float(row["auc10"]) for row in rows.values() if row.get("auc10")]
     times = [float(row["mean_cpu_ms"]) / float(usual[key]["mean_cpu_ms"]) for key, row in rows.items()]

@@ -9,22 +9,23 @@ the same matches.
     compare_colmap.py WORK --images FOLDER --cameras cameras.json --repeats 3
     compare_colmap.py WORK --database matches.db --cameras cameras.json --pairs
 
-WORK is a folder for databases. A database of matches that exists there from an earlier run is reused.
-Without --database, colmap first extracts and matches features of the images. Then each verification
+WORK is a folder for databases. Without --database, colmap first extracts and matches features of the
+images; if WORK has the result of an earlier run (matches.db), it is reused. Then each verification
 fills two_view_geometries in its own copy of the database. COLMAP's verification is the command
 geometric_verifier of version 4, or matches_importer of version 3.8. Finally `colmap mapper`, or
-`global_mapper` (--mapper), reconstructs the scene from each copy. --colmap names the program; the
-default is colmap on the PATH. cameras.json has {name: {"K": 3 x 3, "R": 3 x 3, "t": 3}} with x ~ K (R
-X + t) and the center of the first pixel at (0, 0).
+`global_mapper` (--mapper), reconstructs the scene from each copy. --colmap is the path of COLMAP's
+program; the default is colmap on the PATH. cameras.json has {name of an image: {"K": 3 x 3, "R": 3 x 3,
+"t": 3}} with x ~ K (R X + t) and the center of the first pixel at (0, 0).
 
 Focal lengths (--focal):
-known    K of cameras.json with prior_focal_length 1; the mapper does not refine it
+known    K of cameras.json with prior_focal_length 1; the mapper does not refine the focal lengths
 unknown  as COLMAP guesses them, with prior_focal_length 0
 given    as the database has them
 
 Columns about the verification:
-CPU s         user and system time of the whole process in seconds, median of --repeats runs (the runs
-              of the verifications alternate), and its range
+CPU s         user and system time of the whole process in seconds: median of --repeats runs (the runs
+              of the verifications alternate)
+(range)       smallest and largest of these times
 pairs         number of verified pairs
 
 Columns about the reconstruction, medians over --seeds runs of the mapper:
@@ -34,9 +35,9 @@ AUC 1, 3, 5   area under the cumulative curve of the errors of the relative pose
               images, up to 1, 3 and 5 degrees; images that are not registered count as wrong
 (range)       largest minus smallest AUC 1
 
-With --pairs, a list follows of the pairs whose configurations differ. For each pair it has the number
-of inliers, and in brackets how many of these agree with the true cameras (at most --limit pixels from
-the epipolar lines in both images).
+With --pairs, a list follows of the pairs for which COLMAP and the first other verification find
+different configurations. For each pair it has the numbers of inliers, and in brackets how many of these
+agree with the true cameras (at most --limit pixels from the epipolar lines in both images).
 
 Needs colmap (Debian 12 has 3.8, sid 4.2.1), NumPy and the package usacv20."""
 
@@ -96,7 +97,7 @@ def makeDatabase(path: str, images: str) -> None:
 
 
 def setFocal(database: str, mode: str, cameras: Dict[str, TrueCamera]) -> None:
-    """Sets the cameras of the database according to the value of --focal."""
+    """Sets the cameras of the database according to `mode`, a value of --focal."""
     connection = sqlite3.connect(database)
     with connection:
         if mode == "unknown":
@@ -133,7 +134,7 @@ class Rival(NamedTuple):
 
 def reconstruct(database: str, mode: str, cameras: Dict[str, TrueCamera], seeds: int, command: str) -> List[List[float]]:
     """Returns a row for each seed of the mapper: number of registered images, mean reprojection error
-    in pixels, and AUC up to 1, 3 and 5 degrees."""
+    in pixels, and AUC up to 1, 3 and 5 degrees (NaN without true cameras)."""
     truth = {name: (camera.R, camera.t) for name, camera in cameras.items()}
     lines = []
     for seed in range(seeds):
@@ -171,8 +172,8 @@ def compare(options: argparse.Namespace, source: str, mode: str, cameras: Dict[s
 
 
 def epipolarErrors(points: Tuple[Floats, Floats], first: TrueCamera, second: TrueCamera) -> Floats:
-    """Returns for each match the larger of two distances in pixels: of its point in each image from
-    the true epipolar line of its point in the other image."""
+    """Returns for each match the larger of two distances in pixels: in each image, that of its point
+    from the true epipolar line of its point in the other image."""
     R, t = uc.between((first.R, first.t), (second.R, second.t))
     cross = np.array([[0, -t[2], t[1]], [t[2], 0, -t[0]], [-t[1], t[0], 0]])
     F = np.linalg.inv(second.K).T @ cross @ R @ np.linalg.inv(first.K)

@@ -3,29 +3,29 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Measures how many samples a pair of images needs, and what pairs without overlap cost.
+"""Measures how many samples a pair of images needs, and the time that pairs without overlap take.
 
     samples.py counted                                      # synthetic collections, scattered matches
     samples.py counted --database DB --cameras cameras.json # and pairs of photographs
     samples.py cost
 
-counted: measures c, the number of samples that a sample of USACV20 counts as (countedAs() of
-src/two_view/rules.cpp). c exceeds 1 because models are also found from samples with outliers. Pairs
-are estimated with several limits of the number of samples. If I of N matches are right, a fraction p =
-C(I, m) / C(N, m) of the samples of m matches has only right ones, and n samples miss the model with
-probability (1 - p)^(c n). For each range of I, the table has the number of pairs, the c of maximum
-likelihood, in brackets the range of c whose log-likelihood is less than 2 below the maximum, and the
-number of missed pairs for each limit. There are three kinds of pairs:
+counted: measures c, the number of samples that a sample of USACV20 counts as when the needed number is
+computed (countedAs() of src/two_view/rules.cpp). c exceeds 1 because models are also found from samples
+with outliers. Pairs are estimated with several limits of the number of samples. If I of N matches are
+right, a fraction p = C(I, m) / C(N, m) of the samples of m matches has only right ones, and n samples
+are assumed to miss the model with probability (1 - p)^(c n). For each range of I, the table has the
+number of pairs, the c of maximum likelihood, in brackets the range of c whose log-likelihood is less
+than 2 below the maximum, and the number of missed pairs for each limit. There are three kinds of pairs:
 
-- collections: synthetic collections (rings of cameras, streets and courts) with all their matches;
+- collections: pairs of synthetic collections (rings of cameras, streets and courts) with all matches;
 - scattered: a quarter of the matches is right; right and wrong matches are anywhere in both images;
 - photographs: of the right matches of a pair in COLMAP's database (error below 0.6 px with the true
   cameras), 16 to 50 are drawn, and three times as many random pairs of keypoints are added.
 
-cost: measures CPU milliseconds of pairs without and with overlap, with --threshold auto. It also counts
-lost pairs: those that are found only with four times as many samples (confidence 1 - 10^-12 instead of
-0.999) and without the inlier ratios of the collection. A pair counts as found if at least half of its
-inliers are right matches."""
+cost: measures CPU milliseconds of pairs without and with overlap, with --threshold auto. Lost pairs are
+counted, too: those that are found only with up to four times as many samples (confidence 1 - 10^-12
+instead of 0.999) and without the inlier ratios of the collection. A pair counts as found if at least
+half of its inliers are right matches."""
 
 from __future__ import annotations
 
@@ -62,9 +62,9 @@ Mask = npt.NDArray[np.bool_]
 
 # Limits of the number of samples, by the size of a minimal sample: 5 for E, 7 for F.
 LIMITS = {5: (125, 500, 2000, 10000), 7: (125, 500, 2000, 10000, 60000)}
-# Ranges of the number of right matches, one row of the table for each; the upper end is excluded.
+# Ranges of the number of right matches, with a row of the table for each; the upper end is excluded.
 RANGES = ((15, 20), (20, 25), (25, 30), (30, 40), (40, 50), (50, 70), (70, 10**6))
-LIKELY = 2  # the range of c has the values whose log-likelihood is less than this below the maximum
+LIKELY = 2  # the range of c has all values whose log-likelihood is less than LIKELY below the maximum
 
 
 class Matches(NamedTuple):
@@ -77,7 +77,7 @@ class Matches(NamedTuple):
 
 
 class Truth(NamedTuple):
-    right: Set[Tuple[int, int]]  # right matches: indices of their keypoints in both images
+    right: Set[Tuple[int, int]]  # the right matches: indices of the keypoints in image 1 and image 2
     overlap: Optional[bool]  # None: there are common points, but fewer than OVERLAP, so the pair is not counted
 
 
@@ -97,8 +97,8 @@ def ofStreet(street: Street) -> Dict[int, Truth]:
 
 
 def collections(seeds: int, known: bool, folder: str) -> Iterator[Tuple[str, str, Dict[int, Truth]]]:
-    """Makes synthetic collections; yields the name, the path of the database and the truth of each
-    pair by pair_id."""
+    """Makes synthetic collections; yields for each its name, the path of its database, and the truth of
+    its pairs as {pair_id: Truth}."""
     for seed in range(seeds):
         for name, wrong, noise in (("ring, 30 to 70 % wrong", (0.3, 0.7), 0.5), ("ring, 40 to 80 %", (0.4, 0.8), 0.5),
                                    ("ring, 50 to 80 %, noisy", (0.5, 0.8), 1.0)):
@@ -175,9 +175,10 @@ def photographs(seeds: int, path: str, cameras: str) -> Iterator[Matches]:
 
 
 def found(pairs: Sequence[Matches], m: int, limit: int) -> Tuple[npt.NDArray[np.int64], Mask]:
-    """Estimates the pairs with samples of m matches, at most `limit` of them. Returns two arrays over
-    the pairs, sorted by their threshold: the number of right matches among the inliers, and whether
-    the result is right (at least 15 inliers, of which at least half are right)."""
+    """Estimates E (m = 5) or F (m = 7) of the pairs with at most `limit` samples of m matches. Returns
+    two arrays over the pairs, which are sorted by their thresholds: the number of right matches among
+    the inliers, and whether the result is right (at least 15 inliers, of which at least half are
+    right)."""
     right, good = [], []
     for threshold in sorted({pair.threshold for pair in pairs}):
         params = Params(threshold=threshold, confidence=0.9999, maxIterations=limit, significance=1e-4)

@@ -9,24 +9,24 @@ cameras, and counts the pairs that the verification keeps, that is, accepts.
     streets.py --seeds 3 --layout street court
     streets.py --significance 1e-4 1e-8 1e-12
 
-Facades have windows of one or two kinds in a grid, and unique points besides. All windows of a kind
-have the same parts (in front of and behind the plane of the facade) and nearly the same
-descriptors; descriptors change with the viewing direction. Matches are mutual nearest neighbors of
-the descriptors that pass a ratio test of 0.8. So images without a common point have matches between
-different windows, and many of these agree with a motion that no camera has made. Scales and angles
-of key points follow from the surface, with the noise of photographs (0.13 octaves and 3.5 degrees
-for the Gaussian part, measured with COLMAP's SIFT on eleven surveyed collections).
+Each facade has a grid of windows of one kind, and unique points; a scene has windows of one or two
+kinds. All windows of a kind have the same parts (in front of and behind the plane of the facade) and
+nearly the same descriptors; descriptors change with the viewing direction. Matches are mutual nearest
+neighbors of the descriptors that pass a ratio test of 0.8. So images without a common point have
+matches between different windows, and many of these matches agree with a motion that no camera has
+made. Scales and angles of keypoints follow from the surface, with the noise of photographs (0.13
+octaves and 3.5 degrees for the Gaussian part, measured with COLMAP's SIFT on eleven surveyed
+collections).
 
-Columns:
+Columns, with sums over --seeds collections; only pairs with at least 15 matches count:
 chance         --significance, the largest false-alarm probability of an accepted pair
 loops          whether pairs that contradict a path of other pairs are refused (--no-loops: no)
-overlap, kept  number of pairs with overlap (with matches and at least 30 common points), and how many
-               of them are kept
-without, kept  number of pairs with at least 15 matches but no common point, and how many are kept
+overlap, kept  number of pairs with overlap (at least 30 common points), and how many of these are kept
+without, kept  number of pairs without a common point, and how many of these are kept
 calibrated     how many of the latter are CALIBRATED, so that a mapper uses their wrong poses
-right          number of kept pairs with at least half of the inliers right
-lost           how many such pairs are refused by the check of loops
-CPU s          CPU time in seconds"""
+right          number of kept pairs of which at least half of the inliers are right
+lost           number of such pairs that are kept without the check of loops, but refused by it
+CPU s          CPU time of the verification in seconds"""
 
 from __future__ import annotations
 
@@ -55,14 +55,15 @@ SIZE, FOCAL = (1600, 1200), 1400.0  # pixels
 DIMENSIONS = 8  # dimensions of a descriptor; few, so that descriptors of different points can be similar
 PLACES = 100  # upper limit of the number of windows of a facade
 OVERLAP = 30  # least number of points that both images of a pair with overlap can see
-# Standard deviations of the differences of scale (octaves) and angle (radians) of two key points.
+# Standard deviations of the differences in scale (octaves) and angle (radians) of two keypoints of a
+# right match.
 SCALE_NOISE, ANGLE_NOISE = 0.13, np.radians(3.5)
 
 
 class Facade(NamedTuple):
     origin: Floats  # the lower left corner as seen from the front
-    along: Floats
-    normal: Floats
+    along: Floats  # horizontal unit vector to the right as seen from the front
+    normal: Floats  # unit vector to the front
     length: float  # meters
     kind: int  # facades with the same number have the same windows
 
@@ -82,9 +83,9 @@ class Points(NamedTuple):
 class Options(NamedTuple):
     layout: str = "street"
     images: int = 24
-    noise: float = 0.4  # standard deviation of each coordinate of a key point, pixels
-    # How different equal windows look: standard deviation of the descriptors of the same part of
-    # different windows of a kind, relative to that of the descriptors of unrelated points.
+    noise: float = 0.4  # standard deviation of each coordinate of a keypoint, pixels; three times as large for a tenth of them
+    # How different windows of a kind look: standard deviation of the descriptors of the same part in
+    # different windows, divided by that of the descriptors of unrelated points.
     alike: float = 0.45
     shared: float = 0.5  # fraction of this variance that is common to windows at the same place of different facades of a kind
     unique: int = 60  # number of points that do not belong to a window, for each ten meters of facade
@@ -153,9 +154,9 @@ def cameras(rng: np.random.RandomState, options: Options) -> List[Tuple[Floats, 
 
 class Image(NamedTuple):
     keypoints: Floats  # N x 4: x, y, scale in pixels, angle in radians
-    points: npt.NDArray[np.int64]  # N, index of the scene's point; -1: clutter
+    points: npt.NDArray[np.int64]  # N, index of the point in the scene; -1: a keypoint of no point (clutter)
     descriptors: Floats
-    visible: npt.NDArray[np.int64]  # indices of the points that could be detected
+    visible: npt.NDArray[np.int64]  # indices of the scene's points that could be detected
 
 
 def photograph(rng: np.random.RandomState, points: Points, camera: Tuple[Floats, Floats], noise: float) -> Image:
@@ -220,8 +221,8 @@ class Street:
                 self.common[key] = len(np.intersect1d(self.images[i].visible, self.images[j].visible))
 
     def right(self, key: int) -> int:
-        """Returns the number of matches of a pair whose two key points are the same point of the
-        scene."""
+        """Returns the number of matches of a pair whose two keypoints are images of the same point of
+        the scene."""
         i, j = divmod(key, MAX_IMAGES)
         a, b = self.images[i - 1].points[self.matches[key][:, 0]], self.images[j - 1].points[self.matches[key][:, 1]]
         return int(np.count_nonzero((a == b) & (a >= 0)))
@@ -246,12 +247,12 @@ class Street:
 class Count(NamedTuple):
     """Counts of the pairs of a verified database."""
 
-    overlap: int  # pairs with matches and at least OVERLAP common points
-    kept: int  # pairs with overlap that are kept
-    lone: int  # pairs without a common point
-    loneKept: int
-    loneCalibrated: int
-    right: int  # kept pairs with at least half of their inliers right
+    overlap: int  # pairs with at least 15 matches and at least OVERLAP common points
+    kept: int  # how many of these are kept
+    lone: int  # pairs with at least 15 matches and no common point
+    loneKept: int  # how many of these are kept
+    loneCalibrated: int  # how many of these are kept as CALIBRATED
+    right: int  # kept pairs of which at least half of the inliers are right
     cpu: float  # seconds
 
 

@@ -5,7 +5,7 @@
 
 """Makes tables on the threshold that `--threshold auto` of the collection tool estimates, from scenes
 with known noise: its accuracy, its effect on the verification, and the effect of halving and doubling
-each constant of the estimation. The scenes are those of the tests of the Python package. The tables go
+each constant of the estimation. The scenes come from the tests of the Python package. The tables go
 to the standard output, in Markdown; the first line of a function's docstring is the table's heading."""
 
 import argparse
@@ -28,8 +28,8 @@ CONSTANTS = ("WIDEST", "CONFIDENCE", "ITERATIONS", "SIGNIFICANCE", "MOST", "LEAS
 
 
 def estimate(scenes):
-    """Returns the result of estimateThreshold (threshold, noise and more), or None if it fails, and the
-    CPU milliseconds for a pair."""
+    """Returns the result of estimateThreshold (threshold, noise and more), or None if the estimation
+    fails, and the mean CPU milliseconds for a pair."""
     begin = time.process_time()
     try:
         found = _threshold.estimateThreshold([scene.pair for scene in scenes], Settings())
@@ -81,7 +81,8 @@ def angle(cosine):
 
 def poseError(scene, result):
     """Returns the larger of the errors of the rotation and of the direction of the translation in
-    degrees; 180 if there is no pose. Without a true translation only the rotation counts."""
+    degrees; 180 if there is no pose or no translation. If the true translation is 0, only the rotation
+    counts."""
     if result.quaternion is None:
         return 180.0
     w, x, y, z = result.quaternion
@@ -115,9 +116,9 @@ def poses(args):
 
 
 def deviation(args, **options):
-    """Estimates the noise for all image sizes and noise levels. Returns the root mean square and the
-    largest deviation of the logarithm of estimated over true noise, and the mean CPU milliseconds for
-    a pair."""
+    """Estimates the noise for all image sizes and noise levels, with known and unknown focal lengths.
+    Returns the root mean square and the value of largest magnitude of log(estimated / true noise),
+    which are infinite if an estimation fails, and the mean CPU milliseconds for a pair."""
     wrong, cpus = [], []
     for size in SIZES:
         for sigma in SIGMAS:
@@ -131,7 +132,8 @@ def deviation(args, **options):
 def constants(args):
     """Deviation of the noise from the true one.
 
-    Each of CONSTANTS is halved and doubled in turn."""
+    Each of CONSTANTS is halved and doubled in turn; instead of CONFIDENCE, 1 - CONFIDENCE is doubled
+    and halved."""
     printHead("constant", "value", "20 % without overlap: rms, worst", "90 % without overlap: rms, worst", "heavy tails: threshold, px",
               "CPU ms a pair")
     for name in ("",) + CONSTANTS:

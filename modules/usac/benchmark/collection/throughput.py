@@ -3,17 +3,18 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Measures pairs a second and memory of `python3 -m usacv20.collection verify` on a synthetic
-COLMAP database of any size.
+"""Measures the speed (pairs per second) and memory of `python3 -m usacv20.collection verify` on a
+synthetic COLMAP database of any size.
 
 usage: throughput.py [--images N] [--overlap PART] [--matches M] [--threads N ...] [--folder FOLDER]
 [-- options of verify]
 
-The database has all N (N - 1) / 2 pairs of N images. A fraction PART of the pairs has overlap: these
-have M matches, half of them right. All other pairs have M / 4 matches, all wrong. The database is
-written row by row and stays in FOLDER for the next run. For each number of threads, the program prints
-the number of pairs in a second, CPU milliseconds for a pair, the seconds of reading, estimating and
-writing, and the largest resident memory in megabytes, which must not depend on N."""
+The database has all N (N - 1) / 2 pairs of N images. A pair has overlap with probability PART. Pairs
+with overlap have M matches, half of them right. All other pairs have M / 4 random matches. The database
+is written row by row and stays in FOLDER for the next run. For each number of threads, the program
+prints the number of pairs, the seconds, pairs per second, CPU milliseconds per pair, the seconds of
+reading, estimating and writing, and the largest resident memory in megabytes, which must not grow with
+N."""
 
 import argparse
 import os
