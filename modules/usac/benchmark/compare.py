@@ -73,8 +73,8 @@ class Comparison:
         return math.exp(statistics.fmean(self.logs)) if self.logs else math.nan
 
     def interval(self, draws=2000):
-        """Returns the 95 % bootstrap interval of the ratio. The random seed is fixed, so the same runs
-        give the same interval."""
+        """Returns the 95 % bootstrap interval of the ratio; NaN with fewer than two pairs. The random
+        seed is fixed, so the same runs give the same interval."""
         if len(self.logs) < 2:
             return math.nan, math.nan
         chance = random.Random(1)

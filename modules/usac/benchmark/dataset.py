@@ -5,7 +5,7 @@
 
 """Makes pairs for usac_benchmark from the images and the ground truth of public data sets.
 
-The matches are of RootSIFT features. A feature of image 1 is matched with its nearest neighbor in
+The matches are between RootSIFT features. A feature of image 1 is matched with its nearest neighbor in
 image 2 if the ratio of the distances to the nearest and the second nearest neighbor is below a limit.
 This ratio is the score of the match. The ground truth consists of points annotated by hand, if the
 data set has them, otherwise of those matches that agree with the published homography, epipolar

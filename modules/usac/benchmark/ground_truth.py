@@ -156,7 +156,8 @@ def kitti(folder, step=1):
     <folder>/poses/<NN>.txt: one frame on each line, 3 x 4, camera -> world
     <folder>/sequences/<NN>/calib.txt: line `P0:`, 3 x 4; <folder>/sequences/<NN>/image_0/<six digits>.png
 
-    A folder with pairs_with_gt.txt is read as FM-Bench publishes KITTI, see tanks_and_temples."""
+    A folder with pairs_with_gt.txt is read in the form in which FM-Bench publishes KITTI, see
+    tanks_and_temples."""
     if _is_fm_bench(folder):
         return _fm_bench(folder)
     truths = []
@@ -201,7 +202,8 @@ def tum(folder, step=1):
 
     <folder> can also be the folder of a sequence. The name of this folder determines the camera.
 
-    A folder with pairs_with_gt.txt is read as FM-Bench publishes TUM, see tanks_and_temples."""
+    A folder with pairs_with_gt.txt is read in the form in which FM-Bench publishes TUM, see
+    tanks_and_temples."""
     if _is_fm_bench(folder):
         return _fm_bench(folder)
     files = _find(folder, lambda name: name == "groundtruth.txt")

@@ -348,7 +348,8 @@ def project():
 
 
 def state():
-    """Returns the commit of the sources, with a remark if the working tree differs from it."""
+    """Returns the commit of the sources, with a remark if C++ files in the working tree differ from
+    this commit."""
     changed = git("status", "--porcelain", "--", "modules/usac/src", "modules/usac/include", "modules/usac/benchmark")
     return (git("rev-parse", "--short", "HEAD") or "-") + (" and changes" if re.search(r"\.[ch]pp$", changed, re.M) else "")
 

@@ -21,7 +21,7 @@ struct Settings
     double threshold;  //!< pixels; R, M: in the unit of space 2
     double confidence;
     int maxIterations;
-    int seed;  //!< seed of this repeat, for randomized methods
+    int seed;  //!< for randomized methods; each repeat has its own seed
 };
 
 //! The result of a method.

@@ -10,7 +10,7 @@ import os
 import numpy as np
 
 PROBLEMS = ("H", "F", "E", "A", "S", "T")  # problems of image pairs
-LISTS = PROBLEMS + ("P", "R", "M")  # problems that have lists; views.py has the files of P, spaces.py those of R and M
+LISTS = PROBLEMS + ("P", "R", "M")  # problems that have lists; views.py is for the files of P, spaces.py for those of R and M
 KINDS = ("annotated", "labels", "homography", "pose", "exact")
 _MATRICES = ("H", "K1", "K2", "R")
 

@@ -38,7 +38,7 @@ bool isCustom(const std::string& name);
 //! registered, or if its factory returns a null pointer.
 cv::Ptr<Method> createCustom(const MethodName& name);
 
-//! All registered names in alphabetical order, separated by commas; may be empty.
+//! All registered names in alphabetical order, separated by commas; empty if there are none.
 std::string customMethods();
 
 }  // namespace benchmark

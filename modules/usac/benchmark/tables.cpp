@@ -58,7 +58,7 @@ std::string print(double value, const char* format, const char* unknown)
 //! A number for a CSV file; empty if it is NaN.
 std::string field(double value) { return print(value, "%.6g", ""); }
 
-//! Quotation marks are needed, since names may contain commas.
+//! Quotation marks are needed, since names can contain commas.
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
 //! True if the column has a title and its figure is known for at least one method.

@@ -28,7 +28,7 @@ import pairs
 # the points.
 RIGHT = {"H": 2.0, "F": 1.0, "E": 1.0, "A": 3.0, "S": 3.0, "P": 4.0, "R": 3.0, "M": 3.0, "T": 3.0}
 METHODS = "USACV20_MAGSAC,USACV20,cv:USAC_MAGSAC"
-FAR, MOST = 1.15, 30  # ratios of errors: lists with a ratio above FAR are counted; ratios above MOST are taken as MOST
+FAR, MOST = 1.15, 30  # ratios of errors: lists with a ratio above FAR are counted; ratios above MOST are replaced by MOST
 # With --estimated, multiples of the right threshold: the given thresholds, and the upper limits of the
 # estimated threshold.
 GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)

@@ -248,10 +248,10 @@ class Count(NamedTuple):
     """Counts of the pairs of a verified database."""
 
     overlap: int  # pairs with at least 15 matches and at least OVERLAP common points
-    kept: int  # how many of these are kept
+    kept: int  # how many pairs of `overlap` are kept
     lone: int  # pairs with at least 15 matches and no common point
-    loneKept: int  # how many of these are kept
-    loneCalibrated: int  # how many of these are kept as CALIBRATED
+    loneKept: int  # how many pairs of `lone` are kept
+    loneCalibrated: int  # how many pairs of `lone` are kept as CALIBRATED
     right: int  # kept pairs of which at least half of the inliers are right
     cpu: float  # seconds
 

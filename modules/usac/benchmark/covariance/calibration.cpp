@@ -12,8 +12,7 @@ using namespace cv::usacv20;
 
 namespace {
 
-//! A model counts as wrong if the root mean square distance of the noise-free true matches from it
-//! exceeds this many thresholds.
+//! A model counts as wrong if KnownScene::error() exceeds this many thresholds.
 const double WRONG = 1;
 
 //! The 0.95 quantiles of the chi-square distributions with 1 to 8 degrees of freedom.

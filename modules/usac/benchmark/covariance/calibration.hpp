@@ -28,7 +28,8 @@ public:
     double mean() const { return sum / determined; }
     //! Fraction of the models whose 95 % confidence region contains the true model.
     double inside() const { return (double)within / determined; }
-    //! Mean ratio of estimated to true noise over the scenes where the noise was estimated.
+    //! Mean ratio of estimated to true noise, over the scenes whose model is not wrong and whose
+    //! noise was estimated.
     double sigma() const { return sigmas / estimated; }
     //! Geometric mean of the ratio of the model's error to that of weighted least squares over the
     //! right matches. It is defined only if SceneCell::spread is not 1. Scenes are left out if the

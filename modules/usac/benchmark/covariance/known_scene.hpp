@@ -44,8 +44,8 @@ public:
     //! Root mean square distance of the noise-free true matches from the model, in thresholds of
     //! the cell. A large value shows that the estimated model is wrong.
     double error() const { return error(model); }
-    //! error() of the estimator without Params::sigmas, whose threshold is multiplied by
-    //! SceneCell::spread, as it must fit the larger noise; infinite if there is no model.
+    //! error() if the estimator does not get Params::sigmas. Its threshold is then multiplied by
+    //! SceneCell::spread, to fit the larger noise. Infinite if there is no model.
     double errorWithoutSigmas(const cv::usacv20::Params& options, double widening) const;
     //! error() of the least-squares fit to the right matches with weights from their true noise.
     double errorOfFit() const;

@@ -51,7 +51,7 @@ Estimate echo(const Task& task)
     return estimate;
 }
 
-//! Returns the identity for any matches; all matches are inliers.
+//! Returns the identity for any matches, with a mask in which all matches are inliers.
 Estimate identity(const Task& task)
 {
     Estimate estimate;

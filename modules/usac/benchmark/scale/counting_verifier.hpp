@@ -17,7 +17,7 @@ run without a verifier, and no model is rejected. It is not thread-safe. */
 class CountingVerifier : public cv::usacv20::Verifier
 {
 public:
-    //! @param verifier_ the verifier to wrap; may be empty.
+    //! @param verifier_ the verifier to wrap; null: none
     explicit CountingVerifier(const cv::Ptr<cv::usacv20::Verifier>& verifier_)
         : verifier(verifier_), before(0), count(0)
     {}

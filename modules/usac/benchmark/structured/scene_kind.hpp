@@ -38,7 +38,7 @@ struct Cell
     std::string name() const;
 };
 
-/** Sets the motion of the camera by name, see opencv_test::Motion. Angles are of the rotation:
+/** Sets the motion of the camera by name, see opencv_test::Motion. Degrees are rotation angles:
 
     general    mostly sideways, 12 degrees, and then turned toward the scene
     planar     in the horizontal plane, 12 degrees

@@ -45,8 +45,7 @@ private:
     //! Writes the head of a table. The first columns are the properties of a group.
     //! @param names names of the further columns @param columns number of the further columns
     void head(std::ostream& out, const std::string& names, size_t columns) const;
-    //! The cells of a group have the same values of the properties in StructuredOptions::by, which
-    //! its name consists of.
+    //! The name of the group of a cell: the values of the properties in StructuredOptions::by.
     std::string groupOf(const Cell& cell) const;
     Tally& tallyOf(const std::string& group, size_t method);
 

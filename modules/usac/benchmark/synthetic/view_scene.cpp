@@ -133,8 +133,8 @@ private:
     }
 
     const ViewOptions& options;
-    Vec3d normal;  //!< normal of the plane, which meets the optical axis at MIDDLE
-    Matx33d turn;  //!< rotation of the object for the second pose
+    Vec3d normal;  //!< normal of the plane, which meets the optical axis at the depth MIDDLE
+    Matx33d turn;  //!< rotation of the object, about its middle, for the second pose
     Vec3d shift;
     Square from, to, patch;
 };
