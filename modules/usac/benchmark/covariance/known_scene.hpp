@@ -21,8 +21,8 @@ struct SceneCell
     double ratio;       //!< inlier ratio
     double noise;  //!< standard deviation of each component of the error, divided by the threshold
     double threshold;  //!< pixels; R, M: in the unit in which the cloud is a cube of side 2
-    double spread;  //!< noise of every second match, divided by that of the others; if it is not
-                    //!< 1, the estimator gets these ratios as Params::sigmas
+    double spread;     //!< noise of every second match, divided by that of the others; if it is not
+                       //!< 1, the estimator gets these ratios as Params::sigmas
 };
 
 /** A synthetic scene with its true model, and an estimate that is compared with the true model. */

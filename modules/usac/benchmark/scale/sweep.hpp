@@ -38,8 +38,8 @@ private:
     //! A step of the sweep.
     struct Point
     {
-        int size;     //!< number of matches
-        double part;  //!< inlier ratio
+        int size;                   //!< number of matches
+        double part;                //!< inlier ratio
         std::vector<Summary> rows;  //!< one for each method; Summary::lists is 0 if it did not run
     };
 

@@ -14,15 +14,15 @@ namespace benchmark {
 //! The judgment on one model.
 struct Verdict
 {
-    bool worse;   //!< the cost exceeds that of the true model by more than half the cost of an
-                  //!< outlier
-    bool failed;  //!< a search failure: worse, and more than 1 % of the true model's inliers have
-                  //!< errors of more than two thresholds
-    bool far;     //!< `error` is above three thresholds and three standard deviations of the noise
-    bool wrong;   //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
-    bool none;    //!< there is no model; worse, failed, far and wrong are then true, too
-    double error;      //!< RMS distance of the noise-free right matches from the model, pixels;
-                       //!< infinite without a model
+    bool worse;    //!< the cost exceeds that of the true model by more than half the cost of an
+                   //!< outlier
+    bool failed;   //!< a search failure: worse, and more than 1 % of the true model's inliers have
+                   //!< errors of more than two thresholds
+    bool far;      //!< `error` is above three thresholds and three standard deviations of the noise
+    bool wrong;    //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
+    bool none;     //!< there is no model; worse, failed, far and wrong are then true, too
+    double error;  //!< RMS distance of the noise-free right matches from the model, pixels;
+                   //!< infinite without a model
     double poseError;  //!< degrees; negative for H and F
 };
 

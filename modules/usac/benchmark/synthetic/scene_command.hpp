@@ -17,9 +17,9 @@ namespace benchmark {
 struct SceneCommand
 {
     std::string folder, name;
-    std::string letters;               //!< letters of the problems that the scenes can be used for
+    std::string letters;  //!< letters of the problems that the scenes can be used for
     ProblemType problem;  //!< argument of makeScene(); unused for views and motions of space
-    int pairs;                         //!< number of scenes
+    int pairs;            //!< number of scenes
     opencv_test::SceneOptions images;  //!< image pairs: options of the first scene; the seed of
                                        //!< each further scene is greater by 1
     ViewOptions view;                  //!< the same for views

@@ -20,11 +20,11 @@ struct SpaceOptions
     {}
 
     int inliers, outliers;
-    int duplicates;  //!< number of right matches that are copies of other right matches
-    double noise;    //!< standard deviation of each coordinate in space 2, where the width of the
-                     //!< cloud is 200 * scale
-    bool scaled;     //!< true: the scale is between 1/2 and 2; false: the scale is 1
-    bool flat;       //!< true: points of space 1 on a plane; false: in a cube
+    int duplicates;    //!< number of right matches that are copies of other right matches
+    double noise;      //!< standard deviation of each coordinate in space 2, where the width of the
+                       //!< cloud is 200 * scale
+    bool scaled;       //!< true: the scale is between 1/2 and 2; false: the scale is 1
+    bool flat;         //!< true: points of space 1 on a plane; false: in a cube
     double thickness;  //!< if flat: standard deviation of the distances from the plane, as a
                        //!< fraction of the cloud's width
     /** OUTLIERS_UNIFORM: a point of the cloud with a random point of the cube around the moved

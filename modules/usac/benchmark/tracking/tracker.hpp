@@ -60,7 +60,7 @@ private:
     std::vector<double> errors;
     double samples, cpuMs;        //!< sums over the frames
     int failed, sequences, lost;  //!< lost: sum of the numbers that meanRecovery() averages
-    bool isLost;  //!< true if all frames since the jump have failed so far
+    bool isLost;                  //!< true if all frames since the jump have failed so far
 };
 
 }  // namespace benchmark
