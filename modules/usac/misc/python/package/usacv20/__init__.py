@@ -6,7 +6,7 @@
 matrices, camera poses, and motions between sets of 3-D points.
 
 The package is cv2.usacv20 in an OpenCV that was built with the module, and usacv20 if it was
-installed by itself. The latter works with any cv2 and without cv2. It offers:
+installed by itself. The latter works with any cv2 and without cv2. The package offers:
 
 1. Flags: USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_AUTO, USACV20_PROSAC, USACV20_MAGSAC,
    USACV20_PARALLEL, and those of OpenCV. With USACV20_AUTO, the given threshold is only an upper
@@ -14,8 +14,8 @@ installed by itself. The latter works with any cv2 and without cv2. It offers:
 
     H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
-The flags are integers. The functions of cv2 accept them, too: always in an OpenCV built with the
-module (cv2.USACV20), in any other cv2 after usacv20.patch_cv2(). Without patch_cv2(),
+The flags are integers. The functions of cv2 accept the flags, too: always in an OpenCV built with
+the module (cv2.USACV20), in any other cv2 after usacv20.patch_cv2(). There, without patch_cv2(),
 cv2.findFundamentalMat and cv2.findEssentialMat run LMEDS for these flags without an error message.
 
 2. All options (Params) in place of the flag.
@@ -27,9 +27,9 @@ cv2.findFundamentalMat and cv2.findEssentialMat run LMEDS for these flags withou
 
 estimateHomographies and similar functions process many pairs of images in one call; python3 -m
 usacv20.collection processes all pairs of a collection of images. draw_matches makes a picture of
-the matches. For research, the class Usac runs a search whose sampler and score can be replaced by
-Python code (Sampler, Score). This class is not in cv2.usacv20; other components can be replaced in
-C++ only.
+the matches. For research, the class Usac runs a search whose sampler and score can be replaced with
+Python code (Sampler, Score). These three classes are not in cv2.usacv20. Other components can be
+replaced in C++ only.
 
 fitModel (like OpenCV's method 0), refineModel and modelErrors fit, refine and evaluate a model
 without a search. estimateRelativePose finds the motion of a calibrated camera between two views;
@@ -38,9 +38,10 @@ the function of usacv20.progress, or by Ctrl-C (in cv2.usacv20 only within usacv
 
 If there is no model, the model is None, all entries of the mask are 0, and report.stop gives the
 reason. report.chance is an upper bound of the probability that random matches give an equally good
-model. Invalid arguments raise usacv20.error, which names the argument; it is a subclass of
-cv2.error if cv2 can be imported. The global interpreter lock is released during an estimation; with
-cv2.usacv20, no other thread may change the points and the Params during this time.
+model. An invalid argument raises usacv20.error, whose message names the argument; this exception is
+a subclass of cv2.error if cv2 can be imported. The global interpreter lock is released during an
+estimation; with cv2.usacv20, other threads must not change the points or the Params during this
+time.
 
 See also help(usacv20.Params), help(usacv20.Report), and help on enumerations, such as
 help(usacv20.QualityType)."""
@@ -67,7 +68,7 @@ from ._relative_pose import RelativePose, estimateRelativePose
 from ._report import Report
 from ._two_view import TwoViewGeometry, TwoViewPair, TwoViewRules, estimateTwoViewGeometries, estimateTwoViewGeometry
 # These names are exported, but are not in __all__, so that help() does not show them. Type checkers
-# treat a name as exported if it is imported as itself.
+# treat a name as exported if it is imported in the form `NAME as NAME`.
 from ._enumerations import (
     DegeneracyFlags as DegeneracyFlags, LocalOptimizationType as LocalOptimizationType,
     NeighborhoodType as NeighborhoodType, OrderingType as OrderingType, PolishingType as PolishingType,
@@ -129,7 +130,7 @@ def isUsacV20Method(method: int) -> bool:
 
 
 def __getattr__(name: str) -> Any:
-    if name == "error":  # the class is made at its first use, because that may import cv2
+    if name == "error":  # the class is created at its first use, because creating it imports cv2 if possible
         return _errorClass()
     if name == "collection":  # allows usacv20.collection.verify(path) after `import usacv20` alone
         return _importlib.import_module(__name__ + ".collection")

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Checks arguments and converts them to the types that the C++ functions take. An invalid argument
-raises usacv20.error, which names the argument."""
+"""Checks arguments and converts them to the types that the C++ functions accept. An invalid argument
+raises usacv20.error, whose message names the argument."""
 
 from __future__ import annotations
 
@@ -23,13 +23,14 @@ if TYPE_CHECKING:
 
 Function = typing.TypeVar("Function", bound=typing.Callable[..., Any])
 INT_MIN, INT_MAX = -2**31, 2**31 - 1
-# The number types that cv::Mat supports, in native byte order.
+# The number types of arrays that C++ reads without a conversion, in native byte order.
 _TAKEN = frozenset(np.dtype(kind) for kind in ("u1", "i1", "u2", "i2", "i4", "f4", "f8"))
 
 
 def bind(function: str, names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any], args: Tuple[Any, ...],
          kwargs: Dict[str, Any]) -> Dict[str, Any]:
-    """Returns the arguments of a call by their names. Raises TypeError if an argument is missing, unknown or given twice."""
+    """Returns the arguments of a call by their names. Raises TypeError if an argument is missing, unknown or given twice, or
+    if there are too many arguments."""
     if len(args) > len(names):
         raise TypeError("{}() takes at most {} arguments ({} given)".format(function, len(names), len(args)))
     values = dict(defaults)
@@ -47,8 +48,9 @@ def bind(function: str, names: typing.Sequence[str], required: int, defaults: ty
 
 
 def signed(names: typing.Sequence[str], required: int, defaults: typing.Mapping[str, Any]) -> typing.Callable[[Function], Function]:
-    """Returns a decorator for a function of (*args, **kwargs). It sets the signature that help(),
-    code completion and notebooks show: the given names, and `params` as a keyword-only argument."""
+    """Returns a decorator for a function of (*args, **kwargs). The decorator sets the signature that
+    help(), code completion and notebooks show: the given names, and `params` as a keyword-only
+    argument."""
     kinds = inspect.Parameter
     parameters = [kinds(name, kinds.POSITIONAL_OR_KEYWORD, default=kinds.empty if i < required else defaults.get(name))
                   for i, name in enumerate(names)]
@@ -62,7 +64,7 @@ def signed(names: typing.Sequence[str], required: int, defaults: typing.Mapping[
 
 
 def shown(value: Any) -> str:
-    """Returns a value as text for a message, shortened to 60 characters."""
+    """Returns a text for a message: type and shape of an array, or any other value in at most 60 characters."""
     if isinstance(value, np.ndarray):
         return "an array of {} with shape {}".format(value.dtype, value.shape)
     text = repr(value)
@@ -70,7 +72,8 @@ def shown(value: Any) -> str:
 
 
 def isReal(value: Any) -> bool:
-    """Returns True for numbers of Python and NumPy, and for NumPy arrays without dimensions that contain a number; False for bool."""
+    """Returns True for integers and floating-point numbers of Python and NumPy, and for 0-dimensional NumPy arrays of such a
+    number. Returns False for bool."""
     if isinstance(value, (bool, np.bool_)):
         return False
     if isinstance(value, (int, float, np.integer, np.floating)):
@@ -84,13 +87,13 @@ def isInteger(value: Any) -> bool:
 
 
 def isOfAnother(value: Any, enumeration: type) -> bool:
-    """Returns True if the value is an enumerator of another enumeration; its integer value has no meaning in this enumeration.
-    """
+    """Returns True if the value is an enumerator of an enumeration other than `enumeration`, in which its integer value has a
+    different meaning or none."""
     return isinstance(value, enum.Enum) and not isinstance(value, enumeration)
 
 
 def real(value: Any, name: str, default: Optional[float] = None) -> float:
-    """Converts a number to float; None is replaced by the default, as in cv2."""
+    """Converts a number to float. None is replaced with the default, as in cv2, or is an error if there is no default."""
     if value is None and default is not None:
         return default
     if not isReal(value):
@@ -99,7 +102,8 @@ def real(value: Any, name: str, default: Optional[float] = None) -> float:
 
 
 def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT_MIN, high: int = INT_MAX) -> int:
-    """Converts an integer from low to high to int; None is replaced by the default, as in cv2."""
+    """Converts an integer to int. Integers outside low .. high raise usacv20.error. None is replaced with the default, as in
+    cv2, or is an error if there is no default."""
     if value is None and default is not None:
         return default
     if not isInteger(value):
@@ -111,8 +115,8 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
 
 
 def refuseMasked(value: Any, name: str) -> None:
-    """Raises usacv20.error for a numpy.ma array with masked elements, because the conversion would
-    lose its mask."""
+    """Raises usacv20.error for a numpy.ma array with masked elements, because a conversion would lose
+    the mask."""
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise fail("{}: a masked array is not taken, as its mask would be lost: give the rows that it leaves, of all arrays the "
                    "same, or filled(numpy.nan), whose rows are never inliers".format(name))
@@ -177,31 +181,31 @@ def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
 # Constants of _looksLikeColumn:
 # _ROWS -- minimum number of rows
 # _MOST_ROWS -- approximate maximum number of rows that are examined
-# _SURE -- number of standard errors that are added to the slope
-# _INDEPENDENT -- upper limit of this sum
+# _SURE -- number of standard errors that are added to the slope of the regression
+# _INDEPENDENT -- w is regarded as independent only if this sum is below this limit
 # _EXPLAINED -- fraction of the variance of w: if a linear function of the first two columns
 # explains at least this fraction, w is regarded as such a function
 #
 # With these values, columns of feature sizes (1.6 times powers of 2) are recognized in 1, 60 and
-# 100 of 100 lists of 60, 200 and 1000 rows. Homogeneous points are not mistaken for such columns,
-# except in 5 % of the lists from cameras whose principal point is in an image corner. With half and
-# twice the value of _ROWS or _MOST_ROWS, and with _EXPLAINED 0.8 and 0.95, the results are the
-# same. With half and twice the value of _SURE, 50 and 0 of 100 lists of 60 rows are recognized, and
-# 67 and 0 % of the lists from these cameras are mistaken for such columns. With _INDEPENDENT 0.25
-# and 0.75, 80 and 100 of 100 lists of 1000 rows are recognized, and 0 and 55 % of the lists from
-# these cameras are mistaken for such columns.
+# 100 of 100 lists of 60, 200 and 1000 rows. Third coordinates of homogeneous points are not mistaken
+# for such columns, except in 5 % of the lists from cameras whose principal point is in an image
+# corner. With half and twice the value of _ROWS or _MOST_ROWS, and with _EXPLAINED 0.8 and
+# 0.95, the results are the same. With half and twice the value of _SURE, 50 and 0 of 100 lists of 60
+# rows are recognized, and 67 and 0 % of the lists from these cameras are mistaken for such columns.
+# With _INDEPENDENT 0.25 and 0.75, 80 and 100 of 100 lists of 1000 rows are recognized, and 0 and 55 %
+# of the lists from these cameras are mistaken for such columns.
 _ROWS, _MOST_ROWS, _SURE, _INDEPENDENT, _EXPLAINED = 50, 1000, 4.0, 0.5, 0.9
 
 
 def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
-    """Returns True if the third column w is statistically independent of the first two, as the size
-    of a feature is.
+    """Returns True if the third column w looks statistically independent of the first two columns, as
+    the size of a feature is. Returns False if there are too few rows or negative numbers.
 
     Homogeneous coordinates (w x, w y, w) are larger for larger w: the regression of log(w x) on
     log(w) has slope 1 if w is independent of the image coordinate x, for example if w is a depth.
     For points under a projective map, w is a linear function of the first two columns. No criterion
-    is certain: for points of a box seen by a camera whose principal point is in a corner of the
-    image, w also looks independent."""
+    is certain: for homogeneous points of a box seen by a camera whose principal point is in a corner
+    of the image, w looks independent of w x and w y, too."""
     some = np.asarray(rows[::max(len(rows) // _MOST_ROWS, 1)], np.float64)
     some = some[np.isfinite(some).all(1)]
     if len(some) < _ROWS or some.min() < 0 or some[:, 2].min() <= 0:
@@ -228,9 +232,9 @@ def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
 
 def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
     """Converts a list of 2-D points (if `plane` is true) or 3-D points like array(). Raises
-    usacv20.error for several lists, and for a third column that looks like a confidence (0..1, not
-    all 1), because C++ would divide by it as a homogeneous coordinate. A third column that looks
-    like sizes of features, but may be homogeneous, causes a warning."""
+    usacv20.error for an array of several lists. A third column of 2-D points is a homogeneous
+    coordinate, by which C++ divides: usacv20.error is raised if the column looks like confidences
+    (0..1, not all 1), and a warning is given if it looks like sizes of features."""
     given = array(value, name)
     if given.ndim == 3 and min(given.shape[0], given.shape[1]) > 1 and given.shape[2] > 1:
         raise fail("{}: one list of points is expected, Nx{k} or Nx1x{k}, not the shape {}; many lists are for the functions of many "
@@ -250,7 +254,7 @@ def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
 
 
 def checkOutput(given: Any, name: str) -> None:
-    """Raises usacv20.error unless `given` is None or an array that a result can be written to."""
+    """Raises usacv20.error unless `given` is None, a UMat (which is ignored), or an array that a result can be written to."""
     if given is None or type(given).__name__ == "UMat":
         return
     if not isinstance(given, np.ndarray):
@@ -260,7 +264,7 @@ def checkOutput(given: Any, name: str) -> None:
 
 
 def checkMask(given: Any, name: str) -> None:
-    """Does the same as checkOutput() for a mask, and raises usacv20.error for a type other than uint8 and bool."""
+    """Does the same as checkOutput() for a mask, and raises usacv20.error for an array of a type other than uint8 and bool."""
     checkOutput(given, name)
     if isinstance(given, np.ndarray) and given.dtype not in (np.uint8, np.bool_):
         raise fail("{}: an array of uint8 or bool receives the mask, not of {}".format(name, given.dtype))
@@ -268,7 +272,7 @@ def checkMask(given: Any, name: str) -> None:
 
 def output(given: Any, result: Any) -> Any:
     """Writes the result to the caller's array and returns this array if its type and size fit, as
-    in cv2; otherwise returns the result. The array for a mask may also have the type bool."""
+    in cv2; otherwise returns the result. The caller's array for a mask can also have the type bool."""
     if result is None or not isinstance(given, np.ndarray) or given.dtype not in (result.dtype, np.bool_):
         return result
     if given.shape != result.shape and given.shape != result.shape[:1]:

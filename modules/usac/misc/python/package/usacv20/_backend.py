@@ -3,7 +3,8 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Chooses `native`, the compiled part: cv2._native.usacv20 inside OpenCV, otherwise the extension
-module `_native`. Both provide the same functions."""
+module `_native`. Both provide the same functions, but only the extension module has the classes Usac
+and Rng."""
 
 from __future__ import annotations
 

@@ -33,8 +33,8 @@ POSES = ("objectPoints", "imagePoints", "cameraMatrices", "", "distCoeffs", "") 
 
 
 class _Mistakes:
-    """Collects exceptions, with the index of their task. If `kept` is false, the first exception is
-    raised at once."""
+    """Collects exceptions, with the index of the task that raised each. If `kept` is false, the first
+    exception is raised at once."""
 
     def __init__(self, kept: bool) -> None:
         self.kept = kept
@@ -54,8 +54,9 @@ class _Mistakes:
 
 def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
     """Returns a list of arrays with one entry for each task, or with a single entry for all tasks;
-    the list is empty if `given` is None. `given` is a list of arrays or a single array. A single
-    array may also be given as a list of numbers or of rows of numbers."""
+    the list is empty if `given` is None. `given` is a list of arrays, a 3-dimensional array of them,
+    or a single array, which can also be a list of numbers or of rows of numbers. Raises usacv20.error
+    if the number of arrays is neither 1 nor the number of tasks."""
     if given is None:
         return []
     isList = isinstance(given, (list, tuple)) and any(item is None or np.ndim(item) >= 1 for item in given)
@@ -71,7 +72,7 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
 
 def _arrays(given: List[Any], name: str, mistakes: _Mistakes) -> List[Any]:
     take = _arguments.optionalArray
-    if len(given) == 1:  # one array for all tasks: its error does not belong to a single task and is raised at once
+    if len(given) == 1:  # an error in the array of all tasks does not belong to one task and is raised at once
         return [take(given[0], name)]
     return [mistakes.guard(i, lambda: take(entry, "{}[{}]".format(name, i)), NO_POINTS)  # noqa: B023, called at once
             for i, entry in enumerate(given)]
@@ -105,8 +106,8 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
 def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
                  cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
                  distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
-    """Estimates models of one problem for all entries of the lists. `names` are the caller's names
-    of the six array arguments, for messages."""
+    """Estimates a model of the same problem for each entry of the lists. `names` are the caller's
+    names of the six array arguments, for messages."""
     first, second = _lists(points1, names[0]), _lists(points2, names[1])
     count = len(first)
     if len(second) != count:

@@ -31,8 +31,8 @@ Rng = native.Rng
 
 class Correspondences(typing.NamedTuple):
     """The points as the components see them: only points with finite coordinates, in a fixed
-    pseudo-random order, and in the coordinates of the search. The points are scaled to about unit
-    size; for E, they are on the normalized image plane."""
+    pseudo-random order, and in the coordinates of the search. For E, the points are on the
+    normalized image plane; for H and F, they are shifted and scaled to about unit size."""
 
     data: npt.NDArray[np.float64]  #: N x number of columns; for two views, the columns are x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, row of each point in the caller's arrays
@@ -74,8 +74,8 @@ class Sampler(_Component):
     """
 
     #: True: the termination criteria count the last sample like one drawn uniformly from all
-    #: points. Set this attribute to False (sample() may do so) for samples from a subset of the
-    #: points, which may never consist of inliers of the best model.
+    #: points. Set this attribute to False for samples from a subset of the points, which might never
+    #: consist of inliers of the best model. sample() can set it for each sample.
     counts: bool = True
 
     @abc.abstractmethod
@@ -96,8 +96,8 @@ class Score(_Component):
     but only one of them at a time, because of the global interpreter lock. A call of the score
     below, which uses NumPy, takes about 10 microseconds: the estimation of a homography from 1000
     matches takes 14 times as long as with the score of C++, that of a fundamental matrix 12 times.
-    If `wholeModel` is True, so that there is one call for each model, it takes 3 to 4 times as
-    long as with the score of C++.
+    If `wholeModel` is True, so that there is one call for each model, the estimation takes 3 to 4
+    times as long as with the score of C++.
 
     >>> import numpy as np, usacv20
     >>> class Truncated(usacv20.Score):  # the cost of MSAC
@@ -140,10 +140,10 @@ def _noComponent(name: str) -> str:
 
 
 class Components:
-    """The components of an estimator that can be replaced; None stands for the component that
-    Params selects.
+    """The components of an estimator that can be replaced; None means the component that Params
+    selects.
 
-    Python code can replace two components: `sampler` (by a Sampler) and `score` (by a Score). The
+    Python code can replace two components: `sampler` with a Sampler, and `score` with a Score. The
     other components and the problem can be replaced in C++ only."""
 
     __slots__ = ("_usac", "_sampler", "_score", "__weakref__")
@@ -242,7 +242,7 @@ class Usac:
     @property
     def params(self) -> Params:
         """A read-only copy of the options. Assign other options to this property before the next
-        run: usac.params = usac.params.replace(threshold=2). Replaced components stay. If a value is
+        run: usac.params = usac.params.replace(threshold=2). Replaced components are kept. If a value is
         invalid, an exception is raised and nothing changes."""
         return self._params
 
@@ -268,11 +268,12 @@ class Usac:
         return Correspondences(*self._usac.points())
 
     def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike, scores: Optional[npt.ArrayLike] = None) -> None:
-        """Sets other points for the next run; their number N may differ. Allocated memory is
-        reused, unless scores are given.
+        """Sets other points for the next run; their number N can differ from the previous one.
+        Allocated memory is reused, unless scores are given.
 
         points1, points2 -- as in create()
-        scores -- N new Params.scores; None: the previous scores stay, and their number must be N"""
+        scores -- N new Params.scores; None: the previous scores, if any, are kept, and their number
+        must be N"""
         given = _points(self._problem, points1, points2)
         if scores is None:
             self._usac.setPoints(*given)

@@ -23,15 +23,15 @@ if TYPE_CHECKING:
 
 
 def tangentOfModel(problem: Union[int, str], model: npt.ArrayLike) -> _Numbers:
-    """Returns the derivatives of the n entries of a model, row by row, with respect to its d
+    """Returns the derivatives of the n entries of a model (in row-major order) with respect to its d
     parameters, whose covariance is Report.covariance: an n x d array.
 
     The parameters of H, F and E are directions in which a matrix of unit norm can vary and remain
     valid; those of other models are listed in help(usacv20.Report).
 
     problem -- ProblemType, or its name as a string
-    model -- as the function estimate* of the problem returns it. H, F and E are first brought to
-    the scale and sign in which that function returns them"""
+    model -- as the function estimate* of the problem returns it. H, F and E are first converted to
+    the scale and sign with which this function returns them"""
     found: Any = native.tangentOfModel(problemOf(problem), array(model, "model"))
     result: _Numbers = found
     return result
@@ -60,7 +60,7 @@ def covarianceOfPose(essential: npt.ArrayLike, covariance: npt.ArrayLike, R: npt
 
     Returns a 6x6 array of rank 5. The first three rows and columns are those of the rotation vector
     w in radians, where exp(w) R is the rotation with an error; the last three are those of t / |t|,
-    whose errors are perpendicular to it."""
+    whose errors are perpendicular to t."""
     found: Any = native.covarianceOfPose(array(essential, "essential"), array(covariance, "covariance"), array(R, "R"), array(t, "t"))
     result: _Numbers = found
     return result

@@ -60,7 +60,7 @@ def _points(value: Any, name: str) -> npt.NDArray[np.float64]:
 
 def _drawnByCv2(cv2: Any, canvas: _Image, ends: npt.NDArray[np.float64], good: npt.NDArray[np.bool_],
                 joined: npt.NDArray[np.bool_]) -> _Image:
-    shift = 4  # fractional bits of the coordinates, as in cv2.line
+    shift = 4  # number of fractional bits of the coordinates, an argument of cv2.line and cv2.circle
     fixed = np.rint(ends * (1 << shift)).astype(int)
     for (x1, y1, x2, y2), isGood, isJoined in zip(fixed.tolist(), good, joined):
         color = INLIER if isGood else OUTLIER
@@ -106,11 +106,11 @@ def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.Arra
         cv2.imwrite("matches.png", picture)  # or matplotlib.pyplot.imshow(picture)
 
     image1, image2 -- gray or color images, of integers or of floats from 0 to 1
-    points1, points2 -- N points of each image in pixels: Nx2, 2xN, Nx1x2 or 1xNx2; points that are
-    not finite are not drawn
+    points1, points2 -- N points of each image in pixels: Nx2, 2xN, Nx1x2 or 1xNx2; matches with a
+    point that is not finite or is far outside its image are not drawn
     mask -- N numbers, nonzero for inliers; None: all matches are inliers
-    lines -- maximum number of inliers that are joined by lines, spread evenly over the list; 0: no
-    lines
+    lines -- maximum number of inliers whose two points are joined by a line; these inliers are
+    spread evenly over the list. 0: no lines
 
     Returns an array of uint8, height x width x 3."""
     first, second = _image(image1, "image1"), _image(image2, "image2")
@@ -127,8 +127,8 @@ def draw_matches(image1: npt.ArrayLike, image2: npt.ArrayLike, points1: npt.Arra
     canvas[:len(second), first.shape[1]:] = second
 
     ends = np.hstack((places1, places2 + [first.shape[1], 0]))
-    # Points far outside the picture are not drawn: they are invisible, and their fixed-point
-    # coordinates would overflow.
+    # Matches with a point that is not finite or is far outside the picture are not drawn, because
+    # fixed-point coordinates would overflow.
     near = (np.abs(np.where(np.isfinite(ends), ends, np.inf)) < 1e5).all(axis=1)
     ends, good = ends[near], good[near]
     joined = np.zeros(len(ends), bool)

@@ -34,7 +34,8 @@ def _cv2Error() -> Type[Exception]:
 
 
 def errorClass() -> Type[Exception]:
-    """Returns the class usacv20.error. It is made at its first use, so that importing the package does not import cv2."""
+    """Returns the class usacv20.error. The class is created at its first use, so that importing the package does not import
+    cv2."""
     if not _made:
         base = _cv2Error()
         if _PACKAGE.startswith("cv2."):
@@ -55,7 +56,7 @@ _ATTRIBUTES = ("code", "err", "file", "func", "line", "msg")
 
 def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args: Any) -> Any:
     """Calls a function of the compiled part. In the messages of its errors, the names of C++
-    arguments are replaced by the caller's names; `names` maps the C++ names to the caller's names.
+    arguments are replaced with the caller's names; `names` maps the C++ names to the caller's names.
     """
     try:
         return function(*args)
@@ -74,7 +75,7 @@ def calling(names: typing.Mapping[str, str], function: Callable[..., Any], *args
 
 def inWordsOf(names: typing.Mapping[str, str], message: str) -> str:
     """Returns a message of the form "argument: description" with the name of the argument replaced
-    by the caller's name."""
+    with the caller's name."""
     head, colon, rest = message.partition(":")
     return re.sub(r"\w+", lambda word: names.get(word.group()) or word.group(), head) + colon + rest if colon else message
 

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""findEssentialMat with each of the four argument lists that OpenCV's function has, and with a flag
-or a Params."""
+"""findEssentialMat with the four argument lists of OpenCV's function. Either a flag or a Params gives
+the options."""
 
 from __future__ import annotations
 
@@ -38,8 +38,9 @@ def _placeOfParams(args: Tuple[Any, ...]) -> int:
 
 
 def _form(args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Tuple[str, ...]:
-    """Returns the argument names of the argument list that a call uses. The names and types of the
-    arguments determine the list. In each list, a Params may replace the flag."""
+    """Returns the argument names of the argument list that a call uses. The names, types and number
+    of the arguments, and the position of a Params, determine the list. A Params can replace the
+    flag; in _TWO only as method=params, because a Params as 7th argument selects _PARAMS."""
     place = _placeOfParams(args)
     if "params" in kwargs or "dist_coeff1" in kwargs or "dist_coeff2" in kwargs or (place == 6):
         return _PARAMS
@@ -104,15 +105,15 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
     focal, pp -- focal length and principal point (x, y) of both images in pixels; default 1 and (0, 0)
     distCoeffs1, distCoeffs2, dist_coeff1, dist_coeff2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and
         camera 2, as in cv2.undistortPoints; None: no distortion
-    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; in each
-        argument list above, a Params can replace the flag
+    method -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV unchanged; a Params can
+        replace the flag (in the third list above only as method=params)
     prob -- confidence of the search, see Params.confidence; default 0.999
     threshold -- inlier threshold, Sampson distance in pixels; default 1
     maxIters -- maximum number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params
-    retval -- essential matrix, 3x3 array of float64; None if there is no model (OpenCV's flags with five points: up to ten
-        matrices, stacked in an array of up to 30x3)
+    retval -- essential matrix, 3x3 array of float64; None if there is no model. With OpenCV's flags and five points: up to
+        ten matrices, stacked in an array of up to 30x3
     mask -- as a result: Nx1 array of uint8, 1 for inliers"""
     if "params" in kwargs and ("method" in kwargs or _placeOfParams(args) >= 0):
         raise fail("findEssentialMat: params is given twice, or beside method")

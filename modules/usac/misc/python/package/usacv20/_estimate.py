@@ -68,8 +68,8 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
 
 def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, params: Any, mask: Any) -> Tuple[Any, Any, Any, Any]:
     """Converts the arguments of the form (..., cameraMatrix, params, mask), in which both images
-    have the same camera, to those of the form with two cameras. Returns cameraMatrix2, distCoeffs1,
-    params, mask."""
+    have the same camera, to those of the form with two cameras; arguments of the latter form are
+    not changed. Returns cameraMatrix2, distCoeffs1, params, mask."""
     if not isinstance(cameraMatrix2, Params):
         return cameraMatrix2, distCoeffs1, params, mask
     if params is not None or distCoeffs2 is not None:

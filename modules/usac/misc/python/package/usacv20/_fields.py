@@ -5,8 +5,9 @@
 """The fields of Params and Report as descriptors, which have a help text and check the types of
 assigned values.
 
-The values are stored in an object of the compiled part, `_native`, which also checks the ranges of
-numbers: an error is raised when the estimator is created, or by Params.check()."""
+Values other than lists of numbers are stored in an object of the compiled part, `_native`. The
+compiled part also checks the ranges of numbers: an error is raised when the estimator is created, or
+by Params.check()."""
 
 from __future__ import annotations
 

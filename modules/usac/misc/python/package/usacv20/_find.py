@@ -3,7 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """findHomography, findFundamentalMat, estimateAffine2D and estimateAffinePartial2D with OpenCV's
-arguments, and with a flag or a Params."""
+arguments. Either a flag or a Params gives the options."""
 
 from __future__ import annotations
 
@@ -33,8 +33,9 @@ SIZE_MAX = 2**64 - 1
 def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
               kwargs: Dict[str, Any]) -> bool:
     """Returns True if a call has the argument list with `params`, and False if it has the argument
-    list with a flag. If the flag and `params` have different positions in these lists, a Params in
-    the position of the flag counts as a call with a flag."""
+    list with a flag. If the flag and `params` have different positions in these lists, a call with a
+    Params in the position of the flag counts as a call with a flag. Raises usacv20.error if a Params
+    is in any other position, or if both arguments are given by name."""
     if "params" in kwargs:
         if method in kwargs:
             raise fail("{}: params and {} are given, both say what to use".format(function, method))
@@ -51,14 +52,14 @@ def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace
 
 def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str, Any], others: typing.Sequence[str]) -> None:
     """Raises usacv20.error if one of the arguments `others` is given in addition to a Params. These
-    arguments belong to calls with a flag, and a Params has its own fields for them."""
+    arguments belong to calls with a flag; a Params has fields with the same meaning."""
     for name in others:
         if values[name] is not defaults[name] and values[name] is not None:
             raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))
 
 
 def flag(value: Any, name: str = "method") -> int:
-    """Returns a flag as an integer; None is replaced by the default."""
+    """Returns a flag as an integer; None is replaced with USACV20."""
     other = isOfAnother(value, UsacV20Method) and type(value).__module__ == UsacV20Method.__module__
     if value is not None and (other or not isInteger(value)):
         raise fail("{}: one of the flags USACV20*, a flag of OpenCV or a Params is expected, not {}".format(name, shown(value)))
@@ -152,8 +153,8 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     maxIters -- maximum number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     params -- Params in place of the flag; also method=params
-    retval -- fundamental matrix, 3x3 array of float64; None if there is no model (OpenCV's flags with seven points: up to
-        three matrices, stacked in an array of up to 9x3)
+    retval -- fundamental matrix, 3x3 array of float64; None if there is no model. With OpenCV's flags and seven points: up
+        to three matrices, stacked in an array of up to 9x3
     mask -- as a result: Nx1 array of uint8, 1 for inliers"""
     if isOptions("findFundamentalMat", _FUNDAMENTAL, "method", 2, 2, args, kwargs):
         v = bind("findFundamentalMat", _FUNDAMENTAL_OF_PARAMS, 3, dict(mask=None), args, kwargs)

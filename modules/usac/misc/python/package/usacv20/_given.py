@@ -47,8 +47,8 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
     weights -- N weights of the squared errors, at least 0; None: all are 1
     chosen -- mask of the points to fit, for example the inliers: N numbers or truth values, 0 for
     points that are left out; None: all points
-    params -- Params; `threshold` is the threshold of the mask, `residual` the error that is
-    minimized
+    params -- Params; `threshold` is the threshold of the mask, and `residual` selects the error that
+    is minimized
     cameraMatrix1, distCoeffs1 -- for ESSENTIAL and ABSOLUTE_POSE
     cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: the same as cameraMatrix1, and no distortion
 

@@ -48,7 +48,7 @@ class Native:
                       cameraMatrices2: List[Any], distCoeffs1: List[Any], distCoeffs2: List[Any],
                       threads: int) -> List[Tuple[Any, Any, Any, str]]:
         """Calls estimateBatch of C++. OpenCV's generator of bindings does not support lists of
-        results, so the results are fetched one by one."""
+        objects, so the tasks are added, and the results fetched, one by one."""
         count = len(points1)
         each = [entries * count if len(entries) == 1 else entries or [None] * count
                 for entries in (params, cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2)]
@@ -59,9 +59,9 @@ class Native:
         return [(batch.model(i), batch.mask(i), batch.report(i), batch.error(i)) for i in range(count)]
 
     def _each(self, one: Callable[[int, Any], Any], count: int, threads: int) -> List[Any]:
-        """Returns the results of `count` calls of `one`, at most `threads` of them at once (0: the
-        number of OpenCV's threads). `one` gets the index of the call and the RunControl that can
-        stop it, or None."""
+        """Returns the results of `count` calls of `one`. The number of calls that run at once is
+        `threads`, but at most the number of OpenCV's threads (0: this number). `one` gets the index
+        of the call, and the RunControl that can stop it, or None if nothing can stop it."""
         most = self._cv2.getNumThreads()
         workers = min(threads or most, most, count)
 

@@ -41,7 +41,7 @@ class Progress:
 
 class Runs:
     """Calls functions of cv2._native.usacv20. A run is stopped when a progress function of the
-    calling thread returns False."""
+    calling thread returns False or raises an exception."""
 
     def __init__(self, functions: Any) -> None:
         self._functions = functions
@@ -69,14 +69,14 @@ class Runs:
             control.leave()
 
     def watched(self, call: Callable[[Any], Any]) -> Any:
-        """Calls a function with a RunControl in a second thread, or with None in this thread if there is no progress function.
-        """
+        """Returns the result of call(control), which runs in a second thread with a RunControl. If there is no progress
+        function, call(None) runs in this thread."""
         scopes = _here.scopes[::-1]  # the innermost first
         if not scopes:
             return call(None)
         control = self._functions.RunControl()
         outcome: Dict[str, Any] = {}
-        done = threading.Event()  # CPython 3.11 marks a thread as ended if Ctrl-C interrupts its join()
+        done = threading.Event()  # join() is not enough: if Ctrl-C interrupts it, CPython 3.11 marks the thread as ended
 
         def work() -> None:
             try:

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Lets the functions of a cv2 accept the flags and the Params of this module."""
+"""Makes the functions of a cv2 accept the flags and the Params of this module."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ def _isOurs(name: str, args: Tuple[Any, ...], kwargs: typing.Mapping[str, Any]) 
 
 
 class Patch:
-    """Replaces functions of a cv2. undo(), or the end of a with-statement, restores the originals.
-    """
+    """Replaces functions of a cv2. The originals are restored by undo() or at the end of a
+    with-statement."""
 
     def __init__(self, cv2: Any, ours: typing.Mapping[str, Callable[..., Any]] = OURS, permanent: bool = False) -> None:
         self._cv2 = cv2
@@ -81,8 +81,8 @@ class Patch:
 
     def undo(self) -> None:
         """Restores the original functions. If other code has meanwhile replaced a patched function
-        by a wrapper of its own, that wrapper stays in place; the patched function, which it calls,
-        passes all further calls to the original function."""
+        with a wrapper of its own, that wrapper stays in place; the patched function, which the
+        wrapper calls, then passes all calls to the original function."""
         self._active = False
         for name, (original, wrapper) in self._functions.items():
             if getattr(self._cv2, name, None) is wrapper:
@@ -102,17 +102,17 @@ def _present(cv2: Any) -> Optional[Patch]:
 
 
 def patch_cv2(cv2: Any = None) -> Patch:
-    """Lets findHomography, findFundamentalMat, findEssentialMat, estimateAffine2D,
+    """Makes findHomography, findFundamentalMat, findEssentialMat, estimateAffine2D,
     estimateAffinePartial2D and solvePnPRansac of a cv2 accept the flags of this module, as in
     cv2.findHomography(a, b, usacv20.USACV20, 3.0), and its Params. All other calls reach the
     functions of cv2 unchanged.
 
     cv2 -- the module to patch; None: the module that `import cv2` imports
 
-    Returns an object whose method undo() undoes the change; the end of a with-statement calls
-    undo(). If this cv2 is patched already, the call and the returned object have no effect. Modules
-    that imported one of the functions by name before the call continue to use the original
-    function."""
+    Returns an object whose method undo() undoes the change; at the end of a with-statement, undo()
+    is called automatically. If this cv2 is patched already, the call and the returned object have no
+    effect. Modules that imported one of the functions by name before the call continue to use the
+    original function."""
     cv2 = importlib.import_module("cv2") if cv2 is None else cv2
     return Patch(cv2, {} if _present(cv2) else OURS)
 

@@ -53,7 +53,7 @@ class Params:
     """All options of the estimator.
 
     Fields can be given by name, Params(threshold=2, scores=distances), also to the presets,
-    Params.fast(threshold=2), and assigned later; None stands for the default. Params() is
+    Params.fast(threshold=2), and assigned later; None means the default. Params() is
     Params.usacV20(). Enumerators can also be given by name: Params(sampler="prosac",
     termination="sprt|standard"). A value of a wrong type or an enumerator of another enumeration
     raises TypeError at once. Any other invalid value raises usacv20.error, which names the field,
@@ -214,7 +214,7 @@ class Params:
 
     def replace(self: P, **fields: Any) -> P:
         """Returns a copy with other values of some fields, as in params.replace(threshold=3). None
-        stands for the default, as in Params()."""
+        means the default of Params()."""
         unknown = [name for name in fields if name not in _FIELDS]
         if unknown:
             raise _unknown("Params.replace", unknown[0])
@@ -232,7 +232,7 @@ class Params:
         return options
 
     def check(self, count: int = -1) -> None:
-        """Raises usacv20.error that names the first field with a wrong value.
+        """Raises usacv20.error, whose message names the first field with an invalid value, if there is one.
 
         count -- number of correspondences, -1 if unknown"""
         self._prepared().check(integer(count, "count"))
@@ -290,7 +290,8 @@ class Params:
 
     @classmethod
     def accurate(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_ACCURATE: three times as many samples and a long local optimization."""
+        """Returns the preset of USACV20_ACCURATE: three times the samples that the termination criteria ask for, and a long
+        local optimization."""
         return cls._preset("accurate", fields)
 
     @classmethod
@@ -302,8 +303,9 @@ class Params:
     @classmethod
     def trustedScores(cls: Type[P], **fields: Any) -> P:
         """Returns a preset for an order of the points that the caller trusts (`scores`, or
-        ORDERING_INPUT_ORDER): like usacV20(), but all samples are PROSAC's, and its criterion may
-        end the search. If the order is wrong, the search may miss the model."""
+        ORDERING_INPUT_ORDER): like usacV20(), but all samples are drawn as in PROSAC, whose
+        termination criterion can end the search. If the order is wrong, the search can miss the
+        model."""
         return cls._preset("trustedScores", fields)
 
     @classmethod
@@ -392,7 +394,7 @@ def _shown(value: Any) -> str:
 
 
 def optionsOf(params: Any, name: str = "params") -> Any:
-    """Returns the options in the form of the compiled part; None stands for the defaults."""
+    """Returns the options in the form of the compiled part; None means the defaults."""
     if params is None:
         return native.Params()
     if not isinstance(params, Params):

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""solvePnPRansac with OpenCV's arguments, and with a flag or a Params."""
+"""solvePnPRansac with OpenCV's arguments. Either a flag or a Params gives the options."""
 
 from __future__ import annotations
 
@@ -98,8 +98,9 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     confidence -- confidence of the search, see Params.confidence; default 0.99
     inliers -- array of int32 that receives the indices of the inliers if its size is their number, or None
     flags -- one of USACV20* (default USACV20) or a flag of OpenCV, which is passed to OpenCV. The values of SOLVEPNP_* differ
-        between OpenCV 4 and 5: those of the imported cv2, if any, are expected
-    params -- Params in place of the flag. This form returns five results, as in OpenCV; flags=params returns four
+        between OpenCV 4 and 5; if a cv2 has been imported, they must be those of this cv2
+    params -- Params. The form with this argument returns five results, as in OpenCV; a Params in place of `flags` is accepted,
+        too, and then there are four results
     retval -- False if there is no pose; rvec and tvec are then returned as they were given
     rvec, tvec -- as results: 3x1 arrays of float64
     inliers -- as a result: Mx1 array of int32, the indices of the inliers in ascending order; None if there are no inliers"""
@@ -139,8 +140,8 @@ def _withFlag(v: Dict[str, Any]) -> Any:
 
 
 def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:
-    """Returns the results as cv2 does. They are written to the caller's arrays if type and size of
-    these arrays fit."""
+    """Returns the results as cv2 does. They are also written to the caller's arrays if the types and
+    sizes of these arrays fit."""
     retval, rvec, tvec, inliers = result
     if not retval:
         given = [value if value is None or isinstance(value, np.ndarray) else np.asarray(value) for value in (v["rvec"], v["tvec"])]

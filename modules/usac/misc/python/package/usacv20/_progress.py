@@ -19,7 +19,7 @@ from ._report import Report
 
 class progress:
     """While this context is active, all estimations that its thread begins call a function every 5
-    milliseconds, which decides whether to continue.
+    milliseconds. The function decides whether to continue.
 
         with usacv20.progress(lambda report: report.iterations < 10**6 and not cancelled.is_set()):
             H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
@@ -36,9 +36,9 @@ class progress:
     returns True, it does not change the result. Another thread can cancel the run through an object
     that the function reads, such as a threading.Event.
 
-    Ctrl-C raises KeyboardInterrupt during an estimation even without this context. In cv2.usacv20
-    it does so only within this context, where each call of an estimation starts a thread;
-    progress(lambda report: True) is then sufficient."""
+    Ctrl-C raises KeyboardInterrupt during an estimation even without this context. In cv2.usacv20,
+    this requires the context, for example progress(lambda report: True); each estimation then runs
+    in a thread of its own."""
 
     def __init__(self, function: typing.Callable[[Report], bool]) -> None:
         if not callable(function):

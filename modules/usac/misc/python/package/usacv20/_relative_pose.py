@@ -30,7 +30,7 @@ class RelativePose(typing.NamedTuple):
 
     report: Report  # on the search for the essential matrix; report.inliers is the number of inliers in the mask
     essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None if there is no model
-    behind: int  # number of inliers of the essential matrix that are triangulated behind a camera; they are 0 in the mask
+    behind: int  # number of inliers of the essential matrix that are triangulated behind a camera; the mask is 0 for them
     onPlane: int  # number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none
     # If there is a dominant plane: rotation of the second motion that is compatible with the
     # homography of the plane, 3x3. None if there is no such motion.
@@ -55,8 +55,8 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
     mask -- Nx1 array of uint8 that receives the mask, or None
 
     Returns (R, t, mask, pose):
-    R, t -- a rotation, 3x3, and a vector of unit length, 3x1; None if there is no model, and
-    pose.report.stop gives the reason
+    R, t -- a rotation, 3x3, and a vector of unit length, 3x1. If there is no model, both are None,
+    and pose.report.stop gives the reason
     mask -- Nx1 array of uint8, 1 where the Sampson distance is at most the threshold and the
     triangulated point is in front of both cameras or at infinity
     pose -- RelativePose: the report and the essential matrix. If most inliers are on a plane, two

@@ -42,7 +42,7 @@ class Covariance(Field["Optional[npt.NDArray[np.float64]]"]):
 
 class Report:
     """Statistics and results of one estimation. Times are elapsed times and do not influence the
-    result. Report() creates a report that belongs to no run."""
+    result. Report() creates a report that does not belong to a run."""
 
     __slots__ = ("_native",)
     __hash__ = None  # type: ignore[assignment]
@@ -67,13 +67,13 @@ class Report:
         there is no model, or if the model did not come from a minimal sample, for example from Params.initialModel.""")
     inlierRatio = Field[float]("`inliers` as a fraction of all rows of the mask, 0..1.")
     independentInliers = Field[int]("""Number of inliers without repetitions: in each image, inliers in the same square of
-        a grid with the threshold as side count once; the smaller number of both images is returned. 0 (not computed) if the
+        a grid with the threshold as side count once; this is the smaller of the two images' numbers. 0 (not computed) if the
         run was stopped (Params.maxTime, progress) and has more than 50 000 inliers.""")
     chance = Field[float]("""Upper bound of the probability that the same search finds a model with as many independent
         inliers in random matches of the same points, 0..1. Also set if the model was rejected because of this value; 1 if no
         model was found.""")
-    threshold = Field[float]("""Threshold of the mask in pixels: Params.threshold or, with THRESHOLD_ESTIMATED or QUALITY_LMEDS,
-        a threshold estimated from the data.""")
+    threshold = Field[float]("""Threshold of the mask, in the unit of Params.threshold: Params.threshold itself or, with
+        THRESHOLD_ESTIMATED or QUALITY_LMEDS, a threshold estimated from the data.""")
     sigma = Field[float]("""Standard deviation of each component of the inliers' errors, in the unit of Params.threshold. For F
         and E it is about that of the points' coordinates; for maps it combines the noise of both arrays. 0 if it was not
         estimated: there is no model, there are too few inliers, or the threshold was given and Params.covariance is 0.""")

@@ -65,12 +65,12 @@ class TwoViewRules:
 
         Samples are drawn without replacement: with I inliers among N matches, a sample of m points
         consists of inliers with probability C(I, m) / C(N, m). I is inlierRatio times N, but at
-        least minInliers. With `ratios`, the confidence is met on average over these k pairs and one
-        more pair, whose ratio is uniformly distributed between inlierRatio and the smallest of
-        `ratios`. The additional pair has the weight 1 / (k + 1), which is the probability that a
-        new pair has a smaller ratio than k others. For E and F with the local optimization of
-        USACV20, a sample counts as up to four samples, because models are also found from samples
-        with an outlier."""
+        least minInliers. With k `ratios`, the confidence is met on average over k pairs with these
+        ratios and one more pair, whose ratio is uniformly distributed between inlierRatio and the
+        smallest of `ratios`. The additional pair has the weight 1 / (k + 1), which is the
+        probability that a new pair has a smaller ratio than k others. For E and F with the local
+        optimization of USACV20, a sample counts as up to four samples, because models are also found
+        from samples with an outlier."""
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
     def reached(self, params: Params, sampleSize: int, matches: int) -> float:
@@ -126,12 +126,12 @@ class TwoViewGeometry(typing.NamedTuple):
     # the two motions compatible with a plane, unless matches off the plane decide),
     # TWO_VIEW_PANORAMIC, or a watermark with calibrated cameras.
     R: _Double
-    t: _Double  # 3x1, unit length; 0 for a pure rotation
+    t: _Double  # translation of the motion of R, 3x1, unit length; 0 for a pure rotation
     # k x 3 x 3: for cameras with known focal lengths, the k rotations compatible with the matches; if
     # the matches are correct, one of the rotations is the true one.
     rotations: _Double
     report: Report  # on the search for the model of the mask, or for the best rejected model
-    iterations: int  # number of samples drawn, without those for H among the inliers of E or F
+    iterations: int  # number of samples drawn, not counting those from which H was estimated among the inliers of E or F
     milliseconds: float  # elapsed time
     reason: str  # the reason why there are no inliers, one line without a period; empty if there are inliers
 
@@ -184,12 +184,12 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     params -- Params of each search. `threshold` is the Sampson distance of E and F in undistorted
     pixels; the threshold of H is derived from it. `significance` 0 means 1e-4 here. `initialModel`
     and `sigmas` must be empty. With THRESHOLD_ESTIMATED, the threshold of the pair is
-    report.threshold of the first accepted model
+    report.threshold of the first accepted model (divided by 1.77 if this model is H)
     rules -- TwoViewRules; None: the defaults
     imageSize1, imageSize2 -- (width, height) in pixels; None: watermarks are not detected
 
     Returns a TwoViewGeometry: configuration, mask, F, E, H, R, t and a report. If no model is
-    accepted, `reason` says why.
+    accepted, its field `reason` gives the reason.
 
     If both focal lengths are known, an essential matrix E is estimated, and then a fundamental
     matrix F starting from E; otherwise only F. If E is rejected, F is searched for with 500
@@ -197,8 +197,8 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     the focal lengths are wrong, E is estimated once more, starting from F. H is estimated from the
     inliers of E or F or, if both were rejected, from all matches. The focal lengths are accepted if
     E has at least rules.calibrationRatio of the inliers of F, not counting the inliers that F gains
-    by chance, or if most inliers are on a plane. Invalid arguments raise usacv20.error, which names
-    the argument."""
+    by chance, or if most inliers are on a plane. An invalid argument raises usacv20.error, whose
+    message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
 
@@ -208,11 +208,11 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
                               returnExceptions: bool = False) -> List[Union[TwoViewGeometry, Exception]]:
     """Calls estimateTwoViewGeometry for many pairs, in parallel in C++.
 
-    pairs -- TwoViewPair(points1, points2, ...); sizes may differ, and pairs with and without
-    cameras may be mixed
+    pairs -- TwoViewPair(points1, points2, ...); the numbers of matches can differ, and pairs with
+    and without cameras can be mixed
     params, rules -- for all pairs; scores are taken from the pairs
-    threads -- number of pairs that are processed at once; 0: the number of OpenCV's threads. The
-    results do not depend on this number
+    threads -- number of pairs that are processed at once, at most the number of OpenCV's threads; 0:
+    the number of OpenCV's threads. The results do not depend on this number
     returnExceptions -- what happens if the estimation of a pair raises an exception. True: the
     exception replaces the result of this pair. False: the exception of one such pair is raised and
     names the pair
