@@ -12,9 +12,9 @@ _problems.py and a list of names in __init__.py.
                         differ
 
 Enumerators and their comments come from the headers. Each row of the table of problems becomes two
-functions in _problems.py: one for a single estimation and one for many estimations. Their
-descriptions of model and threshold come from the comment of the C++ declaration in estimate.hpp. The
-other text depends on the kind of the arguments (class Arguments)."""
+functions in _problems.py: one for a single estimation and one for many estimations. In their
+docstrings, the descriptions of model and threshold come from the comment of the C++ declaration in
+estimate.hpp; the other text depends on the kind of the arguments (class Arguments)."""
 
 import os
 import re
@@ -31,7 +31,7 @@ LICENSE = """# This file is part of OpenCV project.
 # of this distribution and at http://opencv.org/license.html.
 
 """
-MADE = "# Written by misc/python/make_names.py; changes are made there or in the headers.\n\n"
+MADE = "# Written by misc/python/make_names.py. Edit that script or the headers instead of this file.\n\n"
 
 
 def read(*path):
@@ -56,8 +56,8 @@ def sentence(comment):
 
 
 def short(comment):
-    """Returns the comment of an enumerator as plain text. If it fills two lines or more, only its
-    first sentence is returned."""
+    """Returns the comment of an enumerator as plain text. Of a comment with the length of two lines
+    or more, only the first sentence is returned."""
     text = plain(comment)
     return text if len(text) < 2 * WIDTH else sentence(comment)
 
@@ -90,8 +90,8 @@ class Arguments:
     about, aboutMany -- descriptions of these arguments in the docstrings
     call, callMany -- the arguments, with options, in the call of estimate() and estimateMany()
     names -- constant with the argument names for error messages; empty: the default names
-    forms -- forms of the call that the Python declaration does not show
-    prepare -- code that converts these forms to the declared one"""
+    forms -- forms of the call, for the docstring, if the Python declaration does not show them
+    prepare -- code that converts the arguments of these forms to the declared arguments"""
 
     def __init__(self, cpp, many, about, optional=(), names="", prepare="", forms=""):
         self.cpp, self.many, self.about, self.names, self.prepare, self.forms = cpp, many, about, names, prepare, forms
@@ -103,9 +103,9 @@ class Arguments:
         self.pythonMany = ["{}: _Lists".format(name) for name in points] + [
             "{}: _Arrays{}".format(name, " = None" if one in optional or one == "cameraMatrix2" else "")
             for one, name in zip(rest, many[2:])]
-        self.aboutMany = ("\n\n" + ", ".join(many[2:]) + " -- one array for all, or a list with an array for each. A camera matrix is a 3x3 array; "
-                          "without one for image 2, that of image 1 holds for both images. Distortion coefficients of None mean no "
-                          "distortion"
+        self.aboutMany = ("\n\n" + ", ".join(many[2:]) + " -- one array for all estimations, or a list with an array for each. A camera matrix "
+                          "is a 3x3 array" + ("; None for image 2: the same as for image 1" if len(many) == 6 else "") +
+                          ". Distortion coefficients None: no distortion"
                           ) if rest else ""
         one, two = (cpp[2:4], cpp[4:]) if len(cpp) == 6 else (cpp[2:3], cpp[3:])  # camera matrices, distortion coefficients
         self.call = list(points) + ["params", "mask"] + list(one) + (["None"] if len(cpp) == 4 else []) + list(two)
@@ -114,17 +114,18 @@ class Arguments:
             self.callMany[6:6] = ["None"]
 
 
-POINTS = ("points1, points2 -- N points of each image{}: Nx2, 2xN, Nx1x2 or 1xNx2, any type of integer or floating-point number, any "
-          "layout; with 3 in the place of 2, homogeneous coordinates (x, y, confidence is refused)")
+POINTS = ("points1, points2 -- N points of each image{}: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and "
+          "memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise usacv20.error")
 ARGUMENTS = {
     "IMAGES": Arguments(("points1", "points2"), ("points1", "points2"), POINTS.format("")),
     "SPACES": Arguments(("points1", "points2"), ("points1", "points2"),
-                        "points1, points2 -- N points of each space: Nx3, 3xN, Nx1x3 or 1xNx3"),
+                        "points1, points2 -- N 3-D points and their N counterparts: Nx3, 3xN, Nx1x3 or 1xNx3"),
     "CAMERAS": Arguments(
         ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2"),
         ("points1", "points2", "cameraMatrices1", "cameraMatrices2", "distCoeffs1", "distCoeffs2"),
-        POINTS.format(" in pixels") + "\ncameraMatrix1, cameraMatrix2 -- 3x3 camera matrices; without the second the first holds for "
-        "both images\ndistCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 numbers, the distortion as in cv2.undistortPoints; None: none",
+        POINTS.format(" in pixels") + "\ncameraMatrix1, cameraMatrix2 -- 3x3 camera matrices of image 1 and image 2; cameraMatrix2 None: "
+        "the same as cameraMatrix1\ndistCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and camera 2, as in "
+        "cv2.undistortPoints; None: no distortion",
         optional=("distCoeffs1", "distCoeffs2"),
         prepare="    cameraMatrix2, distCoeffs1, params, mask = oneOrTwoCameras(cameraMatrix2, distCoeffs1, distCoeffs2, params, mask)\n",
         forms="\n{0}(points1, points2, cameraMatrix[, params[, mask]])\n{0}(points1, points2, cameraMatrix1, cameraMatrix2[, "
@@ -132,8 +133,9 @@ ARGUMENTS = {
     "POSE": Arguments(
         ("objectPoints", "imagePoints", "cameraMatrix", "distCoeffs"),
         ("objectPoints", "imagePoints", "cameraMatrices", "distCoeffs"),
-        "objectPoints -- N points of space: Nx3, 3xN, Nx1x3 or 1xNx3\nimagePoints -- N pixels, as the points of estimateHomography\n"
-        "cameraMatrix -- 3x3 camera matrix\ndistCoeffs -- distortion as in cv2.projectPoints; None: none",
+        "objectPoints -- N 3-D points: Nx3, 3xN, Nx1x3 or 1xNx3\nimagePoints -- their N image points in pixels, in the forms of the points "
+        "of estimateHomography\ncameraMatrix -- 3x3 camera matrix K\ndistCoeffs -- 4, 5, 8, 12 or 14 distortion coefficients, as in "
+        "cv2.projectPoints; None: no distortion",
         optional=("distCoeffs",), names="POSE"),
 }
 
@@ -159,7 +161,7 @@ class Problem:
             return None
         meaning = plain(params[0])[len("param params options; threshold is "):].rstrip(".")
         shape, rest = plain(model[0])[len("return "):].split(", CV_64F, ")
-        rest = re.sub(r"[;.] [Ee]mpty if there is none, and report says why", "; None if there is none", rest).rstrip(".")
+        rest = re.sub(r"[;.] [Ee]mpty if there is none, and report says why", "; None if there is no model", rest).rstrip(".")
         return plain(parts[0]), meaning, "{} array of float64, {}".format(shape, rest)
 
 
@@ -199,7 +201,7 @@ def listed(name, items):
 
 def enumerationsFile():
     found = enumerations()
-    text = LICENSE + '"""The enumerations of the module; each enumerator is also a constant of the package, usacv20.QUALITY_MSAC, say."""\n\n'
+    text = LICENSE + '"""The enumerations of the module. Each enumerator is also a constant of the package, such as usacv20.QUALITY_MSAC."""\n\n'
     text += MADE + "import enum\nfrom typing import Dict\n\n"
     names = sorted(member for enumeration in found for member, _, _ in enumeration.members)
     text += listed("__all__", names)
@@ -209,12 +211,13 @@ def enumerationsFile():
         for member, value, comment in enumeration.members:
             line = "    {} = {}  # {}".format(member, value, comment)
             if len(line) > WIDTH:
-                line = textwrap.fill(comment, WIDTH, initial_indent="    # ", subsequent_indent="    # ") + "\n" + line.split("  # ")[0]
+                line = textwrap.fill(comment, WIDTH, initial_indent="    # ", subsequent_indent="    # ",
+                                     break_on_hyphens=False) + "\n" + line.split("  # ")[0]
             text += line + "\n"
     text += "\n\n"
     for enumeration in found:
         text += "".join("{0} = {1}.{0}\n".format(member, enumeration.name) for member, _, _ in enumeration.members)
-    text += "\n#: What the functions of a problem take: the column ARGUMENTS of src/problems/registry.inl.hpp.\nARGUMENTS: Dict[int, str] = {\n"
+    text += "\n#: The kind of the arguments of each problem: the column ARGUMENTS of src/problems/registry.inl.hpp.\nARGUMENTS: Dict[int, str] = {\n"
     text += "".join('    ProblemType.{}: "{}",\n'.format(problem.type, problem.kind) for problem in problems())
     return text + "}\n"
 
@@ -222,26 +225,28 @@ def enumerationsFile():
 ESTIMATE = """{brief}
 {forms}
 {about}
-params -- Params, None for the default; params.threshold is {threshold}
+params -- Params; None: the default. params.threshold is {threshold}
 mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
 Returns (model, mask, report):
 model -- {model}
 mask -- Nx1 array of uint8, 1 for inliers
-report -- Report: report.stop says why the search ended or why there is no model
+report -- Report; report.stop is the reason why the search ended, or why there is no model
 
-Points with NaN or infinite coordinates are never inliers. usacv20.error names an argument that is wrong."""
+Points with NaN or infinite coordinates are never inliers. A wrong argument raises usacv20.error, whose message names the \
+argument."""
 
-BATCH = """Many estimations of {one} in one call, side by side.{about}
+BATCH = """Runs {one} for many pairs of images in one call, in parallel.{about}
 
-points1, points2 -- lists of the same length; each entry is what {one} takes
-params -- Params for all, or a list with one (or None) for each: match scores differ from pair to pair
-threads -- how many estimations at once, 0: all cores. The result does not depend on it
-returnExceptions -- a mistake in an entry, one list of points longer than the other, say: True: its exception stands in the place of \
-the result, the others go on; False: it is raised when all are done, and names the entry
+points1, points2 -- lists of the same length, with an entry for each estimation, in the forms that {one} accepts
+params -- Params for all estimations, or a list with a Params (or None) for each, for example because match scores differ
+threads -- number of estimations that run at once, at most the number of OpenCV's threads; 0: this number. The results do not \
+depend on it
+returnExceptions -- what happens if an entry is wrong, for example if its lists of points differ in length. True: the exception \
+replaces the result of this entry. False: the exception of one such entry is raised and names the entry
 
-Returns a list of (model, mask, report), one for each entry, in this order: each to the bit what {one} returns. The \
-interpreter's lock is released meanwhile."""
+Returns a list with (model, mask, report) for each entry, in the same order. Except for the times in the report, each result is \
+bit-identical to that of {one}. The global interpreter lock is released during the call."""
 
 
 def functions(problem, first):
@@ -260,13 +265,13 @@ def functions(problem, first):
     if problem.type == first.type:
         text += docstring(BATCH.format(one=problem.function, about=kind.aboutMany))
     else:
-        text += docstring("Like {}, but with {}.".format(first.batch, problem.function) + kind.aboutMany)
+        text += docstring("Like {}, but runs {}.".format(first.batch, problem.function) + kind.aboutMany)
     return text + wrapped("    return estimateMany(", ["ProblemType." + problem.type] + kind.callMany, names + ")")
 
 
 def problemsFile():
     rows = problems()
-    text = LICENSE + '"""The functions of each problem: an estimation with all options and a report, and many of them in one call."""\n\n'
+    text = LICENSE + '"""Two functions for each problem: one estimation with all options and a report, and many such estimations in one call."""\n\n'
     text += MADE + "from __future__ import annotations\n\nfrom typing import TYPE_CHECKING, Optional, Union\n\n"
     text += "from ._batch import POSES, estimateMany\nfrom ._enumerations import ProblemType\n"
     text += "from ._estimate import POSE, estimate, oneOrTwoCameras\nfrom ._params import Params\n\n"
@@ -279,8 +284,8 @@ def problemsFile():
 # --- checking the table against the headers ----------------------------------------------------------------------------------
 
 def parameters(header, pattern, name):
-    """Returns the names of the arguments in the first declaration of a function, without options
-    and results; None if the function is not declared."""
+    """Returns the names of the arguments in the first declaration of a function, without params,
+    mask, report and threads; None if the function is not declared."""
     found = re.search(pattern + name + r"\(((?:[^()]|\(\))*)\);", header)
     if not found:
         return None

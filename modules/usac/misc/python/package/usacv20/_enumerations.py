@@ -2,9 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The enumerations of the module; each enumerator is also a constant of the package, usacv20.QUALITY_MSAC, say."""
+"""The enumerations of the module. Each enumerator is also a constant of the package, such as usacv20.QUALITY_MSAC."""
 
-# Written by misc/python/make_names.py; changes are made there or in the headers.
+# Written by misc/python/make_names.py. Edit that script or the headers instead of this file.
 
 import enum
 from typing import Dict
@@ -151,8 +151,8 @@ class TerminationFlags(enum.IntFlag):
     TERMINATION_P_NAPSAC = 4  # with probability confidence there is no significantly better model, see Params.relaxation
     TERMINATION_PROSAC = 8  # PROSAC's maximality and non-randomness on a set of best points
     TERMINATION_MAGSAC = 16  # the standard criterion marginalized over the noise scale
-    # modifies the other criteria: with I inliers among N points, a sample of m points, drawn without replacement, is all-
-    # inlier with probability C(I, m) / C(N, m) instead of (I / N)^m
+    # modifies the other criteria: with I inliers among N points, a sample of m points, drawn without replacement, is
+    # all-inlier with probability C(I, m) / C(N, m) instead of (I / N)^m
     TERMINATION_EXACT = 32
     # PROSAC's criterion, if the inliers of the best model come early in a known order, and if samples of its outliers yield no
     # better model; no effect if runnersUp is 0
@@ -302,7 +302,7 @@ TWO_VIEW_PANORAMIC = TwoViewConfiguration.TWO_VIEW_PANORAMIC
 TWO_VIEW_PLANAR_OR_PANORAMIC = TwoViewConfiguration.TWO_VIEW_PLANAR_OR_PANORAMIC
 TWO_VIEW_WATERMARK = TwoViewConfiguration.TWO_VIEW_WATERMARK
 
-#: What the functions of a problem take: the column ARGUMENTS of src/problems/registry.inl.hpp.
+#: The kind of the arguments of each problem: the column ARGUMENTS of src/problems/registry.inl.hpp.
 ARGUMENTS: Dict[int, str] = {
     ProblemType.HOMOGRAPHY: "IMAGES",
     ProblemType.FUNDAMENTAL: "IMAGES",
