@@ -40,7 +40,8 @@ _MODELS: Dict[int, Tuple[str, str]] = {
     14: ("SIMPLE_FISHEYE", "f cx cy"),
     15: ("FISHEYE", "fx fy cx cy"),
 }
-# COLMAP's models without a counterpart in OpenCV. Numbers above 10 are those of COLMAP 4.2.1.
+# COLMAP's models without a counterpart in OpenCV. In both tables, numbers above 10 are those of
+# COLMAP 4.2.1.
 _REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THIN_PRISM_FISHEYE", 12: "SIMPLE_DIVISION",
                             13: "DIVISION", 16: "EUCM", 17: "EQUIRECTANGULAR"}
 _DISTORTIONS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
@@ -123,8 +124,8 @@ def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
         angle -= error / slope
         if np.all(np.abs(error) < _TOLERANCE):
             break
-    # If the polynomial decreases at the solution, Newton's method has found a solution beyond its
-    # maximum, where the lens has no image.
+    # If the polynomial decreases at the solution, the solution is beyond the maximum of the
+    # polynomial, where the lens forms no image.
     angle[~((np.abs(error) < _TOLERANCE) & (slope > 0) & (angle >= 0) & (angle < np.pi / 2))] = np.nan
     scale = np.where(target > 0, np.tan(angle) / np.where(target > 0, target, 1), 1)
     result: _Array = distorted * scale[:, None]

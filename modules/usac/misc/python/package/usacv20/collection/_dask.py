@@ -19,10 +19,10 @@ from ._pair import CollectionError, Key, Source
 from ._work import Future, Verify, fingerprintOf, processRemotely
 
 _PER_THREAD = 2  # number of chunks for each thread: one in progress, one waiting
-_RETRIES = 1  # repetitions of a task that raised an exception; if a worker dies, Dask gives its tasks to other workers
+_RETRIES = 1  # maximum number of repetitions of a task that raised an exception; Dask also repeats the tasks of a dead worker
 _CONNECT = 10.0  # maximum number of seconds to connect to a scheduler
 _JOIN = 60.0  # maximum number of seconds to wait for the first worker
-_COUNT = 5.0  # minimum number of seconds between two counts of the workers
+_COUNT = 5.0  # minimum number of seconds between two counts of the workers' threads
 
 
 class Cluster:
@@ -70,8 +70,8 @@ class Cluster:
         return client
 
     def _shared(self) -> Optional[str]:
-        """Returns the fingerprint of the source if all workers see the same files; otherwise None.
-        """
+        """Returns the fingerprint of the source if all workers see the same files as this process;
+        otherwise None."""
         own = self._source.fingerprint()
         try:
             found = self._client.run(fingerprintOf, self._packed)

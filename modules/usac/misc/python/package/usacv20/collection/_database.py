@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Reads pairs from a database of COLMAP 3.8 or later. Tables and columns that are not named in this
-file may be missing."""
+"""Reads pairs from a database of COLMAP 3.8 or later. Tables and columns that this file does not name
+can be missing."""
 
 from __future__ import annotations
 
@@ -99,9 +99,9 @@ class DatabaseSource:
     scores -- source of the scores of the matches; None: there are no scores
     cache -- maximum number of bytes of keypoints that each process keeps in memory
 
-    If the file is damaged or is not a COLMAP database, its first use raises CollectionError. A
-    single damaged pair becomes a Fault. Matches with a point that corresponds to no direction in
-    front of the camera (see Camera.ideal) are left out of a Pair."""
+    If the file is damaged or is not a COLMAP database, the first use of this object raises
+    CollectionError. A single damaged pair becomes a Fault. Matches with a point that corresponds to
+    no direction in front of the camera (see Camera.ideal) are left out of a Pair."""
 
     def __init__(self, path: str, scores: Optional[Scores] = None, cache: int = CACHE) -> None:
         self.path = os.path.abspath(path)
@@ -142,8 +142,8 @@ class DatabaseSource:
         return found
 
     def close(self) -> None:
-        """Closes the connections of all threads; no thread may be using its connection. The next
-        use of the source opens new connections."""
+        """Closes the connections of all threads, none of which must be in use. The next use of the
+        source opens new connections."""
         opened = self._opened if self._process == os.getpid() else []
         self._prepare()
         for connection in opened:
@@ -174,8 +174,8 @@ class DatabaseSource:
         return self._count
 
     def fingerprint(self) -> str:
-        """Returns a fingerprint of the first and the last rows of the input tables. The fingerprint
-        does not change when results are written."""
+        """Returns a fingerprint of the first and the last rows of the input tables, and of the scores
+        of the first pair. The fingerprint does not change when results are written."""
         digest = hashlib.sha256()
         for table, key, values in (("cameras", "camera_id", "model, width, height, params, prior_focal_length"),
                                    ("images", "image_id", "name, camera_id"), ("keypoints", "image_id", "rows, cols, data"),
@@ -185,7 +185,7 @@ class DatabaseSource:
                     rows = self.connection().execute("SELECT {0}, {1} FROM {2} ORDER BY {0} {3} LIMIT 4".format(
                         key, values, table, order)).fetchall()
                 digest.update(repr(rows).encode())
-        for first in itertools.islice(self.keys(), 1):  # adds the scores of a pair, which may come from another file
+        for first in itertools.islice(self.keys(), 1):  # adds the scores of the first pair, which can come from another file
             item = self.load([first])[0]
             digest.update(repr(item if isinstance(item, Fault) else item.scores is not None and item.scores.tobytes()).encode())
         return digest.hexdigest()

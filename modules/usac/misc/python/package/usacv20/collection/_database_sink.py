@@ -53,13 +53,14 @@ class DatabaseSink:
     settings -- settings that the results depend on; values are JSON values
     resume -- True: results of earlier runs with the same settings are kept. Raises CollectionError
     if the last run had other settings. If there was no run, a new run is started
-    keep -- True: rows of pairs that are not committed stay, no matter which program wrote them. If
-    neither `keep` nor `resume` is set, the first commit removes all old rows of two_view_geometries
+    keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them.
+    If `keep` is false and no run is resumed, the first commit removes all old rows of
+    two_view_geometries
 
-    A refused pair has a row without inliers, which shows COLMAP that the pair was examined. A fault
-    has no row. If two sinks write to one database, even in different processes, the sink that
-    started to write last continues. The other sink raises CollectionError at its next commit, which
-    then changes nothing."""
+    A refused pair has a row without inliers in two_view_geometries, which shows COLMAP that the pair
+    was examined. A fault has no row there. If two sinks write to one database, even in different
+    processes, the sink that started to write last continues. The other sink raises CollectionError
+    at its next commit, which then changes nothing."""
 
     def __init__(self, path: str, settings: typing.Mapping[str, Any], resume: bool = False, keep: bool = False) -> None:
         self.path = os.path.abspath(path)
@@ -95,8 +96,8 @@ class DatabaseSink:
         return self._resumed
 
     def done(self, key: Key) -> bool:
-        """Returns True if a pair needs no further work. Faults, which have no row, are not done,
-        because the database may have been repaired. Pairs that contradict other pairs are not done
+        """Returns True if a resumed run has no work left for a pair. Faults count as not done, because
+        the database may have been repaired. Pairs that contradict other pairs count as not done
         either, because new pairs may support them."""
         if not self._resumed:
             return False
@@ -112,7 +113,7 @@ class DatabaseSink:
             self._transaction(lambda: self._write(results))
 
     def edges(self) -> List[Edge]:
-        """Returns the accepted pairs of this run and of the runs that it continues."""
+        """Returns the accepted pairs with known rotations, of this run and of the runs that it continues."""
         runs = ", ".join(filter(None, [self._same, "" if self._run is None else str(self._run)]))
         with explained(self.path):
             if not runs or not columns(self._connection, PAIRS):
@@ -123,8 +124,8 @@ class DatabaseSink:
                         "AND run_id IN ({})".format(PAIRS, runs))]
 
     def refuse(self, pairs: typing.Mapping[Key, str]) -> int:
-        """Refuses committed pairs for the given reasons. Returns the number of these pairs that
-        were committed by this run."""
+        """Refuses committed pairs for the given reasons. Returns how many of these pairs were
+        accepted by this run."""
         def own() -> int:
             kept = self._connection.execute("SELECT count(*) FROM {} WHERE run_id = ? AND inliers > 0".format(PAIRS), (self._run,))
             return int(kept.fetchone()[0])
@@ -253,11 +254,11 @@ class DatabaseSink:
         self._connection.execute("UPDATE {} SET state = ?, updated = ? WHERE run_id = ?".format(RUNS), (state, _now(), self._run))
 
     def _row(self, result: TwoView) -> Tuple[Any, ...]:
-        """Returns the row of a result. NULL stands for an unknown matrix: COLMAP 4 would read zeros
+        """Returns the row of a result. An unknown matrix is stored as NULL: COLMAP 4 would read zeros
         as a pose; COLMAP 3.8 writes zeros, but also reads NULL. The motion of a PLANAR pair is one
-        of two possible motions and is not written: COLMAP 4's global mapper would use it as the
-        true motion, but determines it from other pairs if no motion is stored (AUC at 1 degree of
-        20 synthetic images: 0.957 without the motion, 0.627 with it)."""
+        of two possible motions and is not written: COLMAP 4's global mapper would use a stored
+        motion as the true one, but determines the motion from other pairs if none is stored (AUC at
+        1 degree of 20 synthetic images: 0.957 without the motion, 0.627 with it)."""
         count = len(result.inliers)
         motion = (None, None) if result.configuration == Configuration.PLANAR else (result.quaternion, result.translation)
         given = {"F": result.F, "E": result.E, "H": result.H, "qvec": motion[0], "tvec": motion[1]}

@@ -37,9 +37,9 @@ class Summary:
     def __init__(self) -> None:
         self.pairs = 0  # number of results stored by this run, including faults
         self.skipped = 0  # number of pairs stored by an earlier run
-        self.refused = 0  # number of refused pairs, for which no model was accepted
+        self.refused = 0  # number of refused pairs: no model was accepted, or the pair contradicts other pairs
         self.contradicted = 0  # number of pairs in the whole table that were refused because they contradict other pairs
-        self.faults = 0  # number of pairs that cannot be read
+        self.faults = 0  # number of pairs that cannot be read, or whose estimation raised an exception
         self.interrupted = False
         self.threshold = float("nan")  # pixels
         self.reading = self.estimating = self.writing = self.elapsed = 0.0
@@ -159,8 +159,8 @@ class _Run:
                 future.cancel()
 
     def _finished(self) -> List[Future]:
-        """Waits for finished chunks and returns all of them at once, because a single commit is
-        cheaper than many commits."""
+        """Waits up to _POLL seconds for a finished chunk and returns all finished chunks, because a
+        single commit is cheaper than many commits."""
         futures: List[Future] = []
         with contextlib.suppress(queue.Empty):
             while len(futures) < len(self.pending):
@@ -211,7 +211,7 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
     progress -- whether a progress bar is shown: True, False or None, see Progress
 
     Returns the summary. If Ctrl-C or SIGTERM interrupts the run, the chunks in progress are first
-    finished and stored. The sink stays open. An exception of a worker is raised after the results
+    finished and stored. The sink is not closed. An exception of a worker is raised after the results
     of the other workers are stored."""
     bar = Progress(len(source), progress)
     try:

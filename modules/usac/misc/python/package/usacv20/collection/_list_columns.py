@@ -5,7 +5,8 @@
 """Results of the command `pairs` as arrays in an NPZ or HDF5 file, written and read in blocks.
 
 For N pairs in the order of their names:
-- names: N texts; images: N x 2 texts, empty if the names of the images are unknown
+- names: N texts; images: N x 2 texts, empty for pairs whose image names are unknown; without such
+  names in any pair, the array is missing
 - configurations: N numbers of COLMAP, see Configuration; matches, iterations, chances,
   milliseconds: N numbers each, see TwoView
 - F, E, H: N x 3 x 3, quaternions: N x 4, translations: N x 3; NaN: not estimated or not found
@@ -84,7 +85,7 @@ class _Hdf5Writer:
 
 
 def check(path: str) -> None:
-    """Raises CollectionError if h5py is needed and missing."""
+    """Raises CollectionError if a file at this path needs h5py, and h5py is missing."""
     if not path.lower().endswith(".npz"):
         useH5py()
 

@@ -24,15 +24,15 @@ if TYPE_CHECKING:
     _Points = npt.NDArray[np.float64]
     _Get = Callable[[str], Optional[_Array]]  # returns the array of a name, or None if there is none
 
-# Names of the arrays with the points of image 1 and of image 2. With the names of keypoints, there
-# may also be an array of matches (MATCHES).
+# Names of the arrays with the points of image 1 and of image 2. If these names begin with
+# `keypoints`, there can also be an array of matches (MATCHES).
 POINTS = (("points1", "points2"), ("mkpts0", "mkpts1"), ("keypoints0", "keypoints1"), ("keypoints1", "keypoints2"))
 MATCHES = ("matches0", "matches")
 SCORES = (("scores", True), ("matching_scores0", True), ("matching_scores", True), ("match_confidence", True),
           ("confidence", True), ("mconf", True), ("ratios", False))  # True: higher is better
 SIZES = ("size", "image_size")
 # Exceptions of NumPy for a file that is not a valid NPZ file. MemoryError is one of them, because a
-# damaged header may state any size.
+# damaged header can state any size.
 UNREADABLE: Any = (OSError, ValueError, EOFError, KeyError, MemoryError, NotImplementedError, zipfile.BadZipFile, zlib.error)
 # COLMAP's guess for an unknown focal length, as a multiple of the larger side of the image
 # (default_focal_length_factor).
@@ -196,8 +196,8 @@ def _sides(key: Key) -> Tuple[str, str]:
 
 
 def _rowByRow(lines: List[str]) -> _Points:
-    """Parses the lines of a .corr file. This is slower than numpy.loadtxt, but each line may have a
-    score or not, and error messages name the line."""
+    """Parses the lines of a .corr file. This is slower than numpy.loadtxt, but allows lines with and
+    without a score, and error messages name the line."""
     rows: List[List[float]] = []
     for number, line in enumerate(lines, 1):
         try:

@@ -53,9 +53,9 @@ def _isGroup(item: Any) -> bool:
 
 
 def _groups(h5py: Any, group: Any, path: str = "") -> typing.Iterator[str]:
-    """Yields the paths of the groups that contain arrays, sorted by name. Subgroups of such a group
-    are ignored. `group` belongs to h5py's low-level interface, because the high-level interface is
-    three times slower."""
+    """Yields the paths of the groups whose first member is an array, sorted by name. Subgroups of such
+    a group are ignored. `group` belongs to h5py's low-level interface, because the high-level
+    interface is three times slower."""
     first = next(iter(group), None)
     if first is None:
         return
@@ -91,8 +91,9 @@ class Groups:
         return [self._path]
 
     def group(self, name: str) -> Any:
-        """Returns the group with this name, or the file itself if the name is empty or the file has
-        a single pair. Raises CollectionError if there is no such group."""
+        """Returns the group with this name. Returns the file itself if the name is empty, or if there
+        is no such group and the name is that of the file (a file with a single pair). Raises
+        CollectionError if there is no such group and the name is a different one."""
         try:
             item = self._file[name] if name else self._file
         except _DAMAGED:
@@ -138,7 +139,7 @@ class _Features:
     def __init__(self, path: str) -> None:
         self._groups = Groups(path)
         self.path = path
-        self._image: Dict[str, Optional[str]] = {}  # name with `-` instead of `/`: name of the image; None: ambiguous
+        self._image: Dict[str, Optional[str]] = {}  # from the name with `-` instead of `/` to the name of the image; None: ambiguous
         for name in self._groups.paths():
             dashed = name.replace("/", "-")
             self._image[dashed] = None if dashed in self._image else name

@@ -53,8 +53,8 @@ def settingsText(run: typing.Mapping[str, object]) -> str:
 
 
 def storedSettings(path: str) -> Optional[Dict[str, Any]]:
-    """Returns the settings of the run that wrote OUTPUT.part or, if that does not exist, the file;
-    None if neither exists, or if the settings cannot be read."""
+    """Returns the settings of the run that wrote OUTPUT.part or, if that does not exist, OUTPUT;
+    `path` is OUTPUT. Returns None if neither file exists, or if the settings cannot be read."""
     for name in (path + ".part", path):
         if not os.path.isfile(name):
             continue
@@ -150,8 +150,8 @@ class SqliteSink:
                 raise
 
     def close(self, finished: bool = True) -> None:
-        """Closes the database. `finished` has no effect: the table is the same if some pairs are
-        not done."""
+        """Closes the database. `finished` has no effect, because a table that lacks some pairs needs
+        no special treatment."""
         if self._connection is not None:
             self._connection.close()
             self._connection = None
@@ -212,9 +212,9 @@ class ArraySink:
 
 def openResults(path: str, source: _ListSource, run: typing.Mapping[str, object],
                 resume: bool = False) -> Union[SqliteSink, ArraySink]:
-    """Returns the sink for a file, chosen by the extension of its name. `run` contains everything
-    that results depend on, except for the pairs: the settings. --resume continues a run only if
-    `run` is the same. Raises CollectionError if the file cannot be used."""
+    """Returns the sink for a file, chosen by the extension of its name. `run` contains the settings,
+    that is, everything other than the pairs that results depend on. `resume` continues a run only if
+    that run had the same settings. Raises CollectionError if the file cannot be used."""
     checkExtension(path)
     if _extension(path) in ARRAYS:
         return ArraySink(path, source, run, resume)
@@ -234,8 +234,8 @@ def checkExtension(path: str) -> None:
 
 
 def readResults(path: str) -> typing.Iterator[TwoView]:
-    """Yields the results of the command `pairs` in the order of their names, from its SQLite, NPZ
-    or HDF5 file, or from OUTPUT.part of an interrupted run. Raises CollectionError if the file is
+    """Yields the results of the command `pairs` in the order of the names of the pairs, from its
+    SQLite, NPZ or HDF5 file, or from OUTPUT.part of an interrupted run. Raises CollectionError if the file is
     damaged or has no results."""
     try:
         with open(path, "rb") as file:

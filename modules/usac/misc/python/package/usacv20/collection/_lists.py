@@ -52,7 +52,7 @@ BATCH = 1 << 16  # number of folder entries that are sorted at once; their names
 
 
 class Container(typing.Protocol):
-    """The files of a LIST. ListSource opens them in each process."""
+    """The files of a LIST. ListSource opens them in each process that uses it."""
 
     def names(self) -> typing.Iterator[str]:
         """Yields the names of all pairs in a fixed order."""
@@ -71,8 +71,8 @@ class Container(typing.Protocol):
 
 
 def inOrder(entries: Callable[[], typing.Iterable[str]], batch: int) -> typing.Iterator[str]:
-    """Yields the distinct strings of `entries` in sorted order with only `batch` of them in memory:
-    each pass over the entries finds the next `batch` strings."""
+    """Yields the strings of `entries`, which must be distinct, in sorted order with only `batch`
+    strings in memory: each pass over the entries finds the next `batch` strings."""
     last = ""
     while True:
         found = heapq.nsmallest(batch, (entry for entry in entries() if entry > last))
@@ -103,7 +103,7 @@ class Folder:
     def __init__(self, path: str) -> None:
         self._path = path
         self._extension = ""
-        # All files are listed once, in any order. Files with different extensions are an error.
+        # All files are listed once, in any order, to find their extension, which must be the same.
         for file in self._walk("", self._scanned):
             extension = os.path.splitext(file)[1]
             self._extension = self._extension or extension
@@ -316,8 +316,8 @@ class ListSource:
         return self._container().images(str(key))
 
     def close(self) -> None:
-        """Closes the files that this process has opened; no thread may be using them. The next use
-        opens them again."""
+        """Closes the files that this process has opened; no thread must be using these files. The
+        next use opens them again."""
         if self._opened is not None and self._opened[0] == os.getpid():
             self._opened[1].close()
         self._opened = None

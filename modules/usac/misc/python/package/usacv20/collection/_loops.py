@@ -8,10 +8,11 @@ structure, which cannot be detected from a single pair.
 Matches between similar windows of different facades agree with a motion as correct matches do, and
 so do the scales and angles of their keypoints. But around a loop of images, the rotations of
 correct pairs multiply to the identity @cite zach2010disambiguating. Here a loop consists of the
-tested pair and a path of links between its two images. A link is a calibrated pair with at least
-`STRONGER` times as many inliers as the tested pair; wrong pairs have few inliers and are therefore
-rarely links. The links with the most inliers form a forest (a graph without loops), which contains
-at most one path between two images. If there is no path, the pair is accepted.
+tested pair and a path of links between its two images. A link is a pair with a single rotation
+(CALIBRATED or PANORAMIC) and with at least `STRONGER` times as many inliers as the tested pair. Wrong
+pairs have few inliers and are therefore rarely links. The links with the most inliers form a forest
+(a graph without loops), which contains at most one path between two images. If there is no path, the
+tested pair is accepted.
 
 Pairs are tested in descending order of their numbers of inliers while the forest grows, so that
 each pair is tested once."""
@@ -51,8 +52,8 @@ class Edge(typing.NamedTuple):
 
 
 def contradicted(edges: typing.Sequence[Edge]) -> Dict[Any, float]:
-    """Returns a dictionary from the keys of the contradicted edges to the rotation error of each in
-    degrees, the smallest over its possible rotations."""
+    """Returns a dictionary from the keys of the contradicted edges to their rotation errors in
+    degrees. If several rotations of an edge are possible, the smallest error counts."""
     order = sorted(edges, key=lambda edge: (-edge.inliers, edge.key))
     forest = _Forest()
     result: Dict[Any, float] = {}
@@ -70,9 +71,9 @@ def contradicted(edges: typing.Sequence[Edge]) -> Dict[Any, float]:
 
 
 class _Forest:
-    """The forest of links as a union-find structure. Each image stores its rotation relative to
-    another image of its tree; by following these references, one reaches a representative of the
-    tree."""
+    """The forest of links as a union-find structure. Each image except the representative of its tree
+    refers to another image of this tree and stores its rotation relative to that image; these
+    references lead to the representative."""
 
     def __init__(self) -> None:
         self._toward: Dict[typing.Hashable, Tuple[typing.Hashable, _Rotation]] = {}  # R_image = rotation R_other
@@ -118,7 +119,7 @@ class _Forest:
 
     def _find(self, image: typing.Hashable) -> Tuple[typing.Hashable, _Rotation]:
         """Returns the representative of the tree of an image, and the rotation of the image
-        relative to it. The number of steps is at most logarithmic in the number of images, because
+        relative to the representative. The number of steps is at most logarithmic in the number of images, because
         the smaller tree is always attached to the larger one."""
         rotation = _NONE
         while image in self._toward:

@@ -44,7 +44,7 @@ class View(typing.NamedTuple):
 
     name: str
     points: npt.NDArray[np.float64]  # M x 2, pixels, without distortion
-    taken: npt.NDArray[np.float64]  # M x 2, pixels of the original image; `points` itself if it has no distortion
+    taken: npt.NDArray[np.float64]  # M x 2, pixels of the original image; `points` itself if the image has no distortion
     matrix: npt.NDArray[np.float64]  # 3 x 3 camera matrix
     focalKnown: bool  # False: the focal length in `matrix` is a guess
     width: int  # pixels; 0: unknown
@@ -78,15 +78,16 @@ class TwoView(typing.NamedTuple):
     F: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
     E: Optional[npt.NDArray[np.float64]]  # 3 x 3, for normalized image planes; None: not estimated or not found
     H: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
-    quaternion: Optional[npt.NDArray[np.float64]]  # w, x, y, z: x2 ~ R x1 + t; None: unknown
-    translation: Optional[npt.NDArray[np.float64]]  # unit length; 0: pure rotation
+    quaternion: Optional[npt.NDArray[np.float64]]  # w, x, y, z: rotation R of the motion X2 = R X1 + t; None: unknown
+    translation: Optional[npt.NDArray[np.float64]]  # t, unit length; 0: pure rotation; None: unknown
     reason: str  # why the pair is refused or a fault, one line; empty: the pair is accepted
     matches: int  # number of matches of the pair
-    iterations: int  # number of samples drawn, without those for H among the inliers of E or F
-    chance: float  # Report.chance of the accepted model
+    iterations: int  # number of samples drawn, not counting those from which H was estimated among the inliers of E or F
+    chance: float  # Report.chance of the accepted model or, for a refused pair, of the best rejected model
     milliseconds: float
-    # k x 4, in the form of `quaternion`: the rotations compatible with the matches; if the matches
-    # are correct, one of them is the true rotation. None: the focal lengths are unknown.
+    # k x 4, in the form of `quaternion`: the k rotations compatible with the matches; if the matches
+    # are correct, one of the k rotations is the true one. None: unknown, for example because the
+    # focal lengths are unknown.
     rotations: Optional[npt.NDArray[np.float64]] = None
 
 

@@ -49,8 +49,8 @@ class Pictures:
         return figure
 
     def histograms(self, histograms: Dict[str, Any]) -> None:
-        """Draws the histograms in the summary of a report. All bars have equal width, although the
-        bins of larger values are wider."""
+        """Draws the histograms in the summary of a report. All bars have equal width, although in some
+        histograms the bins of larger values are wider."""
         for name, histogram in histograms.items():
             figure = self._new(8, 4.5)
             axes = figure.add_subplot()

@@ -9,12 +9,11 @@ It lists some pairs that should be checked, the first few of each kind:
 - refused pairs with the most matches,
 - verified pairs whose probability of being a chance result is at least a hundredth of the limit
   (Settings.significance), those with the largest probability first,
-- verified pairs with an inlier ratio below 0.2, those with the most inliers first; the reason may
-be
+- verified pairs with an inlier ratio below 0.2, those with the most inliers first; the reason may be
   repeated structure, or a moving part of the images,
-- pairs that are the only link between two parts of at least two images each, those of the largest
-  parts first. If such a pair is wrong, it joins unrelated parts of the reconstruction; if it were
-  missing, the reconstruction would fall apart."""
+- pairs that are the only link between two parts of at least two images each, sorted by the number of
+  images of the smaller part, in descending order. If such a pair is wrong, it joins unrelated parts
+  of the reconstruction; if it were missing, the reconstruction would fall apart."""
 
 from __future__ import annotations
 
@@ -32,7 +31,7 @@ from ._settings import Settings
 
 LOW_RATIO = 0.2  # verified pairs with a smaller inlier ratio are listed
 NEAR_LIMIT = 0.01  # verified pairs are listed if their chance is at least this fraction of the limit
-REASONS = 20  # maximum number of kinds of reasons that are listed
+REASONS = 20  # maximum number of listed reasons; reasons that differ only in numbers count as one
 QUANTILES = (0.5, 0.9, 1.0)
 _STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000)
 

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Presents results to the report as a single table. They come from a COLMAP database written by
+"""Presents results to the report as a single table. The results come from a COLMAP database written by
 this tool or by COLMAP alone, or from a database of the command `pairs`."""
 
 from __future__ import annotations
@@ -212,8 +212,8 @@ class Results:
             "SELECT COUNT(*) FROM matches WHERE pair_id NOT IN (SELECT pair_id FROM {})".format(table)))
 
     def changed(self) -> int:
-        """Returns the number of rows in COLMAP's table that differ from what this tool has written.
-        """
+        """Returns the number of rows in COLMAP's table that differ from what this tool has written;
+        0 if this tool has not written to the file."""
         if self.kind != OURS:
             return 0
         if not columns(self._connection, "two_view_geometries"):

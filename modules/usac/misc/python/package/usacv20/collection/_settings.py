@@ -32,7 +32,7 @@ class Settings:
     # limit may end a search for F before `confidence` is reached (see `reached`), but not a search
     # for E or H. This happens for pairs with at least 44 matches, if the inlier ratio is below 0.33
     # (with 60 matches) or 0.29 (with many matches). If the inlier ratio is 0.25, F is then found
-    # with a probability of at least 0.49 (60 matches), 0.86 (300 matches) or 0.91 (2000 matches).
+    # with a probability of about 0.49 (60 matches), 0.86 (300 matches) or 0.91 (2000 matches).
     maxIterations: int = 10000
     # Smallest expected inlier ratio. Pairs with a smaller ratio may be found, too, but with a
     # probability below `confidence`.
@@ -43,8 +43,8 @@ class Settings:
     seed: int = 0
     minInliers: int = 15  # minimum number of inliers of an accepted pair
     # Largest Report.chance of an accepted pair: at most this fraction of the pairs with random
-    # matches is accepted by mistake. The default is a hundredth of the limit for single estimations,
-    # because most pairs of a collection have no overlap.
+    # matches is accepted by mistake. The default is a hundredth of the usual limit for single
+    # estimations (0.01), because most pairs of a collection have no overlap.
     significance: float = 1e-4
     planarRatio: float = 0.8  # the pair is planar or panoramic if a homography has more than this fraction of the inliers
     calibrationRatio: float = 0.95  # the focal lengths are considered wrong if E has less than this fraction of F's inliers

@@ -13,13 +13,13 @@ sufficient.
    or a rotation leaves F undetermined, but not these errors, so H is not needed. Report.sigma is
    the standard deviation of accurately located matches, the core noise. Report.threshold is the
    error that a fraction `QUANTILE` of all correct matches does not exceed, including badly located
-   matches, which are 20 to 40 % of the matches in photographs. Divided by `IN_SIGMAS`, it is the
-   total noise.
-3. The noise of the collection is the median of the core noise over the pairs, multiplied by a ratio
-   of total noise to core noise. This ratio is exceeded by all except a fraction `FEW_PAIRS` of the
-   pairs. It is a low quantile, because in some pairs wrong matches close to correct matches
-   increase the ratio. All pairs have equal weight, because the noise differs between pairs by more
-   than the 5 % accuracy of an estimate from 200 matches.
+   matches, which are 20 to 40 % of the matches in photographs. Report.threshold divided by
+   `IN_SIGMAS` is called the total noise.
+3. The noise of the collection is the median of the core noise over the pairs, multiplied by the
+   `FEW_PAIRS` quantile over the pairs of the ratio of total noise to core noise. A low quantile is
+   used, because in some pairs wrong matches close to correct matches increase the ratio. All pairs
+   have equal weight, because the noise differs between pairs by more than the 5 % accuracy of an
+   estimate from 200 matches.
 
 The threshold is `IN_SIGMAS` times this noise, so that a fraction `QUANTILE` of the correct matches
 are inliers."""
@@ -56,7 +56,7 @@ QUANTILE = 0.95  # fraction of the correct matches within the threshold @cite ha
 IN_SIGMAS = 1.96  # threshold / standard deviation, if a fraction QUANTILE of normally distributed errors is within it
 
 WIDEST = 12.0  # largest plausible threshold in pixels: three times COLMAP's
-CONFIDENCE, ITERATIONS = 0.99, 500  # confidence and maximum number of samples; pairs that need more samples are left out
+CONFIDENCE, ITERATIONS = 0.99, 500  # confidence and maximum number of samples; pairs without a model after these are left out
 SIGNIFICANCE = 1e-4  # largest Report.chance of a pair that is used
 MOST = 1000  # maximum number of matches of a pair that are used
 
@@ -80,7 +80,7 @@ class ThresholdEstimate:
     threshold: float  # pixels, rounded to three digits, so that the printed value is equal to the used value
     sigma: float  # pixels, standard deviation of a coordinate for normal noise with the same QUANTILE
     spread: float  # half of the interquartile range over the pairs, relative to sigma
-    asked: int  # number of sampled pairs
+    asked: int  # number of pairs in the sample
     used: int  # number of pairs with an estimate of the noise
     ratios: Tuple[float, ...] = ()  # inlier ratios of the used pairs, sorted
 

@@ -36,7 +36,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     verify` does.
 
     path -- path of the database. Of COLMAP's tables, only two_view_geometries is written
-    output -- path of a copy that is made and written instead; with `resume` the copy may exist
+    output -- path of a copy that is made and written instead; with `resume` the copy can exist
     already
     threshold -- maximum error of an inlier in pixels. None: estimated from a sample of the pairs,
     or, with `resume`, that of the last run. With the method USACV20_AUTO each pair has its own
@@ -99,8 +99,8 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
            say: Say) -> Settings:
     """Returns the settings with a threshold.
 
-    source -- source of all pairs of the collection, so that the threshold does not depend on a
-    selection of pairs
+    source -- source of all pairs of the collection, even if only some pairs are verified, so that
+    the threshold does not depend on the selection
     threshold -- None: the threshold in `stored`, or else a threshold estimated from a sample of the
     pairs; with USACV20_AUTO each pair has its own threshold
     stored -- the settings of the run that is continued; None: no run is continued"""

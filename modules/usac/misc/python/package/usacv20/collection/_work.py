@@ -38,8 +38,8 @@ class Workers(typing.Protocol):
     """Base class of the workers, which process chunks."""
 
     def capacity(self) -> int:
-        """Returns the maximum number of chunks that may be submitted and not finished at the same
-        time."""
+        """Returns the maximum number of chunks that are submitted, but not finished, at the same time.
+        """
 
     def submit(self, keys: typing.Sequence[Key]) -> Future: ...
 
@@ -110,8 +110,8 @@ def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequ
     """Processes a chunk in another process.
 
     source -- the pickled source
-    fingerprint -- fingerprint of the source, which this process must find, too; None: the pairs are
-    in `items`
+    fingerprint -- fingerprint of the source, which must be the same in this process; None: the pairs
+    are in `items`
     items, reading -- the pickled pairs, and the number of seconds that reading them took; items
     None: this process reads the pairs itself"""
     if items is not None:
@@ -126,8 +126,8 @@ def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequ
 
 
 def fingerprintOf(source: bytes) -> str:
-    """Returns Source.fingerprint in another process, or the error message if it cannot be computed.
-    """
+    """Returns the fingerprint of a pickled source as this process (a worker) sees it, or the error message if the fingerprint
+    cannot be computed."""
     try:
         return unpickled(source).fingerprint()
     except Exception as error:
