@@ -8,7 +8,7 @@
 #ifdef HAVE_OPENCV_USAC
 
 //! Makes "cv2.usacv20.Report(cost=0.25, degenerate=False, ...)" from all attributes of an object
-//! except methods.
+//! except methods and names that begin with an underscore.
 static PyObject* pyopencv_usacv20_repr(PyObject* self, const char* type)
 {
     PySafeObject names(PyObject_Dir(self));
@@ -43,7 +43,8 @@ static PyObject* pyopencv_usacv20_Report_fields(PyObject* self)
     return pyopencv_usacv20_repr(self, "Report");
 }
 
-// OpenCV's macros after this file register pyopencv_<class>_repr as __repr__.
+// OpenCV's macros, which are used after this file, register pyopencv_<class>_repr as __repr__. Here
+// this name is replaced with that of the function above.
 #define pyopencv_usacv20_Params_repr pyopencv_usacv20_Params_fields
 #define pyopencv_usacv20_Report_repr pyopencv_usacv20_Report_fields
 

@@ -17,8 +17,8 @@
 namespace cv {
 
 #ifdef OPENCV_BINDING_PARSER
-// The generator would name the enumerators of an enum class cv2.UsacV20Method_USACV20 and so on. It
-// takes the names from here instead; the generated code uses the constants of params.hpp.
+// The generator would name the enumerators of an enum class cv2.UsacV20Method_USACV20 and so on.
+// Therefore it reads this enum instead; the generated code uses the constants of params.hpp.
 enum UsacV20Method {
     USACV20 = 0x4000,
     USACV20_FAST = 0x4001,
@@ -34,14 +34,14 @@ namespace usacv20 {
 
 /** @brief Used by usacv20.progress in Python: lets another thread observe runs and stop them.
 
-OpenCV's generator cannot bind functions as arguments. So the threads that run estimations call
-enter() and leave(), and the waiting thread calls the other functions. */
+OpenCV's generator cannot bind functions as arguments. Therefore the threads that run estimations
+call enter() and leave(), and the thread that waits for them calls the other functions. */
 class CV_EXPORTS_W RunControl
 {
 public:
     CV_WRAP RunControl() : stopped(false) {}
 
-    //! Applies to the runs of the calling thread until it calls leave().
+    //! From now on, this object observes the runs of the calling thread, until it calls leave().
     CV_WRAP void enter()
     {
         std::unique_ptr<ProgressScope> scope(new ProgressScope([this](const Report& report) {
@@ -59,11 +59,11 @@ public:
         scopes.erase(std::this_thread::get_id());
     }
 
-    //! Stops all runs; they return the best model so far.
+    //! Stops all observed runs; they return the best model so far.
     CV_WRAP void cancel() { stopped = true; }
     CV_WRAP bool cancelled() const { return stopped; }
 
-    //! The report of the run that has last reported its progress; an empty report before that.
+    //! The report of the run that has last reported its progress; an empty report if none has.
     CV_WRAP Report report() const
     {
         const std::lock_guard<std::mutex> lock(mutex);
@@ -77,8 +77,8 @@ private:
     std::atomic<bool> stopped;
 };
 
-/** @brief #estimateBatch for OpenCV's generator, which cannot bind lists of classes as arguments or
-results. Tasks are added, and results fetched, one by one. */
+/** @brief #estimateBatch for OpenCV's generator, which cannot bind lists of objects as arguments or
+results. Tasks are added, and results are fetched, one by one. */
 class CV_EXPORTS_W Batch
 {
 public:
@@ -111,8 +111,9 @@ private:
 };
 
 // The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in place of the flag. In
-// C++ they exist only in the namespace cv: a second set would make calls ambiguous after `using
-// namespace cv`, as the class Params adds the namespace cv::usacv20 to the lookup.
+// C++ they exist only in the namespace cv. The same functions in cv::usacv20 would make calls
+// ambiguous after `using namespace cv`, because an argument of the class Params adds the namespace
+// cv::usacv20 to the lookup.
 
 //! @overload
 CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,
@@ -153,7 +154,8 @@ CV_EXPORTS_W inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2
 }
 
 //! @overload
-// `params` must be last, as in OpenCV's function, and therefore needs a default.
+// In Python, `params` must be the last argument, as in OpenCV's function. Therefore it has a default:
+// the generator moves arguments without a default before the outputs, which are optional.
 CV_EXPORTS_W inline bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
                                         InputOutputArray cameraMatrix, InputArray distCoeffs,
                                         OutputArray rvec, OutputArray tvec, OutputArray inliers,

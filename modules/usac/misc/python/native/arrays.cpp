@@ -10,7 +10,7 @@ namespace python {
 
 namespace {
 
-//! One more than the largest number of dimensions of a cv::Mat.
+//! Arrays with this number of dimensions or more are refused, as in cv2.
 constexpr int TOO_MANY = 32;
 
 //! The depth of a cv::Mat with elements of this type; -1 if there is none.
@@ -27,8 +27,8 @@ int depthOf(const py::dtype& type)
     }
 }
 
-//! True if a cv::Mat can have this memory layout: the last `solid` dimensions have no gaps, and
-//! strides do not increase towards the last dimension.
+//! True if a cv::Mat can have this memory layout: the last `solid` dimensions have no gaps. Each
+//! other stride is a multiple of the element size and at least the extent of the next dimension.
 bool fits(const py::array& array, int solid)
 {
     py::ssize_t gapless = array.itemsize(), least = gapless;
@@ -89,8 +89,8 @@ ArrayMat::ArrayMat(const py::object& given, const char* name)
         matrix = Mat((int)sizes.size(), sizes.data(), type);
         return;
     }
-    // NumPy's strides of dimensions of size 1 are arbitrary. They are replaced by the strides that
-    // a cv::Mat has.
+    // NumPy's strides of dimensions of size 1 are arbitrary. They are replaced with the strides
+    // that a cv::Mat has.
     size_t step = CV_ELEM_SIZE(type);
     steps.resize(sizes.size(), step);
     for (size_t i = sizes.size(); i-- > 0; step = steps[i] * sizes[i])

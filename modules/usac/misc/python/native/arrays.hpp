@@ -11,17 +11,18 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief A cv::Mat of a NumPy array in the form that cv2 gives it: rows and columns; a third
+/** @brief A NumPy array as a cv::Mat of the same form as in cv2: rows and columns; a third
 dimension becomes the channels. The matrix shares the array's memory if a cv::Mat can have its
-layout; otherwise it is a copy. The array must have a type of numbers that cv::Mat has, in native
-byte order. */
+layout; otherwise the matrix is a copy. The array must have a number type of cv::Mat, except 16-bit
+floats, in native byte order. */
 class ArrayMat
 {
 public:
     //! None gives an empty matrix. @param name name of the argument, for messages
     ArrayMat(const py::object& array, const char* name);
 
-    //! The matrix. It is valid while this object lives and nobody changes the array.
+    //! The matrix, which is valid only during the lifetime of this object. If it shares the array's
+    //! memory, changes of the array also change the matrix.
     const Mat& mat() const { return matrix; }
     //! A copy of the matrix, for use without the interpreter's lock.
     Mat own() const { return matrix.clone(); }
@@ -37,7 +38,7 @@ inline Mat own(const py::handle& array, const char* name)
     return ArrayMat(py::reinterpret_borrow<py::object>(array), name).own();
 }
 
-//! A NumPy array with a copy of the matrix; None if it is empty.
+//! A NumPy array with a copy of the matrix; None if the matrix is empty.
 py::object arrayOf(const Mat& mat);
 
 }  // namespace python

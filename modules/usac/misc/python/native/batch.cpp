@@ -9,8 +9,8 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-//! The entry for a task in a list that has an entry for each task or one entry for all tasks;
-//! `None` if the list is empty.
+//! The entry for a task in a list that has an entry for each task, or one entry for all tasks.
+//! Returns `None` if the list is empty.
 static py::object entryOf(const py::list& list, size_t task)
 {
     if (list.empty())
@@ -19,7 +19,7 @@ static py::object entryOf(const py::list& list, size_t task)
 }
 
 /** Makes many estimations of one problem. Arrays and options are copied while the interpreter's
-lock is held, so other threads may change them during the run, which does not hold the lock.
+lock is held. The run does not hold the lock; other threads can then change the originals.
 @return for each task (model, mask, report, error message or empty string) */
 static py::list estimateBatch(int problem, const py::list& points1, const py::list& points2,
                               const py::list& params, const py::list& cameraMatrices1,

@@ -12,8 +12,8 @@ namespace usacv20 {
 namespace python {
 
 //! The fields of the package's class Correspondences; all arrays are copies. `scores` is
-//! Params::scores as the caller has given it: Correspondences stores it negated if higher is
-//! better.
+//! Params::scores as given by the caller; it is passed separately, because Correspondences::scores
+//! is negated if higher scores are better.
 py::tuple fieldsOf(const Correspondences& points, int sampleSize, const std::vector<float>& scores);
 
 }  // namespace python

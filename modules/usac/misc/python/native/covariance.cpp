@@ -5,7 +5,7 @@
 #include "arrays.hpp"
 #include "native.hpp"
 
-// Functions for the covariance of a model. They are fast and keep the interpreter's lock.
+// Functions for the covariance of a model. They hold the interpreter's lock, because they are fast.
 
 namespace cv {
 namespace usacv20 {

@@ -8,7 +8,7 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-//! Raises the exception of the Python package, with the attributes of cv2.error.
+//! Raises usacv20.error in Python, with the attributes that cv2.error has.
 static void raise(const cv::Exception& exception)
 {
     try

@@ -10,8 +10,8 @@ namespace usacv20 {
 namespace python {
 
 /** Estimates the model of any problem. Arrays and options are copied while the interpreter's lock
-is held, so other threads may change them during the run, including its preparation, which does not
-hold the lock. */
+is held. The run, including its preparation, does not hold the lock; other threads can then change
+the originals. */
 static py::tuple estimate(int problem, const py::object& points1, const py::object& points2,
                           const Params& params, const py::object& cameraMatrix1,
                           const py::object& cameraMatrix2, const py::object& distCoeffs1,

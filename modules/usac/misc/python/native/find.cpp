@@ -14,8 +14,8 @@ namespace python {
 
 namespace {
 
-//! Calls a function that writes a mask, without the interpreter's lock. @return its result and the
-//! mask
+//! Calls a function that returns a model and writes a mask, without the interpreter's lock.
+//! @return the model and the mask
 template <class Function>
 py::tuple unlocked(const Function& find)
 {

@@ -6,8 +6,8 @@
 
 namespace {
 
-//! Raises ImportError if the extension was built with a pybind11 before 2.12 and runs with NumPy 2,
-//! which changed the memory layout of array types.
+//! Raises ImportError if the extension was built with a pybind11 before 2.12, but runs with NumPy 2
+//! or later, in which the memory layout of type descriptors is different.
 void checkNumPy()
 {
 #if PYBIND11_VERSION_HEX < 0x020C0000

@@ -11,7 +11,7 @@ namespace python {
 
 namespace {
 
-//! Adds each field as a property. Fields that are lists become arrays, which are copies.
+//! Adds each field as a property. The value of a field that is a list is an array with a copy.
 struct FieldAdder
 {
     py::class_<Params>& type;

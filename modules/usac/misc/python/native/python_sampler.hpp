@@ -11,8 +11,8 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief A sampler that calls a Python object of the package's class Sampler. Its methods take the
-interpreter's lock. A Python exception passes through the search as py::error_already_set and
+/** @brief A sampler that calls a Python object of the package's class Sampler. The methods acquire
+the interpreter's lock. A Python exception passes through the search as py::error_already_set and
 reaches the caller unchanged. */
 class PythonSampler : public Sampler
 {
@@ -24,7 +24,8 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE;
 
 private:
-    //! `rng` is a Python object that passes the generator of the current iteration.
+    //! `rng` is the Python object with which Python code uses the random number generator of the
+    //! current iteration.
     py::object sampler, rng;
     int sampleSize;
 };

@@ -11,8 +11,9 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief A score that calls a Python object of the package's class Score. Several threads may call
-it at once; each takes the interpreter's lock. Exceptions are passed on as in PythonSampler. */
+/** @brief A score that calls a Python object of the package's class Score. Several threads can call
+accumulate() at the same time; each call acquires the interpreter's lock. Exceptions are passed on
+as in PythonSampler. */
 class PythonScore : public Score
 {
 public:

@@ -15,7 +15,8 @@ namespace python {
 
 namespace {
 
-//! Sets a flag during its lifetime. It must be destroyed with the interpreter's lock held.
+//! Sets a flag during the lifetime of an object, which must be destroyed while the interpreter's
+//! lock is held.
 class Running
 {
 public:
@@ -59,8 +60,8 @@ void PythonUsac::build(const Mat& points1, const Mat& points2, const Params& opt
     second = points2;
 }
 
-//! Refuses changes during a run: the object must be used by one thread at a time, and a component
-//! must not change the estimator that calls it.
+//! Raises cv::Exception during a run: the object must be used by one thread at a time, and a
+//! component must not change the estimator that calls it.
 void PythonUsac::checkIdle(const char* what) const
 {
     if (running)

@@ -20,16 +20,16 @@ public:
                const py::object& cameraMatrix2, const py::object& distCoeffs1,
                const py::object& distCoeffs2);
 
-    //! None restores the component that the options choose.
+    //! Replaces a component; None restores the component that the options select.
     void setSampler(const py::object& sampler);
     void setScore(const py::object& score);
     void setPoints(const py::object& points1, const py::object& points2);
-    //! Sets other options, and other points unless they are None. Components in Python are kept. If
-    //! an argument is wrong, nothing changes.
+    //! Sets other options, and other points unless they are None. Components written in Python are
+    //! kept. If an argument is wrong, an exception is raised and nothing changes.
     void renew(const py::object& points1, const py::object& points2, const Params& params);
     py::tuple points() const;
-    //! Runs without the interpreter's lock; components in Python take it when they are called.
-    //! @return model, mask, report
+    //! Runs without the interpreter's lock; components written in Python acquire the lock when they
+    //! are called. @return model, mask, report
     py::tuple run();
 
 private:
@@ -41,9 +41,9 @@ private:
     Mat first, second;  //!< points, kept for renew()
     Params params;
     Ptr<Usac> usac;
-    Ptr<Sampler> ownSampler;  //!< components chosen by the options
-    Ptr<Score> ownScore;
-    bool running;  //!< guarded by the interpreter's lock
+    Ptr<Sampler> ownSampler;  //!< sampler that the options select
+    Ptr<Score> ownScore;      //!< score that the options select
+    bool running;             //!< read and written only while the interpreter's lock is held
 };
 
 }  // namespace python

@@ -21,8 +21,8 @@ Size sizeOf(const py::handle& size)
 }
 
 //! Converts a tuple (points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2,
-//! imageSize1, imageSize2, taken1, taken2, scores) of arrays, of which all except the points may be
-//! None.
+//! imageSize1, imageSize2, taken1, taken2, scores). All are arrays, except the sizes, which are
+//! pairs of integers; all except the points can be None.
 TwoViewPair pairOf(const py::tuple& given)
 {
     TwoViewPair pair;
@@ -67,8 +67,8 @@ py::tuple one(const py::tuple& given, const Params& params, const TwoViewRules& 
     return tupleOf(found);
 }
 
-//! Arrays and options are copied while the interpreter's lock is held, so other threads may change
-//! them during the run.
+//! Arrays and options are copied while the interpreter's lock is held. The run does not hold the
+//! lock; other threads can then change the originals.
 py::list many(const py::list& given, const Params& params, const TwoViewRules& rules, int threads)
 {
     std::vector<TwoViewPair> pairs;

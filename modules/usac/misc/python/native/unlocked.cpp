@@ -11,8 +11,8 @@ namespace python {
 
 namespace {
 
-//! Milliseconds between two checks for signals. While other Python threads run, taking the lock may
-//! need up to 5 ms.
+//! Minimum number of milliseconds between two checks for signals. The checks are rare, because
+//! acquiring the interpreter's lock can take 5 ms if other Python threads run.
 constexpr double PERIOD = 50;
 
 bool isMainThread()
@@ -21,7 +21,8 @@ bool isMainThread()
     return threading.attr("main_thread")().is(threading.attr("current_thread")());
 }
 
-//! Asks Python, at intervals of at least PERIOD, whether a signal has arrived.
+//! Lets Python handle signals, at intervals of at least PERIOD. Throws the exception of a signal
+//! handler.
 class Signals
 {
 public:
@@ -42,8 +43,8 @@ private:
     int64 looked;
 };
 
-/** The context manager behind usacv20.progress. It applies to the thread that enters it, until that
-thread leaves it. */
+/** The implementation of the context manager usacv20.progress, which applies to the thread that
+calls enter(), until this thread calls leave(). */
 class PythonProgress
 {
 public:

@@ -12,12 +12,11 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief While it exists, the interpreter's lock is released, and estimations of the thread can be
-interrupted.
+/** @brief While an object exists, the interpreter's lock is released. In the main thread, where
+Python handles signals, estimations can then be interrupted.
 
-In the main thread, where Python handles signals, it checks for signals regularly. An exception of a
-signal handler, such as KeyboardInterrupt, passes through the estimation as py::error_already_set.
- */
+Estimations of the main thread check for signals regularly. An exception of a signal handler, such
+as KeyboardInterrupt, passes through the estimation as py::error_already_set. */
 class Unlocked
 {
 public:

@@ -139,7 +139,7 @@ class _Features:
     def __init__(self, path: str) -> None:
         self._groups = Groups(path)
         self.path = path
-        self._image: Dict[str, Optional[str]] = {}  # from the name with `-` instead of `/` to the name of the image; None: ambiguous
+        self._image: Dict[str, Optional[str]] = {}  # names of images by their form with `-` instead of `/`; None: ambiguous
         for name in self._groups.paths():
             dashed = name.replace("/", "-")
             self._image[dashed] = None if dashed in self._image else name

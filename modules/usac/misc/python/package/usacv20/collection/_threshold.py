@@ -15,8 +15,8 @@ sufficient.
    error that a fraction `QUANTILE` of all correct matches does not exceed, including badly located
    matches, which are 20 to 40 % of the matches in photographs. Report.threshold divided by
    `IN_SIGMAS` is called the total noise.
-3. The noise of the collection is the median of the core noise over the pairs, multiplied by the
-   `FEW_PAIRS` quantile over the pairs of the ratio of total noise to core noise. A low quantile is
+3. The noise of the collection is the product of two statistics of the pairs: the median of the core
+   noise, and the quantile `FEW_PAIRS` of the ratio of total noise to core noise. A low quantile is
    used, because in some pairs wrong matches close to correct matches increase the ratio. All pairs
    have equal weight, because the noise differs between pairs by more than the 5 % accuracy of an
    estimate from 200 matches.
