@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 #
-# Checks rules of the sources that a compiler does not check. Prints violations; the last line is "<N> passed, <M> failed",
-# counted in rules.
+# Checks rules for the sources that a compiler does not check. Prints violations; the last line is
+# "<N> passed, <M> failed", the numbers of rules.
 # Usage: check_sources.sh [PROJECT]
 
 set -u
@@ -12,7 +12,8 @@ cd "${1:-$(dirname "$0")/../../..}" || exit 1
 src=modules/usac/src
 mistakes=$(mktemp)
 passed=0 failed=0
-# Each line of the file $mistakes is a violation of the rule described by $1.
+# Counts a rule as failed if the file $mistakes is not empty. Each line of this file is a violation;
+# $1 describes the violations.
 report()
 {
     if [ -s "$mistakes" ]; then
@@ -28,9 +29,9 @@ types=$(sed -nE 's/^USACV20_PROBLEM\((\w+),.*/\1/p' "$src/problems/registry.inl.
 grep -rnE '\bproblem(Type)?\b *(==|!=)|\[[A-Za-z_.>()-]*\bproblem(Type)?\]|switch *\([A-Za-z_.>-]*\bproblem(Type)?\)|case ('"$types"')\b' \
     --include='*.[ch]pp' "$src" | grep -v "^$src/problems/" > "$mistakes"
 report "compares or counts problems outside $src/problems"
-# A new problem must need only its folder, a row of the table and its declarations; a script writes
-# the Python part. The check covers problems for which no function of OpenCV takes a flag. The other
-# problems are also named in find*.cpp.
+# Adding a problem must require only a folder, a row of the table of problems and the declarations; a
+# script writes the Python part. The check covers problems for which no function of OpenCV accepts a
+# flag; the other problems are also named in find*.cpp.
 python=modules/usac/misc/python
 grep -oE '^USACV20_PROBLEM\(\w+, \w+, \w+, (IMAGES|SPACES)' "$src/problems/registry.inl.hpp" | tr -d ' ' | tr '(' ',' | while IFS=, read -r _ type name plural _; do
     case $type in HOMOGRAPHY|FUNDAMENTAL|AFFINITY|SIMILARITY) continue ;; esac
@@ -65,13 +66,15 @@ grep -noE '\brun: .*' .github/workflows/*.yml | sed -E 's/run: (sh )?//' | while
     [ -f "${command%% *}" ] || echo "$workflow:$line: ${command%% *}"
 done >> "$mistakes"
 report "links and scripts of workflows that are not there"
-# Folders that $src does not have: contracts (tests with arbitrary input), fuzz (the fuzzer and its
-# stored inputs), runs (tests of whole estimations), support (scenes, oracles and other shared code)
+# Each folder of the tests must also exist in $src, except contracts (tests with arbitrary input), fuzz
+# (the fuzzer and its stored inputs), runs (tests of whole estimations), and support (scenes, oracles
+# and other shared code).
 (cd modules/usac/test && find . -mindepth 1 -type d | sed 's|^\./||') | grep -vE '^(contracts|fuzz|runs|support)$' | while read -r dir; do
     [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"
 done > "$mistakes"
 report "folders of the tests that $src does not have"
-# A folder may include only files of folders on the lines above it, not of folders on its own line.
+# Apart from its own files, a folder is allowed to include only files of folders on the lines above
+# it, not of other folders on its line.
 layers='numeric
 control
 components

@@ -2,14 +2,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Functions and variables of run_tests.sh, sanitize.sh and matrix.sh: installing packages, OpenCV's
-# source and build, and counting tests.
+# Functions and variables that run_tests.sh, sanitize.sh and matrix.sh share: they install packages,
+# fetch and configure OpenCV's source, and count tests.
 
 project=$(cd "$(dirname "$0")/../../.." && pwd)
 module=$project/modules/usac
 work=${USAC_BUILD_DIR:-${TMPDIR:-/tmp}/opencv_usac}
-# On Debian 11 and 12 the source is OpenCV 4.10 of trixie, the newest OpenCV 4 in Debian. Other
-# systems use their own source package.
+# On Debian 11 and 12, the source is OpenCV 4.10 of the suite trixie, the newest OpenCV 4 in Debian.
+# On other systems, it is the system's own source package.
 case $(. /etc/os-release && echo "${ID:-}-${VERSION_ID:-}") in debian-11 | debian-12) default_suite=trixie ;; *) default_suite= ;; esac
 suite=${OPENCV_SUITE:-$default_suite}
 source=${OPENCV_SOURCE_DIR:-$work/opencv${suite:+-$suite}}
@@ -20,10 +20,10 @@ packages="g++ cmake ninja-build ccache pkg-config xz-utils python3-dev python3-n
     binutils dpkg-dev file doxygen texlive-binaries"
 mkdir -p "$work"
 export CMAKE_GENERATOR=Ninja CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-export CCACHE_SLOPPINESS=pch_defines,time_macros  # needed for precompiled headers
+export CCACHE_SLOPPINESS=pch_defines,time_macros  # without it, ccache does not store results with precompiled headers
 
-passed=0 failed=1  # nothing has been tested yet
-failures=  # lines of the logs that name them
+passed=0 failed=1  # an exit before the first test counts as a failure
+failures=  # lines of the logs that name the failed tests
 trap '[ -z "$failures" ] || echo "$failures"; echo "$passed passed, $failed failed"' EXIT
 
 as_root()
@@ -31,7 +31,7 @@ as_root()
     if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
 }
 
-install_packages() # more packages
+install_packages() # further packages
 {
     missing=
     for p in $packages "$@"; do
@@ -42,8 +42,8 @@ install_packages() # more packages
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 }
 
-# Fetches OpenCV's source package from the repository that provides libopencv-dev, or from the suite
-# in OPENCV_SUITE (trixie has OpenCV 4.10). The package lists and settings of the system are not
+# Fetches OpenCV's source package from the repository that provides libopencv-dev. If $suite is not
+# empty, this suite of the repository is used. The package lists and settings of the system are not
 # changed.
 fetch_opencv()
 {
@@ -72,9 +72,10 @@ fetch_opencv()
     rm "$work/$2"
 }
 
-# OpenCV 4.6 does not find Debian's cblas.h by itself, so the LAPACK libraries are named. The module
-# is compiled as in a release. OpenCV and the tests are compiled with little optimization and for
-# one instruction set, which halves the build time; their speed is not tested.
+# Configures OpenCV with the module. OpenCV 4.6 does not find Debian's cblas.h by itself, so the LAPACK
+# libraries are named. The module is compiled as in a release. OpenCV and the tests are compiled with
+# little optimization and for one instruction set, which halves the build time; their speed is not
+# tested.
 configure()
 {
     cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DUSAC_SOURCE_FLAGS=-O3 \
@@ -87,7 +88,7 @@ configure()
         -DWITH_OPENEXR=OFF -DWITH_JASPER=OFF -DWITH_OPENJPEG=OFF -DWITH_WEBP=OFF -DWITH_TIFF=OFF
 }
 
-# Processor time in seconds of the step that has just ended.
+# Prints the processor time in seconds of the step that has just ended.
 processor_seconds()
 {
     cat "$work/$name.before" "$work/$name.after" | tr 'ms' '  ' |
@@ -95,7 +96,7 @@ processor_seconds()
 }
 
 # Runs a command, shows its output, and adds the numbers of passed and failed tests that the
-# patterns find in it. A command that fails without a failed test, or that succeeds without any
+# patterns find in the output. A command that fails without a failed test, or that succeeds without any
 # test, counts as one failed test.
 run() # name, pattern of passed, pattern of failed, command
 {
@@ -136,7 +137,8 @@ in_shards() # program
     return $rc
 }
 
-# For python3 -c: runs all unit tests in those files of the current folder that match a pattern.
+# A program for python3 -c that runs all unit tests in the files of the current folder that match a
+# pattern, its first argument.
 run_unittests='
 import sys, unittest
 tests = unittest.defaultTestLoader.discover(".", sys.argv[1])
@@ -145,9 +147,9 @@ bad = len(result.failures) + len(result.errors) + len(result.unexpectedSuccesses
 print("%d passed, %d failed" % (max(result.testsRun - len(result.skipped) - bad, 0), bad))
 sys.exit(bad)'
 
-# Tests that are not run with sanitizers, valgrind and coverage. They measure a frequency over many
-# seeds, or time and memory of many calls, and other tests reach the same code. Each takes 20
-# seconds to 5 minutes with -O0.
+# Tests that are not run with slow builds (sanitizers, assertions, coverage, Debug, emulation). They
+# measure a frequency over many seeds, or time and memory of many calls, and other tests reach the
+# same code. Each takes 20 seconds to 5 minutes with -O0.
 slow_tests='Usac_Scale.*:UsacScale.work_is_linear*:Usac_Confidence.*:Usac_Degensac.dominantPlanes:Usac_Degensac.generalScenes*'
 slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line:Usac_StopLate.*
 

@@ -8,20 +8,20 @@
 #
 # usage: matrix.sh [row...]          default: all rows, one after the other
 #
-#   bookworm trixie sid    run_tests.sh --installed, complete, on Debian 12 (OpenCV 4.6, g++ 12), 13
-#                          (4.10, g++ 14) and the newest Debian with OpenCV 5 of experimental. Each
-#                          runs in a root file system made by debootstrap, which is kept, or
-#                          directly if this system is that version
+#   bookworm trixie sid    run_tests.sh --installed with a complete consumer check, on Debian 12
+#                          (OpenCV 4.6, g++ 12), 13 (4.10, g++ 14) and the newest Debian with OpenCV
+#                          5 of experimental. Each row runs in a root file system made by
+#                          debootstrap, which is kept, or directly if this system is that version
 #   clang cxx17 cxx20 static debug    run_tests.sh --cpp on this system: compiled by clang++, with
 #                                     another C++ standard, as a static library with the samples, or
-#                                     as Debug with -Og (without slow_tests). The rows above use
-#                                     C++11, except sid
+#                                     as Debug with -Og (without slow_tests). Rows other than
+#                                     cxx17 and cxx20 use C++11, except sid (C++17)
 #   arm64                  run_tests.sh --cpp for 64-bit ARM of bookworm: cross-compiled, run by
 #                          qemu, without slow_tests
 #   mingw                  the library's sources are compiled for Windows by mingw-w64, with the
 #                          headers of this system's OpenCV; each file counts as a test
 #
-# clang uses libstdc++, because Debian's OpenCV does and a program can have only one C++ library.
+# clang uses libstdc++, because Debian's OpenCV uses it and a program can have only one C++ library.
 # Creating the root file systems needs root.
 #
 #   USAC_MATRIX_DIR     folder for root file systems and results; default
@@ -77,7 +77,8 @@ make_root() # suite
     fi
 }
 
-versions() # command before; prints OpenCV's and the compiler's
+# Prints the versions of OpenCV and of g++.
+versions() # command that runs its arguments, such as env, or chroot with a folder
 {
     echo "$("$@" sh -c 'pkg-config --modversion opencv5 2> /dev/null || pkg-config --modversion opencv4'), g++ $("$@" g++ -dumpfullversion)"
 }
@@ -105,8 +106,8 @@ run_cpp() # version of the compiler, options for CMake
 }
 
 # Unpacks Debian's arm64 packages that the tests are linked with, without running any of their
-# programs. OpenCV modules that the tests do not use are included, because the CMake package
-# requires their libraries; the dependencies of these modules are not.
+# programs. OpenCV modules that the tests do not use are included, because OpenCV's CMake package
+# requires their libraries; the packages on which these modules depend are not included.
 make_arm64()
 {
     root=$roots/arm64
@@ -165,7 +166,7 @@ run_mingw()
     install_packages g++-mingw-w64-x86-64-posix
     compiler=x86_64-w64-mingw32-g++-posix good=0 bad=0
     echo "$(versions env | sed "s/, .*//"), g++ $($compiler -dumpversion), Windows" > "$roots/$row.versions"
-    mkdir -p "$roots/mingw"  # /usr/include would also give the headers of this system's C library
+    mkdir -p "$roots/mingw"  # with /usr/include, the compiler would also find the headers of this system's C library
     ln -sfn /usr/include/opencv4/opencv2 "$roots/mingw/opencv2"
     for file in $(cd "$module" && find src -name '*.cpp' | sort); do
         case $file in *_avx2.cpp) set="-mavx2" ;; *_avx512.cpp) set="-mavx512f -mavx512bw -mavx512dq -mavx512vl" ;; *) set= ;; esac

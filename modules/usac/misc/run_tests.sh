@@ -3,28 +3,29 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs all tests of the module. Inside the newest OpenCV 4 with a Debian source package: the C++
-# tests, a short run of the performance tests, the Python tests (cv2 of this build), a program
-# against it, and OpenCV's own tests with this module's flags instead of OpenCV's. Against the
-# OpenCV of the system: the C++ tests with AddressSanitizer and UndefinedBehaviorSanitizer, the
-# Python package with and without the system's cv2, programs against the installed library, and the
-# tests of the benchmark. Installs what it needs on Debian (as root or with sudo). Each part prints
-# its time; the last line is "<N> passed, <M> failed".
+# Runs all tests of the module. With the module inside the newest OpenCV 4 that has a Debian source
+# package: the C++ tests, a short run of the performance tests, the Python tests (with the cv2 of this
+# build), a program that uses this OpenCV, and OpenCV's own tests with this module's flags instead of
+# OpenCV's. With the OpenCV of the system: the C++ tests with AddressSanitizer and
+# UndefinedBehaviorSanitizer, the Python package with and without the system's cv2, programs that use
+# the installed library, and the tests of the benchmark. Installs what it needs on Debian (as root or
+# with sudo). Each part prints its time; the last line is "<N> passed, <M> failed".
 #
 # usage: run_tests.sh [opencv | --installed | --cpp]
 #
 #   opencv       only OpenCV's own tests with this module's flags; the list of allowed differences
 #                is for OpenCV 4.6 and 4.10
-#   --installed  without OpenCV's source: library, C++ tests, Python package and consumer against
-#                the OpenCV of the system (libopencv-dev); all except the performance tests,
-#                OpenCV's own tests, and a second build of the library inside another project (to
-#                include it: USAC_CONSUMER_QUICK= in the environment)
-#   --cpp        like --installed, but only library and C++ tests, compiled and run according to the
-#                variables USAC_CPP_*
+#   --installed  without OpenCV's source: sources, library, C++ tests, Python package and consumer
+#                with the OpenCV of the system (libopencv-dev). A second build of the library inside
+#                another project is left out, unless USAC_CONSUMER_QUICK is set to an empty text in
+#                the environment
+#   --cpp        like --installed, but only sources, library and C++ tests, compiled and run according
+#                to the variables USAC_CPP_*
 #
-#   OPENCV_SOURCE_DIR  OpenCV's source; default: the one of Debian's source package, fetched once
-#   OPENCV_SUITE       Debian suite of that source package; default: trixie (4.10), on a newer
-#                      system its own
+#   OPENCV_SOURCE_DIR  OpenCV's source; default: that of Debian's source package, which is fetched
+#                      once
+#   OPENCV_SUITE       Debian suite of this source package; default: trixie (OpenCV 4.10) on Debian 11
+#                      and 12, the suite of the system on other systems
 #   USAC_CPP_OPTIONS   options for CMake
 #   USAC_CPP_RUNNER    command that runs the test program, such as an emulator
 #   USAC_CPP_FILTER    GoogleTest filter
@@ -38,7 +39,9 @@ case "$*" in
 esac
 . "$(dirname "$0")/common.sh"
 
-in_build()  # where findDataFile looks for test data, and where the tests may leave files
+# Runs a command in OpenCV's build folder, where findDataFile looks for test data, and where the tests
+# can leave files.
+in_build()
 {
     cd "$build" && "$@"
 }
@@ -65,11 +68,11 @@ build_python_package()
     /usr/bin/python3 -m venv --system-site-packages "$folder/venv" &&
     python=$folder/venv/bin/python3 &&
     "$folder/venv/bin/pip" install --no-index "$folder"/dist/usacv20-*.whl &&
-    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # no files left beside the sources
+    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # the build leaves no files there
 }
 
 # Runs the Python tests on the package, with the system's cv2 or without cv2.
-package_tests() # with | none
+package_tests() # with: the system's cv2, or none: no cv2
 {
     cd "$module/misc/python/test" &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="${site:-}" USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
@@ -96,7 +99,8 @@ benchmark_tests()
         /usr/bin/python3 -c "$run_unittests" "test_*.py"
 }
 
-# Compiles OpenCV's own tests from its unchanged source; allowed differences are listed in misc/opencv_tests/differences.txt.
+# Compiles OpenCV's own tests from its unchanged source and runs them; misc/opencv_tests/differences.txt lists the allowed
+# differences.
 opencv_tests()
 {
     tests=$work/opencv_tests-$(printf %s "$project $source" | cksum | cut -d ' ' -f 1)  # CMake ties a build to its sources
@@ -118,7 +122,8 @@ installed_tests()
     cd "$built" && in_shards bin/opencv_test_usac
 }
 
-# Tests the Python package of the build of the consumer checks, which is linked with its library.
+# Tests the Python package that the consumer checks have built; it is linked with the library of the
+# same build.
 installed_python()
 {
     site=$work/site python=/usr/bin/python3
@@ -161,7 +166,7 @@ if [ "$*" = --installed ]; then
     run cpp "$count_passed" "$count_failed" installed_tests
     run python_package "$count_passed" "$count_failed" installed_python
     run python_package_alone "$count_passed" "$count_failed" cat "$work/python_package_alone.part"
-    wait $sources || true  # their own last lines tell
+    wait $sources || true  # the last lines of their outputs tell whether they failed
     wait $consumer || true
     run sources "$count_passed" "$count_failed" cat "$work/sources.part"
     run consumer "$count_passed" "$count_failed" cat "$work/consumer.part"

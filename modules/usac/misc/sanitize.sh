@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs the module's tests under sanitizers and other tools. Installs what it needs on Debian (as
-# root or with sudo). The last line is "<N> passed, <M> failed", and the exit code is nonzero if a
-# tool reports anything.
+# Runs the module's tests with sanitizers and other tools. Installs what it needs on Debian (as root
+# or with sudo). The last line is "<N> passed, <M> failed", and the exit code is nonzero if anything
+# fails.
 #
 # usage: sanitize.sh [asan] [tsan] [assertions] [valgrind] [fuzz [seconds]] [python] [lint]
 # [coverage]       default: all
@@ -13,10 +13,10 @@
 #   asan        library and tests with AddressSanitizer (including leaks) and
 #               UndefinedBehaviorSanitizer
 #   tsan        the tests with more than one thread (tsan_tests) with ThreadSanitizer
-#   assertions  the tests with the assertions of libstdc++
+#   assertions  the tests with the assertions of libstdc++ (_GLIBCXX_ASSERTIONS)
 #   valgrind    memcheck of the tests named in valgrind_tests
-#   fuzz        libFuzzer on points and parameters, with the contracts as its oracle; default: 60
-#               seconds
+#   fuzz        libFuzzer with generated points and parameters, and with the contracts
+#               (test/contracts) as the oracle; default: 60 seconds
 #   python      the tests of the Python package, whose extension module has AddressSanitizer and
 #               UndefinedBehaviorSanitizer
 #   lint        clang-tidy (modules/usac/.clang-tidy) and cppcheck of include/ and src/
@@ -25,8 +25,8 @@
 #
 # "The tests" are all except slow_tests and those with the tag verylong.
 #
-# For each tool, the library is built against the unmodified OpenCV (libopencv-dev) and GoogleTest
-# of the system.
+# For each tool, the library is built with the unmodified OpenCV (libopencv-dev) and GoogleTest of the
+# system.
 #
 #   USAC_BUILD_DIR     folder for all files that this script writes; default
 #                      ${TMPDIR:-/tmp}/opencv_usac, kept for the next run
@@ -38,7 +38,8 @@ jobs=${JOBS:-$(nproc)}
 export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$tools"  # tests with the same flags for several tools are compiled once
 # Only tests with several threads can have data races.
 tsan_tests='*hread*:*arallel*:UsacContracts*:Usac_Fuzz.*'
-# All tests of the input checks; under valgrind a test is 20 to 50 times slower.
+# Only the tests of the input checks and a few others, because under valgrind a test is 20 to 50 times
+# slower.
 valgrind_tests='Usac_Input*:UsacInput*:UsacPoints*:Usac_Arguments*:Usac_Solvers.allF*:Usac_Fuzz.kept*:-*hundred_thousand*'
 
 # Configures the build of a tool and builds a target. Assertions of OpenCV's and Eigen's headers are enabled (no NDEBUG).
@@ -104,8 +105,9 @@ run_fuzz() # seconds
     fi
 }
 
-# Leak detection is off, because the interpreter itself leaks. Tests that measure the memory of many
-# calls detect leaks, but they are skipped here.
+# Leak detection is off, because the interpreter itself leaks. The tests for leaks in
+# test_usac_surroundings.py are skipped here, because they measure the memory of the process and
+# AddressSanitizer keeps freed memory; run_tests.sh runs them.
 run_python()
 {
     site=$tools/python/site
@@ -138,8 +140,8 @@ run_lint()
     echo "$good passed, $bad failed"
 }
 
-# Code outside the module is not counted. Exception branches are not counted either, since every
-# call that may throw has one (every allocation, for example).
+# Code outside the module is not counted. Branches taken only for an exception are not counted either,
+# because every call that can throw has one (every allocation, for example).
 run_coverage()
 {
     build_with coverage opencv_test_usac g++ "--coverage -O0 -fprofile-update=atomic -fprofile-exclude-files=/usr/.*" || return 1
@@ -151,7 +153,8 @@ run_coverage()
         --txt - --html-details html/index.html --print-summary CMakeFiles/opencv_usac.dir && return $rc
 }
 
-needs()  # packages that the modes need in addition to those of run_tests.sh
+# Prints the packages that the modes need in addition to those of run_tests.sh.
+needs() # modes
 {
     case " $* " in *" fuzz "*) echo clang libclang-rt-dev ;; esac
     case " $* " in *" lint "*) echo clang clang-tidy cppcheck ;; esac

@@ -4,13 +4,14 @@
 # of this distribution and at http://opencv.org/license.html.
 
 # Builds the library and its samples against the installed OpenCV, and installs them into a
-# temporary prefix, which is then moved. Builds and runs the consumer project by the CMake package
-# and by pkg-config. Checks that the compiler rejects programs that would lose a flag. If there is a
-# build of OpenCV with the module inside, the consumer project is also built and run against its
-# build tree and against a moved installation. Further checks: the library as C++20 inside another
-# CMake project; the pages of the documentation; the Debian packages and their contents; the
-# commands and code of README, the module's page, the tutorials, contributing and benchmark, which
-# need the packages of common.sh. The last line is "<N> passed, <M> failed".
+# temporary prefix, which is then moved. Builds and runs the consumer project (main.cpp) with the
+# CMake package and with pkg-config. Checks that the compiler rejects programs that would silently
+# lose a flag. If a build of OpenCV with the module is given, the consumer project is also built and
+# run against the build tree and against a moved installation of this OpenCV. Further checks: the
+# library as C++20 inside another CMake project; the pages of the documentation; the Debian packages
+# and their contents; the commands and code of README, the module's page, the tutorials,
+# doc/contributing.md and doc/benchmark.md, which need the packages of common.sh. The last line is
+# "<N> passed, <M> failed".
 # usage: check.sh [working directory [build tree of OpenCV with the module]]
 #        check.sh --build working directory [target...]      only builds the library
 #
@@ -26,7 +27,7 @@ only_build=
 [ "${1:-}" != --build ] || { only_build=1; shift; }
 work=${1:-${TMPDIR:-/tmp}/opencv_usac_consumer}
 opencv=${2:-}
-installed=opencv$(pkg-config --exists opencv5 && echo 5 || echo 4)  # name of the system's OpenCV for pkg-config and of its header folder
+installed=opencv$(pkg-config --exists opencv5 && echo 5 || echo 4)  # the system's OpenCV for pkg-config, and its header folder
 [ "$installed" = opencv4 ] && oldest=c++11 || oldest=c++17  # oldest standard that OpenCV's headers support
 version=$(sed -n 's/^set(USAC_VERSION \(.*\))$/\1/p' "$project/modules/usac/cmake/usac_version.cmake")
 passed=0
@@ -69,9 +70,9 @@ relocatable()
     [ -d "$work/prefix" ] && ! grep -rIF -e "$project" -e "$work" "$work/prefix"
 }
 
-# Builds the consumer project, which is the same for all ways of using the module. CMake must find
-# the requested package and, if it is given, the requested OpenCV. The libraries of a moved OpenCV
-# need LD_LIBRARY_PATH to find each other.
+# Builds and runs the consumer project, which is the same for all ways of using the module. CMake must
+# find the requested package and, if one is given, the requested OpenCV. The libraries of a moved
+# OpenCV need LD_LIBRARY_PATH to find each other.
 consumer() # name, option of CMake, directory of the package, directory of OpenCV's package or nothing, LD_LIBRARY_PATH or nothing
 {
     cmake -S "$here" -B "$work/$1" "$2" > "$work/$1.cmake.log" 2>&1 || { cat "$work/$1.cmake.log"; return 1; }
@@ -107,8 +108,8 @@ custom_components()
     LD_LIBRARY_PATH="$work/prefix/lib" "$work/custom_quality" "$project/test_data/graf.txt"
 }
 
-# The pages must be built without warnings. Citations must be resolved, and the tutorials' pictures
-# must be there. There must be no paths of the build and no broken links.
+# Builds the pages of the documentation; warnings are errors. Citations must be resolved, and the
+# pages must contain the tutorials' pictures, but no paths of the build and no broken links.
 documentation()
 {
     cmake --build "$work/build" --target usac_docs &&
@@ -143,12 +144,12 @@ uninstalled()
 
 # Builds the library inside another CMake project, by add_subdirectory and by FetchContent, each
 # configured from scratch. There is no build type, so nothing is optimized; the build checks for
-# warnings of C++20 (those of GCC include C++23). The second project reuses the library of the
-# first, which has the same options, so nothing is compiled twice.
+# warnings of C++20 (GCC also warns of what C++23 changes). The second project has the same options
+# and reuses the library of the first project, so nothing is compiled twice.
 parent() # name, option of CMake
 {
     rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
-    rm -rf "$work/parent/_deps"  # FetchContent's own build, perhaps with another generator
+    rm -rf "$work/parent/_deps"  # a build by FetchContent itself, possibly with another generator
     cmake -S "$here/parent" -B "$work/parent" "$2" -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON &&
     { [ -z "${USAC_CONSUMER_QUICK:-}" ] || return 0; } &&
     cmake --build "$work/parent" -j "$(nproc)" &&
@@ -157,8 +158,8 @@ parent() # name, option of CMake
     [ "$(find "$work/parent/prefix" -type f)" = "$work/parent/prefix/bin/parent" ]
 }
 
-# Compiles the headers alone and the sample of a custom component.
-standard() # of C++
+# Compiles the consumer program and a sample with a custom component, without linking.
+standard() # name of a C++ standard, such as c++20
 {
     for source in "$here/main.cpp" "$project/samples/custom_sampler.cpp"; do
         c++ "-std=$1" -fsyntax-only -Wall -Wextra -Wshadow -Werror -isystem "/usr/include/$installed" \
@@ -166,9 +167,9 @@ standard() # of C++
     done
 }
 
-# An object file compiled for AVX may export only its table of kernels. The linker might use any
-# other inline function of the file instead of the version for all processors. Both the optimized
-# build and the unoptimized one of the other project are checked.
+# An object file compiled for AVX must export only its table of kernels: the linker might use any
+# other exported inline function of the file instead of the version for all processors. Both the
+# optimized build and the unoptimized build of the function parent() are checked.
 instruction_sets()
 {
     [ "$(uname -m)" = x86_64 ] || return 0
@@ -192,8 +193,8 @@ debian_packages()
     done
 }
 
-# The target `uninstall` must not use the lists that cpack writes, since nothing was installed from
-# this build.
+# The target `uninstall` must not use the lists of files that cpack writes, because these files have
+# not been installed.
 debian_uninstall()
 {
     rm -f "$work/build/install_manifest.txt"
@@ -202,6 +203,7 @@ debian_uninstall()
     grep 'nothing has been installed' "$work/uninstall.log"
 }
 
+# Prints the paths of the libraries and programs in the unpacked packages.
 compiled()
 {
     find "$work/debian" -type f \( -name '*.so' -o -name '*.so.*' -o -path '*/bin/usac_*' \)
@@ -260,7 +262,7 @@ for directory in staging prefix opencv_staging opencv by_prefix by_build in_tree
 do
     rm -rf "${work:?}/$directory"
 done
-mkdir "$work/other_python"  # stands for pyenv's or conda's python3, which lacks the required packages
+mkdir "$work/other_python"  # imitates a python3 of pyenv or conda, which lacks the required packages and must not be called
 printf '#!/bin/sh\necho "another python3 was called" >&2\nexit 1\n' > "$work/other_python/python3"
 cp "$work/other_python/python3" "$work/other_python/python"
 chmod +x "$work/other_python/python3" "$work/other_python/python"

@@ -9,8 +9,8 @@
 #include <stdint.h>
 #include "fuzz/fuzz_contracts.hpp"
 
-// The target of the fuzzer. With USAC_FUZZ_REPLAY it is a program that runs the files named on its
-// command line.
+// The target of the fuzzer. With USAC_FUZZ_REPLAY, this is a program that checks the inputs in the
+// files named on its command line.
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 

@@ -154,8 +154,8 @@ CV_EXPORTS_W inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2
 }
 
 //! @overload
-// In Python, `params` must be the last argument, as in OpenCV's function. Therefore it has a default:
-// the generator moves arguments without a default before the outputs, which are optional.
+// In Python, `params` must be the last argument, as in OpenCV's function. Therefore it has a
+// default: the generator moves arguments without a default before the outputs.
 CV_EXPORTS_W inline bool solvePnPRansac(InputArray objectPoints, InputArray imagePoints,
                                         InputOutputArray cameraMatrix, InputArray distCoeffs,
                                         OutputArray rvec, OutputArray tvec, OutputArray inliers,
