@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Finds links in the HTML pages of a folder whose file, or whose anchor within a page, does not exist.
+"""Finds links to files or anchors that do not exist in the HTML pages of a folder.
 usage: links.py FOLDER"""
 
 import os

@@ -36,12 +36,13 @@ static usacv20::Params exchange(const UsacParams& params)
     return exchange(params.threshold, params.confidence, params.maxIterations);
 }
 
-// Six of the documented differences from OpenCV are undone here, so that the tests show only other
-// differences.
+// Six of the documented differences from OpenCV are undone in this file, so that the tests show
+// only other differences.
 
 static bool isUsac(int method) { return method >= USAC_DEFAULT && method <= USAC_MAGSAC; }
 
-//! 1. cv::findFundamentalMat replaces a confidence of 0 or 1 by 0.99; this module refuses it.
+//! 1. cv::findFundamentalMat replaces a confidence outside (0, 1) with 0.99; this module raises an
+//!    exception.
 static double confidenceOf(double confidence)
 {
     return confidence > 0 && confidence < 1 ? confidence : 0.99;
@@ -59,13 +60,13 @@ static usacv20::Params anySide(usacv20::Params params)
     return params;
 }
 
-/** 3. OpenCV's flags other than USAC_* do not test whether points are in front of both cameras. The
-   points of test_fundam.cpp are on both sides, and a sample with points on both sides is refused by
-   that test. In these tests all points are right. So if not all points are inliers, the model is
-   also estimated without the test. The second model is returned if all points are its inliers, or
-   if the first estimate has no model (11 of 1000 calls).
+/** 3. OpenCV's flags other than USAC_* do not check whether points are in front of both cameras.
+   This module's flags do, and reject samples with points in front of and behind the cameras. The
+   points of test_fundam.cpp are on both sides, but all matches are correct. Therefore, if not all
+   points are inliers, the model is also estimated without the check. The second model is returned
+   if all points are its inliers, or if the first estimate has no model (11 of 1000 calls).
 
-@param find, findAnywhere calls with and without the test; their argument is the mask */
+@param find, findAnywhere estimations with and without the check; their argument is the mask */
 template <typename Find, typename FindAnywhere>
 Mat maybeBehind(int method, OutputArray mask, const Find& find, const FindAnywhere& findAnywhere)
 {
@@ -280,7 +281,7 @@ bool exchangedPnPRansac(InputArray objectPoints, InputArray imagePoints, InputAr
                         bool useExtrinsicGuess, int maxIters, float threshold, double confidence,
                         OutputArray inliers, int)
 {
-    // 5. OpenCV's flags other than SOLVEPNP_ITERATIVE ignore the guess of the pose, which may then
+    // 5. OpenCV's flags other than SOLVEPNP_ITERATIVE ignore the guess of the pose, which can then
     //    be empty.
     useExtrinsicGuess = useExtrinsicGuess && !rvec.empty() && !tvec.empty();
     return solvePnPRansac(objectPoints, imagePoints, K, distortion, rvec, tvec, useExtrinsicGuess,

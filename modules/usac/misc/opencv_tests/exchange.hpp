@@ -5,11 +5,11 @@
 #ifndef OPENCV_USACV20_EXCHANGE_HPP
 #define OPENCV_USACV20_EXCHANGE_HPP
 
-// Included before the first line of each of OpenCV's test files. Their calls of findHomography,
-// findFundamentalMat, findEssentialMat, estimateAffine2D, estimateAffinePartial2D and
-// solvePnPRansac are redirected to functions with the same arguments, which replace OpenCV's flag
-// by a flag of this module. OpenCV's headers are included first, so that their declarations keep
-// their names.
+// This file is included before the first line of each of OpenCV's test files. The tests' calls of
+// findHomography, findFundamentalMat, findEssentialMat, estimateAffine2D, estimateAffinePartial2D
+// and solvePnPRansac are redirected to functions with the same arguments, which replace OpenCV's
+// flag with a flag of this module. OpenCV's headers are included first, so that the macros do not
+// rename their declarations.
 
 #include "opencv2/ts.hpp"
 #include "opencv2/calib3d.hpp"
@@ -17,7 +17,7 @@
 
 namespace cv {
 
-//! The flag that replaces all others, and the number of calls in which it has done so.
+//! The flag that replaces all flags of OpenCV, and the number of calls with a replaced flag.
 struct Exchange
 {
     static UsacV20Method flag;

@@ -26,8 +26,8 @@ static std::string nameOf(const testing::TestInfo& test)
     return std::string(test.test_case_name()) + "." + test.name();
 }
 
-//! Splits a list of flags separated by commas; `*` stands for all flags. An unknown flag raises an
-//! error.
+//! Splits a list of flags separated by commas; `*` means all flags. An unknown flag raises
+//! cv::Exception.
 static std::vector<std::string> flagsOf(const std::string& list)
 {
     std::set<std::string> all;

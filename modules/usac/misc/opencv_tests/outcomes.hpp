@@ -13,18 +13,18 @@
 /** Runs all tests once with each flag of the module, compares the outcomes with the list of
 expected differences, and counts.
 
-Only tests that call one of the redirected functions count. A test that fails with a flag as the
-list says counts neither as passed nor as failed. To keep the list up to date, two more things count
-as failures: a test that passes although it is on the list, and an entry of the list for a test that
-does not exist.
-The tests of the list itself (test_outcomes.cpp) count, too. */
+Only tests that call one of the redirected functions (exchange.hpp) count, and the tests of the list
+itself (test_outcomes.cpp). A test that fails with a flag for which the list expects a failure
+counts neither as passed nor as failed. To keep the list up to date, two more things count as
+failures: a test that passes although the list expects a failure, and an entry of the list for a
+test that does not exist. */
 class Outcomes : public testing::EmptyTestEventListener
 {
 public:
     //! Reads the list; its first lines explain the format.
     explicit Outcomes(const std::string& listOfDifferences);
 
-    static int flags();
+    static int flags();  //!< number of flags of the module
 
     //! A GoogleTest pattern of the tests whose data files are missing; empty if no file is missing.
     std::string withoutData();
@@ -48,7 +48,7 @@ private:
 
     std::map<Pair, std::string> fails, data;  // reason of each pair
     std::set<std::string> notOurs;            // tests that call none of the redirected functions
-    std::string flag, expected, unexpected;   // the last two: texts printed at the end
+    std::string flag, expected, unexpected;   // current flag, and two texts printed at the end
     int passed, failed;
 };
 

@@ -2,8 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Tests of reading the list of differences (class Outcomes). Like OpenCV's tests, these may be on
-// the list.
+// Tests of reading the list of differences (class Outcomes). The list can contain these tests, too.
 
 #include "outcomes.hpp"
 #include <cstdio>
@@ -32,7 +31,8 @@ TEST(Usac_Differences, versions)
         EXPECT_THROW(isForVersion(mistake, "4.10.0"), cv::Exception) << mistake;
 }
 
-//! The reason that a list with these lines gives for a test to fail.
+//! The reason that a list with these lines gives for the failure of a test; "refused" if the lines
+//! are invalid.
 std::string reasonOf(const std::string& lines, const std::string& flag, const std::string& test)
 {
     const std::string path = cv::tempfile(".txt");

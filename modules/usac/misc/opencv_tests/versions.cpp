@@ -8,7 +8,8 @@
 #include <vector>
 #include "opencv2/core.hpp"
 
-//! The numbers of a version between the dots. A suffix of the last number (`-dev`) is ignored.
+//! The first two or three numbers of a version, which are separated by dots. A suffix (`-dev`) is
+//! ignored. Fewer than two numbers raise cv::Exception.
 static std::vector<int> numbersOf(const std::string& version)
 {
     std::vector<int> numbers;

@@ -3,7 +3,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Actions that run or check a block of code of a document. An action has a method run(place, block),
-which returns what the block has printed. It raises Wrong if the block fails."""
+which returns what the block has printed, and raises Wrong if the block fails."""
 
 import json
 import os
@@ -28,8 +28,8 @@ class Wrong(Exception):
 
 
 class Place:
-    """The folders in which blocks run. They are in `work`, where check.sh has put the build and the
-    prefix of the library.
+    """The folders in which blocks run, within the folder `documents` of `work`. check.sh has put the
+    build and the prefix of the library into `work`.
 
         clone                         a folder as after a checkout: links to all files of the project;
                                       `build` is a link to the library's build
@@ -67,7 +67,7 @@ class Place:
         return next((name for name in folders if os.path.isfile(os.path.join(name, "graf1.png"))), "")
 
     def environment(self, *path: str, **variables: str) -> Dict[str, str]:
-        """Returns the environment variables of a process. `path` has the folders in which programs
+        """Returns the environment variables of a process. `path` names the folders in which programs
         are searched first."""
         folders = [*path, self.folder("bin"), os.path.join(self.build, "bin"), os.environ["PATH"]]
         return dict(os.environ, PATH=os.pathsep.join(folders), USAC_DOCUMENTS_PROJECT=self.project, PYTHONDONTWRITEBYTECODE="1",
@@ -137,8 +137,8 @@ class Shell(NamedTuple):
     """Runs the commands of a shell block in one shell.
 
     where -- folder of Place in which they run
-    names -- replacements for words of the text such as <prefix>; in them, {work}, {build} and so on
-    stand for folders and {port} for a free port
+    names -- replacements for words of the text such as <prefix>. In replacements, {work}, {build} and
+    so on are replaced with folders, and {port} with a free port
     variables, path -- environment variables, and folders in which programs are searched first
     elsewhere -- commands of the block that are not run here
     before -- commands that run before the block
@@ -324,7 +324,7 @@ class Python(NamedTuple):
         loader = os.path.join(place.opencv, "python_loader") if place.opencv else ""
         if self.cv2 and os.path.isdir(loader):
             python, variables = "/usr/bin/python3", {"PYTHONPATH": loader}
-        elif self.cv2:  # without such an OpenCV, usacv20.patch_cv2() makes another cv2 take the flags
+        elif self.cv2:  # without such an OpenCV, usacv20.patch_cv2() makes another cv2 accept the flags
             before = ("import cv2, usacv20\nusacv20.patch_cv2()\ncv2.usacv20 = usacv20\n"
                       "for name in dir(usacv20):\n    if name.startswith('USACV20'): setattr(cv2, name, getattr(usacv20, name))\n") + before
         tasks = place.folder("python", block.name + ".json")
@@ -337,8 +337,8 @@ class Python(NamedTuple):
 
 
 class CMake(NamedTuple):
-    """Makes a CMake project of a block with lines of a CMakeLists.txt. They are appended to lines that
-    define a target `program`.
+    """Makes a CMake project from a block with lines of a CMakeLists.txt. These lines are appended to
+    lines that define a target `program`.
 
     options -- options of the configuration
     names -- replacements for words of the text
@@ -388,7 +388,7 @@ def write(path: str, text: str) -> None:
 
 
 def preparePrograms(place: Place, programs: List[Tuple[Block, Cpp]]) -> None:
-    """Makes one CMake project of all C++ programs and builds it. Programs that are up to date are not
+    """Makes one CMake project from all C++ programs and builds it. Programs that are up to date are not
     compiled again. Errors of the build are ignored here, because the actions of the programs build
     again and report them."""
     folder = place.folder("programs")

@@ -10,7 +10,7 @@ from typing import Iterator, List, NamedTuple
 
 LANGUAGES = {"": "text", "txt": "text", "py": "python", "sh": "sh", "cpp": "cpp", "cmake": "cmake", "python": "python"}
 # Code within the text (`...`) counts as a command if it begins like this. Most of these programs must
-# have at least one argument, since their name alone does not mean a command to run.
+# have at least one argument, because their name alone is not a command to run.
 COMMAND = re.compile(r"(?:\S*/)?(?:cmake|python3|pip3?|pkg-config|apt|sudo|sh|bash|colmap|dask-\w+|(?:example_)?usac_\w+) \S"
                      r"|(?:pairs|verify|report) \S|\S*\.ci/run$|dask-scheduler$")
 
@@ -23,10 +23,10 @@ class Block(NamedTuple):
     """A block of code, or a command within the text, whose language is "inline"."""
 
     document: str
-    line: int  # of the first line of the code, from 1
+    line: int  # number of the first line of the code, counted from 1
     heading: str  # the last heading before the block
     language: str
-    number: int  # counts the blocks of this language below the heading, from 1
+    number: int  # number of the block among those of the same language below the heading, counted from 1
     text: str
 
     @property

@@ -10,8 +10,8 @@ without a rule, or a rule without a block, is a failure.
 usage: documents.py PROJECT CHECKS [OPENCV [WORD...]]
 
 PROJECT is the checkout. CHECKS is the working directory of check.sh with the library's build and
-installation. OPENCV is a build tree of OpenCV with the module, or empty. With WORDs, only blocks
-whose key has all these words run. The last line is "<N> passed, <M> failed"."""
+installation. OPENCV is a build tree of OpenCV with the module, or an empty text. With WORDs, only
+blocks whose keys contain all these words run. The last line is "<N> passed, <M> failed"."""
 
 import os
 import sys

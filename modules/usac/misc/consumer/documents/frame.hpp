@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // Variables that the parts of programs in the documents assume, with a known true model. Two images
-// show points of space. A third of the points lies in a plane parallel to both images, so that its
-// map is a homography, an affine map and a similarity. A fifth of the matches is wrong. Each part
+// show 3-D points. A third of the points lies in a plane parallel to both image planes, so that its
+// homography is also an affine map and a similarity. A fifth of the matches is wrong. Each part
 // becomes a program, which consists of the code `before` of its rule in table.py, the part itself,
 // and the code `after` of this rule, which uses REQUIRE.
 
@@ -74,8 +74,8 @@ inline void require(bool condition, const char* text)
     std::exit(1);
 }
 
-// Compares matrices up to scale and sign, with a relative tolerance. A matrix without sign, such as
-// F, may be negated.
+// Compares matrices up to scale and sign, with a relative tolerance. The sign of F, for example, is
+// arbitrary.
 inline bool near(const cv::Mat& a, const cv::Mat& b, double error = 1e-3)
 {
     if (a.size() != b.size() || a.empty())

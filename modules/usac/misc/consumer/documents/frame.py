@@ -7,8 +7,7 @@ of {key, document, line, code, before, after}.
 
 The points and other variables that a part uses are defined here, with a known true model, as in
 frame.hpp. `before` and `after` are code of the table that runs before and after the part; `after`
-checks the results by `require(...)`. A traceback names the line of the document, because the code
-keeps its line number."""
+checks the results with `require(...)`. Tracebacks have the line numbers of the document."""
 
 import json
 import sys
@@ -50,8 +49,8 @@ def require(condition):
 
 
 def given():
-    """Returns new copies of the variables that a part can use. A third of the points of space lie in
-    a plane; a fifth of the correspondences is wrong."""
+    """Returns new copies of the variables that a part can use. A third of the 3-D points lies in a
+    plane; a fifth of the correspondences is wrong."""
     rng = np.random.RandomState(1)
     i = np.arange(300)
     z = np.where(i % 3 == 0, DEPTH, rng.uniform(4, 8, 300))

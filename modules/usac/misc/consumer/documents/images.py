@@ -14,14 +14,15 @@ import numpy as np
 
 SIZE = (320, 240)
 K = np.array([[300.0, 0, 160], [0, 300, 120], [0, 0, 1]])
-# For each textured rectangle: a corner, and its edges along the columns and the rows of the texture.
-# z points away from the camera. Far ones come first, so that nearer ones are drawn over them.
+# For each textured rectangle: a corner, the edge along the width of the texture, and the edge along its
+# height. z points away from the camera. Far rectangles come first, so that nearer ones are drawn over
+# them.
 PLANES = [((-9, -7, 12), (18, 0, 0), (0, 14, 0)), ((-5, -3, 9), (4, 0, 1.5), (0, 5, 0)), ((1, -3.5, 9), (4, 0, -1.5), (0, 5, 0.8)),
           ((-3, 0.5, 7), (3, 0, -0.5), (0, 2, 0.5)), ((0.2, -2, 7), (2, 0, 0.6), (0, 3.5, 0))]
 
 
 def texture(rng, width, height):
-    """Returns an image with features everywhere: the sum of smooth noise of three sizes."""
+    """Returns an image with features everywhere: the sum of smooth noise of three scales."""
     image = np.zeros((height, width))
     for size in (6, 16, 48):
         noise = rng.uniform(-1, 1, (height // size + 2, width // size + 2))

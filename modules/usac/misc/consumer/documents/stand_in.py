@@ -7,10 +7,10 @@
 
 cmake: the sources of the scratch checkout are replaced by those of the project, and the folder
 `build` by the existing build.
-apt install: installs nothing. Packages must be installed already. Files of packages must be
-installable, which is only simulated.
+apt install: installs nothing. Packages must be installed already. Package files must be installable,
+which is tested by a simulation.
 apt-get: only downloads and updates are allowed, which scripts need.
-sudo: only `sudo apt` is allowed, and runs as apt above, without other rights."""
+sudo: only `sudo apt` is allowed. It does the same as apt above, without the rights of root."""
 
 import os
 import subprocess

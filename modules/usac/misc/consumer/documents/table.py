@@ -3,8 +3,8 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """The table of rules, in the order in which the blocks run. Each rule is (document, heading, block,
-action). A block of code is named by its language and its number below the heading, a command within
-the text by itself."""
+action). The name of a block of code is its language and its number below the heading; the name of a
+command within the text is the command itself."""
 
 import os
 import shutil
@@ -45,7 +45,7 @@ usac_synthetic --out=DATA --scene=view --name=pnp --pairs=1 --size=200 --inliers
 ln -sfn DATA DIR"""
 FIRST_LIST = """usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 > /dev/null
 ln -s ../clone/modules ."""
-FEW = {"--pairs=25": "--pairs=1"}  # fewer scenes than the text says, to save time
+FEW = {"--pairs=25": "--pairs=1"}  # fewer pairs than in the text, to save time
 BENCHMARK_TESTS = "modules/usac/benchmark/test_"
 FILES = "import sys; sys.path.insert(0, '../clone/modules/usac/benchmark')\n"
 RUNS = "usac_benchmark --list=DATA/lists/homogr.H.list --runs=runs.csv --methods=USACV20,cv:USAC_DEFAULT,cv:RANSAC > /dev/null"
@@ -208,7 +208,7 @@ const Ptr<usacv20::Usac> usac = usacv20::Usac::create(cv::usacv20::HOMOGRAPHY, s
     (COLLECTIONS, "Features and matches", "sh 1", Shell(
         "collection", names=OPTIONS_OF_COLMAP, before="/usr/bin/python3 {project}/modules/usac/misc/consumer/documents/images.py images", leaves=("scene.db",))),
     (COLLECTIONS, "Verification", "sh 1", Shell("collection", path=ENV, prints=("^10 pairs in .*: 10 verified, 0 refused$",))),
-    # All numbers may differ, because the document shows the output for other images.
+    # All numbers can differ, because the document shows the output for other images.
     (COLLECTIONS, "Verification", "text 1", Printed("Verification | sh 1", free=(".*",))),
     (COLLECTIONS, "Repeated structure", "text 1", Printed(
         "", before=COURT, tolerance=0.05, free=(r"in \S+ s \(\S+ a second\)",))),

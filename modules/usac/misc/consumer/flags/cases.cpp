@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // Programs that would silently lose a flag and therefore must not compile. A macro REFUSED_*
-// selects one program. If MENDED is defined, too, the marked place is corrected and the program
-// must compile, which shows that it is refused because of this place. Programs below a macro
-// ALLOWED_* must compile unchanged.
+// selects one program. If MENDED is defined, too, the place marked with FLAG, FOCAL or IN_NAMESPACE
+// is changed and the program must compile, which shows that it is refused because of this place.
+// Programs below a macro ALLOWED_* must compile unchanged.
 
 #include <map>
 #include <string>
@@ -13,7 +13,7 @@
 #include <opencv2/usac.hpp>
 
 #ifdef MENDED
-#define FLAG(flag) (int)flag  // the flag as a number, for usacv20::find*
+#define FLAG(flag) (int)flag  // an explicit conversion to a number
 #define FOCAL(length) 1. * length
 #define IN_NAMESPACE usacv20::
 #else
@@ -106,7 +106,7 @@ cv::Mat estimate(const Points& a, const Points& b)
     return cv::findFundamentalMat(a, b, FLAG(cv::USACV20) | cv::RANSAC);
 }
 #elif defined(REFUSED_focal_length)
-// The camera matrix is missing, so the flag would be taken as the focal length.
+// The camera matrix is missing, so the flag would be used as the focal length.
 cv::Mat estimate(const Points& a, const Points& b)
 {
     return cv::findEssentialMat(a, b, FLAG(cv::USACV20));
