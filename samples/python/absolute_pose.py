@@ -5,10 +5,10 @@
 
 """Finds the pose of a camera from images of a flat object.
 
-Points of the object's own image are points of space (Z = 0), and their matches in the scene are the
-image points. usacv20.solvePnPRansac finds the pose, and its axes are drawn into the scene. The pose
-of the first scene is the initial model of the second. Without images, a synthetic board and its
-photographs are made, and the true poses are known.
+Points of the object's own image are 3-D points (Z = 0), and their matches in the scene are the image
+points. usacv20.solvePnPRansac finds the pose, and the axes of the object are drawn into the scene.
+The pose of the first scene is the initial model for the second scene. Without images, a synthetic
+board and its photographs are made, and the true poses are known.
 """
 
 import argparse
@@ -23,8 +23,8 @@ from tools import Array, Image, usacv20
 
 
 def places_in_space(pixels: Array, shape: Tuple[int, ...]) -> Array:
-    """Converts pixels of the object's image to points of space. The origin is the middle of the
-    object, X points to the right, Y up, Z to the viewer; the width is 1."""
+    """Converts pixels of the object's image to 3-D points. The origin is the middle of the object,
+    X points to the right, Y up, Z toward the viewer; the width of the object is 1."""
     height, width = shape[:2]
     return np.array([((x - 0.5 * width) / width, (0.5 * height - y) / width, 0) for x, y in pixels], float).reshape(-1, 3)
 
@@ -49,7 +49,7 @@ def pose_of(rvec: Any, tvec: Any) -> Array:
 
 
 def texture(width: int, height: int, seed: int) -> Image:
-    """An image with features everywhere: noise of three sizes."""
+    """Returns an image with features everywhere: the sum of smooth noise of three scales."""
     rng, image = np.random.RandomState(seed), np.zeros((height, width, 3))
     for step in (4, 12, 36):
         noise = rng.uniform(-1, 1, (height // step + 2, width // step + 2, 3))
@@ -70,8 +70,8 @@ def distort(image: Image, matrix: Array, distortion: Optional[Array]) -> Image:
 
 
 def photograph(board: Image, rvec: Any, tvec: Any, seed: int, args: argparse.Namespace) -> Tuple[Image, Array]:
-    """Renders the board as seen from a pose, partly occluded and in front of a background; also
-    returns the true pose."""
+    """Renders the board as seen from a pose, partly occluded and in front of a background. Returns
+    the image and the true pose."""
     image = texture(640, 480, seed)
     matrix, distortion = read_camera(args, image.shape)
     rvec, tvec = np.float64(rvec), np.float64(tvec)
@@ -86,13 +86,13 @@ def photograph(board: Image, rvec: Any, tvec: Any, seed: int, args: argparse.Nam
 
 
 def angle_between(a: Array, b: Array) -> float:
-    """Angle of the rotation between two poses in degrees."""
+    """Returns the angle of the rotation between two poses in degrees."""
     return float(np.degrees(np.linalg.norm(cv2.Rodrigues(a[:, :3].T.dot(b[:, :3]))[0])))
 
 
 def estimate(name: str, flag: int, places: Array, pixels: Array, camera: Tuple[Array, Optional[Array]],
              args: argparse.Namespace) -> tools.Result:
-    """Estimates the pose as a user does; `flag` is OpenCV's or this module's."""
+    """Estimates the pose with a flag of OpenCV or of this module."""
     def call() -> Tuple[Optional[Array], Array]:
         found, rvec, tvec, inliers = usacv20.solvePnPRansac(
             places, pixels, camera[0], camera[1], iterationsCount=args.iterations, reprojectionError=args.threshold,
@@ -107,7 +107,7 @@ def estimate(name: str, flag: int, places: Array, pixels: Array, camera: Tuple[A
 def estimate_with(name: str, places: Array, pixels: Array, ratios: Array, camera: Tuple[Array, Optional[Array]],
                   before: Optional[Array], args: argparse.Namespace) -> tools.Result:
     """Estimates the pose with options that a flag does not have: the scores of the matches and,
-    unless it is None, the pose of the previous scene."""
+    unless `before` is None, the pose of the previous scene as the initial model."""
     params = tools.usacv20_params(args, args.iterations)
     params.scores = ratios
     if before is not None:
@@ -137,8 +137,8 @@ def draw(board: Image, image: Image, points: Array, pixels: Array, result: tools
 
 def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
               args: argparse.Namespace) -> Tuple[tools.Result, Optional[Image]]:
-    """Prints the table of a scene. Returns the result of the last method and the picture, which is
-    None if there is no pose."""
+    """Estimates the pose in a scene with several methods and prints a table of the results. Returns
+    the result of the last method and its picture, which is None if there is no pose."""
     points, pixels, ratios = tools.match_with_ratios(board, image, args)
     places, camera = places_in_space(points, board.shape), read_camera(args, image.shape)
     results = [estimate(name, flag, places, pixels, camera, args)

@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Estimates the essential matrix and the pose from two images of calibrated cameras, and compares
-flags of OpenCV with a flag of this module. OpenCV's chessboard images calibrate the two cameras and
-give the true pose."""
+"""Estimates the essential matrix and the relative pose from two images of calibrated cameras, and
+compares flags of OpenCV with a flag of this module. The two cameras and their true relative pose are
+calibrated from OpenCV's chessboard images."""
 
 import sys
 from typing import Optional, Tuple
@@ -18,8 +18,8 @@ from tools import Array, Image, usacv20
 
 
 class Stereo:
-    """Two cameras and their relative pose, calibrated from pairs of chessboard images, whose names
-    are in a file."""
+    """Two cameras and their relative pose, calibrated from pairs of chessboard images; a file lists
+    the names of the images."""
 
     def __init__(self, list_name: str, board: Tuple[int, int]) -> None:
         storage = cv2.FileStorage(tools.find_file(list_name), cv2.FILE_STORAGE_READ)
@@ -52,8 +52,8 @@ class Stereo:
 
 
 def rate(result: tools.Result, points1: Array, points2: Array, stereo: Stereo) -> None:
-    """Computes the angles between the true and the estimated rotation, and between the directions
-    of translation; the error is the larger one in degrees."""
+    """Computes the angle between the true and the estimated rotation, and the angle between the true
+    and the estimated direction of translation. The error is the larger angle in degrees."""
     normalized1 = cv2.undistortPoints(points1, stereo.K1, stereo.dist1)
     normalized2 = cv2.undistortPoints(points2, stereo.K2, stereo.dist2)
     _, R, t, _ = cv2.recoverPose(result.model, normalized1, normalized2, np.eye(3), mask=result.mask.copy())
@@ -92,8 +92,8 @@ def main() -> int:
             rate(result, points1, points2, stereo)
         results.append(result)
 
-    # The same estimation again, for the report, which a call with a flag does not give.
-    # findEssentialMat uses 1000 iterations, too.
+    # The same estimation again, for the report, which a call with a flag does not return.
+    # findEssentialMat also uses 1000 iterations.
     ours = results[-1]
     _, _, report = usacv20.estimateEssential(points1, points2, stereo.K1, stereo.K2, stereo.dist1, stereo.dist2,
                                                  tools.usacv20_params(args, 1000))

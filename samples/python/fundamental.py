@@ -18,8 +18,9 @@ from tools import Array, usacv20
 
 def read_truth(name: str) -> Tuple[Array, Array]:
     """Reads true correspondences of a rectified stereo pair from its disparities: x2 = x1 -
-    disparity, 0 is unknown. Disparities are rounded to a pixel. This moves points along the
-    epipolar lines, which are the rows, and does not change the distance from them."""
+    disparity; a disparity of 0 is unknown. Disparities are rounded to a pixel. The rounding moves
+    points along the epipolar lines, which are the rows, and does not change the distance of a point
+    from its epipolar line."""
     disparity = cv2.imread(tools.find_file(name), cv2.IMREAD_GRAYSCALE)
     y, x = (places.ravel() for places in np.mgrid[0:disparity.shape[0]:10, 0:disparity.shape[1]:10])
     d = disparity[y, x].astype(int)
@@ -30,7 +31,7 @@ def read_truth(name: str) -> Tuple[Array, Array]:
 
 
 def mean_distance(F: Array, truth: Any) -> float:
-    """Mean Sampson distance of the true correspondences in pixels."""
+    """Returns the mean Sampson distance of the true correspondences in pixels."""
     lines2, lines1 = truth[0] @ F.T, truth[1] @ F
     squares = (lines2[:, :2] ** 2).sum(axis=1) + (lines1[:, :2] ** 2).sum(axis=1)
     return float((np.abs((truth[1] * lines2).sum(axis=1)) / np.sqrt(squares)).mean())
@@ -54,7 +55,7 @@ def main() -> int:
             result.errorText = "%.3f px" % error
         results.append(result)
 
-    # The same estimation again, for the report, which a call with a flag does not give.
+    # The same estimation again, for the report, which a call with a flag does not return.
     ours = results[-1]
     _, _, report = usacv20.estimateFundamental(points1, points2, tools.usacv20_params(args, args.iterations))
     ours.iterations = report.iterations

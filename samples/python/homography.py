@@ -17,8 +17,8 @@ from tools import Array, Image, usacv20
 
 
 def mean_distance(H: Array, truth: Any, shape: Tuple[int, ...]) -> float:
-    """Mean distance in image 2, in pixels, between the points of a grid of image 1 mapped by both
-    homographies."""
+    """Returns the mean distance in image 2, in pixels, between the points to which the two
+    homographies map a grid of points of image 1."""
     x, y = np.meshgrid(np.linspace(0, shape[1] - 1, 21), np.linspace(0, shape[0] - 1, 21))
     grid = np.dstack((x, y)).reshape(-1, 1, 2)
     difference = cv2.perspectiveTransform(grid, H) - cv2.perspectiveTransform(grid, truth)
@@ -35,7 +35,7 @@ def draw_outline(canvas: Image, H: Array, shape: Tuple[int, ...]) -> None:
 
 def draw_corners(canvas: Image, H: Array, covariance: Array, shape: Tuple[int, ...]) -> None:
     """Prints the corners of image 1 mapped to image 2 with their standard deviations, and draws
-    their 95 % confidence ellipses, ten times enlarged."""
+    their 95 % confidence ellipses, enlarged ten times."""
     corners = np.array([[0, 0], [shape[1], 0], [shape[1], shape[0]], [0, shape[0]]], float)
     mapped = cv2.perspectiveTransform(corners.reshape(-1, 1, 2), H).reshape(-1, 2)
     right = np.ascontiguousarray(canvas[:, shape[1]:])
@@ -43,8 +43,8 @@ def draw_corners(canvas: Image, H: Array, covariance: Array, shape: Tuple[int, .
         if not np.isfinite(C).all():
             continue
         print("corner ({:.1f}, {:.1f}) +- ({:.2f}, {:.2f}) px".format(*place, *np.sqrt(np.diag(C))))
-        variances, axes = np.linalg.eigh(C)  # ascending
-        diameters = 2 * 10 * np.sqrt(5.99 * variances[::-1])  # 5.99: 95 % of chi-square, two degrees of freedom
+        variances, axes = np.linalg.eigh(C)  # in ascending order
+        diameters = 2 * 10 * np.sqrt(5.99 * variances[::-1])  # 5.99: 0.95 quantile of chi-square, two degrees of freedom
         angle = np.degrees(np.arctan2(axes[1, 1], axes[0, 1]))
         cv2.ellipse(right, (tuple(map(float, place)), tuple(map(float, diameters)), float(angle)), (255, 80, 0), 2, cv2.LINE_AA)
     canvas[:, shape[1]:] = right
@@ -71,7 +71,7 @@ def main() -> int:
             result.errorText = "%.2f px" % error
         results.append(result)
 
-    # The same estimation again, for the report, which a call with a flag does not give.
+    # The same estimation again, for the report, which a call with a flag does not return.
     ours = results[-1]
     _, _, report = usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations).replace(covariance=1))
     ours.iterations = report.iterations

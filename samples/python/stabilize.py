@@ -6,8 +6,9 @@
 """Stabilizes a sequence of images: estimates the similarity from each frame to the next, and moves
 the frames onto a smooth path.
 
-The frames are the images of a folder or of a video. Without either, they are windows of an image
-along a shaky path, with an independently moving patch in front, and the true motions are known.
+The frames are the images of a folder or of a video. Without an argument, the frames are windows of
+an image along a shaky path, with an independently moving patch in front, and the true motions are
+known.
 """
 
 import argparse
@@ -59,15 +60,15 @@ def shaken(image: Image, count: int) -> Tuple[List[Image], List[Array]]:
 
 
 def distance(a: Array, b: Array, shape: Tuple[int, ...]) -> float:
-    """Mean distance between the corners of a frame moved by two motions, in pixels."""
+    """Returns the mean distance, in pixels, between the points to which two motions move the corners of a frame."""
     corners = np.array([[x, y, 1] for x in (0, shape[1]) for y in (0, shape[0])], float)
     return float(np.linalg.norm(corners.dot((a - b).T), axis=1).mean())
 
 
 def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: Tuple[int, ...],
              args: argparse.Namespace) -> Tuple[List[Array], float, bool]:
-    """Estimates all motions by one method and prints its line of the table. Returns the motions,
-    the mean error in pixels, and whether all motions were found."""
+    """Estimates all motions with one method and prints a line of the table. Returns the motions, the
+    mean error in pixels (0 if the true motions are unknown), and whether all motions were found."""
     motions, errors, inliers, lost, start = [], [], 0, 0, time.perf_counter()
     for points1, points2 in matches:
         motion, mask = usacv20.estimateAffinePartial2D(points1, points2, None, tools.flag_of(name), args.threshold,
@@ -85,8 +86,8 @@ def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: T
 
 
 def corrections(motions: List[Array], shape: Tuple[int, ...], radius: int) -> List[Array]:
-    """Returns the transformations that move each frame onto the smooth path: moving averages of x,
-    y, angle and log scale."""
+    """Returns the transformations that move each frame onto the smooth path, which consists of moving
+    averages of x, y, angle and log scale."""
     middle = np.array([shape[1] / 2, shape[0] / 2, 1])
     path, to_first = [np.zeros(4)], np.eye(3)
     for motion in motions:

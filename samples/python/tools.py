@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Functions that the samples share: matches of two images, the table, the pictures."""
+"""Functions that the samples share: they match two images, print a table and draw pictures."""
 
 import argparse
 import os
@@ -19,7 +19,7 @@ try:
     import usacv20 as usacv20  # the package, which works with any cv2
 except ImportError:
     try:
-        from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the same, of an OpenCV that was built with the module
+        from cv2 import usacv20 as usacv20  # type: ignore[no-redef]  # the package of an OpenCV that was built with the module
     except ImportError:
         sys.exit("the package usacv20 is needed: env/bin/pip install --no-build-isolation ./modules/usac, and then env/bin/python3 " + sys.argv[0])
 
@@ -40,7 +40,8 @@ class Result:
 
 
 def find_file(name: str) -> str:
-    """Returns the path of a file, which is a path itself or a name in OpenCV's sample data."""
+    """Returns the path of a file. `name` is a path, or the name of a file in OpenCV's sample data.
+    Exits the program if there is no such file."""
     for path in [name] + [os.path.join(folder, name) for folder in DATA_FOLDERS]:
         if os.path.isfile(path):
             return path
@@ -56,7 +57,7 @@ def read_image(name: str) -> Image:
 
 def arguments(about: Optional[str], image1: Optional[str], image2: str, output: str,
               threshold: float) -> argparse.ArgumentParser:
-    """Returns a parser with the options that all samples have."""
+    """Returns a parser with the options that most samples share."""
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("image1", nargs="?", default=image1, help="a path or the name of one of OpenCV's sample images")
     parser.add_argument("image2", nargs="?", default=image2)
@@ -79,8 +80,8 @@ def _detect(image: Image, features: int) -> Tuple[Any, Array]:
 
 
 def match_with_ratios(image1: Image, image2: Image, args: argparse.Namespace) -> Tuple[Array, Array, Array]:
-    """Returns the matched points of both images, N x 2, and the ratio of the descriptor distances
-    of the best and the second best match, which must be below args.ratio."""
+    """Returns the matched points of both images, N x 2 each, and for each match the ratio of the
+    descriptor distances of the best and the second best match, which is below args.ratio."""
     keypoints1, descriptors1 = _detect(image1, args.features)
     keypoints2, descriptors2 = _detect(image2, args.features)
     pairs = cv2.BFMatcher(cv2.NORM_L2).knnMatch(descriptors1, descriptors2, 2)
@@ -96,13 +97,13 @@ def match(image1: Image, image2: Image, args: argparse.Namespace) -> Tuple[Array
 
 
 def flag_of(name: str) -> int:
-    """Returns the flag of this name, this module's or OpenCV's; the functions of usacv20 accept
-    both."""
+    """Returns the flag of this name. The functions of usacv20 accept flags of this module and of
+    OpenCV."""
     return int(getattr(usacv20 if name.startswith("USACV20") else cv2, name))
 
 
 def measure(method: str, runs: int, estimate: Callable[[], Any]) -> Result:
-    """Runs estimate(), which returns model and mask, `runs` times; returns the result with the
+    """Runs estimate(), which returns model and mask, `runs` times. Returns the last result with the
     median time."""
     times = []
     for _ in range(max(runs, 1)):
@@ -128,7 +129,7 @@ def print_table(count: int, results: List[Result], runs: int) -> None:
 
 
 def exit_code(result: Result, limit: float) -> int:
-    """Returns 0 if there is a model and its error, if known, is below the limit; otherwise 1."""
+    """Returns 0 if there is a model and its error, if known, is at most the limit; otherwise 1."""
     if result.model is not None and (result.error is None or result.error <= limit):
         return 0
     print("%s: %s" % (result.method, "no model" if result.model is None else "the error is too large"), file=sys.stderr)
@@ -136,7 +137,7 @@ def exit_code(result: Result, limit: float) -> int:
 
 
 def failure_limit(image: Image) -> float:
-    """The limit of the error in the paper: 1 % of the diagonal of the image, in pixels."""
+    """Returns the limit of the error as in the paper: 1 % of the diagonal of the image, in pixels."""
     return 0.01 * float(np.hypot(image.shape[0], image.shape[1]))
 
 
@@ -165,8 +166,8 @@ def _some_inliers(mask: Array, count: int) -> List[int]:
 
 
 def draw_inliers(image1: Image, image2: Image, points1: Array, points2: Array, mask: Array, lines: int = 60) -> Image:
-    """Draws the images side by side with lines between some of the inliers. All points are dots,
-    red for outliers."""
+    """Draws the images side by side. All points are dots, green for inliers and red for outliers.
+    Lines join the two points of some inliers."""
     canvas = _side_by_side(image1, image2)
     shifted = points2 + np.array([image1.shape[1], 0], np.float32)
     for p, q, inlier in zip(points1, shifted, mask.ravel()):
@@ -178,7 +179,8 @@ def draw_inliers(image1: Image, image2: Image, points1: Array, points2: Array, m
 
 
 def _draw_line(image: Image, line: Array, color: Tuple[int, ...]) -> None:
-    """Draws the part of the line a x + b y + c = 0 that is inside the image."""
+    """Draws the line a x + b y + c = 0 from one border of the image to the opposite border. Draws
+    nothing if an end is far outside the image."""
     height, width = image.shape[:2]
     a, b, c = line
     if abs(b) > abs(a):

@@ -6,11 +6,11 @@
 """From two images to verified matches, step by step, with the package usacv20 and any cv2, or with
 cv2.usacv20.
 
-A script in cells: run it as a whole, or cell by cell in an editor that supports `# %%`. It needs
-the package (pip install modules/usac) or an OpenCV that was built with the module, and cv2 and
-matplotlib (Debian: python3-opencv, python3-matplotlib). All pictures are written to one file."""
+This script consists of cells: run it as a whole, or cell by cell in an editor that supports `# %%`.
+It needs the package (pip install modules/usac) or an OpenCV that was built with the module, and cv2
+and matplotlib (Debian: python3-opencv, python3-matplotlib). All pictures are written to one file."""
 
-# %% The images, two of OpenCV's sample images, and the matches of their features.
+# %% Two images, by default of OpenCV's sample images, and the matches of their features.
 import cv2
 import matplotlib
 import numpy as np
@@ -24,15 +24,14 @@ image1, image2 = tools.read_image(args.image1), tools.read_image(args.image2)
 points1, points2, ratios = tools.match_with_ratios(image1, image2, args)
 print("%d matches; the first: %s and %s" % (len(points1), points1[0], points2[0]))
 
-# %% The fundamental matrix by a flag, as with cv2.findFundamentalMat, and by OpenCV's best flag
-# from the same matches.
+# %% The fundamental matrix from the same matches, with a flag of OpenCV and with one of this module.
 theirs = tools.measure("USAC_MAGSAC", args.runs, lambda: cv2.findFundamentalMat(
     points1, points2, cv2.USAC_MAGSAC, args.threshold, args.confidence, 5000))
 ours = tools.measure("USACV20", args.runs, lambda: usacv20.findFundamentalMat(
     points1, points2, usacv20.USACV20, args.threshold, args.confidence, 5000))
 tools.print_table(len(points1), [theirs, ours], args.runs)
 
-# %% All options, including the ratios of the matches as scores, and a report of what was learned.
+# %% All options, including the ratios of the matches as scores, and a report on the estimation.
 params = usacv20.Params(threshold=args.threshold, confidence=args.confidence, scores=ratios)
 F, mask, report = usacv20.estimateFundamental(points1, points2, params)
 print(params)
@@ -40,15 +39,15 @@ print(report.describe())
 print("stopped by %s; random matches would give as good a model with a probability of at most %.2g" % (
     report.stop.name, report.chance))
 
-# %% A batch: the same pair with each of these thresholds, in parallel on all cores.
+# %% A batch: the same pair of images with each of these thresholds, in parallel.
 thresholds = [0.5, 1.0, 2.0, 4.0]
 found = usacv20.estimateFundamentals([points1] * 4, [points2] * 4, [usacv20.Params(threshold=t) for t in thresholds])
 for threshold, result in zip(thresholds, found):
     assert not isinstance(result, Exception)
     print("threshold %.1f: %d inliers" % (threshold, np.count_nonzero(result[1])))
 
-# %% The pictures: inliers, and epipolar lines of some of them.
-matplotlib.use("agg")  # draws to a file; without this line, in a window or the notebook
+# %% The pictures: the inliers, and the epipolar lines of some inliers.
+matplotlib.use("agg")  # draws to a file; without this line, matplotlib draws in a window or in the notebook
 from matplotlib import pyplot as plt  # noqa: E402
 
 if F is not None:
