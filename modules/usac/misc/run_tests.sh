@@ -131,7 +131,7 @@ installed_python()
     cp -r "$module/misc/python/package/usacv20" "$site" && cp "$built"/_native.* "$site/usacv20" && python_package_tests
 }
 
-# Runs the C++ tests in a separate build for each set of options, which may also enable the samples.
+# Runs the C++ tests in a separate build for each set of options, which can also enable the samples.
 cpp_tests()
 {
     folder=$work/cpp-$(printf %s "$project ${USAC_CPP_OPTIONS:-}" | cksum | cut -d ' ' -f 1)

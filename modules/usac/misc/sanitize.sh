@@ -53,7 +53,7 @@ build_with() # tool, target, compiler, flags of the library, more options for CM
     cmake --build "$tools/$tool" -j "$jobs" --target "$target"
 }
 
-# Runs the tests in the build folder of a tool, where they may write files.
+# Runs the tests in the build folder of a tool, where they can write files.
 tests_of() # tool, command before the program or nothing, arguments of the tests
 {
     folder=$tools/$1
@@ -91,7 +91,7 @@ run_valgrind()
 
 # Runs the stored inputs once, then new ones. Inputs that reach new code are kept in `corpus` for
 # the next run; inputs that fail are kept in `findings`. The timeout is long, because it is
-# wall-clock time and the process may have to wait for a processor.
+# wall-clock time and the process might have to wait for a processor.
 run_fuzz() # seconds
 {
     mkdir -p "$tools/corpus" "$tools/findings"

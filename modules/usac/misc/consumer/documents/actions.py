@@ -31,9 +31,12 @@ class Place:
     """The folders in which blocks run, within the folder `documents` of `work`. check.sh has put the
     build and the prefix of the library into `work`.
 
-        clone                         a folder as after a checkout: links to all files of the project;
-                                      `build` is a link to the library's build
-        collection, programs, python  folders for blocks on collections, in C++ and in Python"""
+        clone                  a folder as after a checkout: links to the files and folders of the project;
+                               `build` is a link to the library's build
+        collection, benchmark  folders for blocks on collections and on the benchmark
+        programs, python       folders for blocks in C++ and in Python
+        prefix                 folder into which blocks install the library
+        bin                    programs that replace cmake, apt and sudo (stand_in.py), and python3"""
 
     def __init__(self, project: str, work: str, opencv: str = "") -> None:
         self.project, self.checks, self.opencv = os.path.realpath(project), os.path.realpath(work), opencv
@@ -215,7 +218,7 @@ class Printed(NamedTuple):
 
     of -- key (without the document) of the block whose output is compared
     tolerance -- largest relative difference of numbers
-    free -- regular expressions for parts of lines whose numbers may have any value, such as times
+    free -- regular expressions for parts of lines whose numbers can have any value, such as times
     before -- a command whose output is compared instead of that of a block"""
 
     of: str

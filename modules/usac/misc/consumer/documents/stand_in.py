@@ -5,8 +5,8 @@
 
 """Replaces cmake, apt, apt-get and sudo when commands of the documents run.
 
-cmake: the sources of the scratch checkout are replaced by those of the project, and the folder
-`build` by the existing build.
+cmake: the sources of the scratch checkout are replaced with those of the project, and the folder
+`build` with the existing build.
 apt install: installs nothing. Packages must be installed already. Package files must be installable,
 which is tested by a simulation.
 apt-get: only downloads and updates are allowed, which scripts need.

@@ -81,7 +81,8 @@ with h5py.File('matches.h5', 'w') as file:
             group = file.create_group(names[first] + '/' + names[second])
             group['matches0'], group['matching_scores0'] = partners, scores
 " """
-# The commands have the option names of COLMAP 3; with COLMAP 4 they are replaced, as the text says.
+# The commands in the document have the option names of COLMAP 3. With COLMAP 4, these names are replaced, as the
+# document explains.
 OPTIONS_OF_COLMAP = {"--SiftExtraction.use_gpu": "--FeatureExtraction.use_gpu", "--SiftMatching.use_gpu": "--FeatureMatching.use_gpu"}
 if not shutil.which("colmap") or b"FeatureExtraction.use_gpu" not in subprocess.run(
         ["colmap", "feature_extractor", "--help"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout:

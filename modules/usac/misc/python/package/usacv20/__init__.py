@@ -9,7 +9,7 @@ The package is cv2.usacv20 in an OpenCV that was built with the module, and usac
 installed by itself. The latter works with any cv2 and without cv2. The package offers:
 
 1. Flags: USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_AUTO, USACV20_PROSAC, USACV20_MAGSAC,
-   USACV20_PARALLEL, and those of OpenCV. With USACV20_AUTO, the given threshold is only an upper
+   USACV20_PARALLEL, and the flags of OpenCV. With USACV20_AUTO, the given threshold is only an upper
    limit; the estimated threshold is report.threshold.
 
     H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)

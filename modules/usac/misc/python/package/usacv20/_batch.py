@@ -54,8 +54,8 @@ class _Mistakes:
 
 def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
     """Returns a list of arrays with one entry for each task, or with a single entry for all tasks;
-    the list is empty if `given` is None. `given` is a list of arrays, a 3-dimensional array of them,
-    or a single array, which can also be a list of numbers or of rows of numbers. Raises usacv20.error
+    the list is empty if `given` is None. `given` is a list of arrays, a 3-dimensional array, or a
+    single array, which can also be a list of numbers or of rows of numbers. Raises usacv20.error
     if the number of arrays is neither 1 nor the number of tasks."""
     if given is None:
         return []

@@ -43,8 +43,8 @@ class Correspondences(typing.NamedTuple):
 
 class _Component(abc.ABC):
     def start(self, points: Correspondences) -> None:
-        """Called once at the beginning of each run. The arrays are copies, so a component may store
-        them. The default does nothing."""
+        """Called once at the beginning of each run. The arrays are copies, so that a component can
+        keep them. The default implementation does nothing."""
 
     def _begin(self, *points: Any) -> None:
         self.start(Correspondences(*points))
@@ -95,9 +95,9 @@ class Score(_Component):
     accumulate() is called for each block of points of each model. Params.threads threads call it,
     but only one of them at a time, because of the global interpreter lock. A call of the score
     below, which uses NumPy, takes about 10 microseconds: the estimation of a homography from 1000
-    matches takes 14 times as long as with the score of C++, that of a fundamental matrix 12 times.
-    If `wholeModel` is True, so that there is one call for each model, the estimation takes 3 to 4
-    times as long as with the score of C++.
+    matches takes 14 times as long as with the score of C++, and the estimation of a fundamental
+    matrix 12 times as long. If `wholeModel` is True, so that there is one call for each model, both
+    estimations take 3 to 4 times as long as with the score of C++.
 
     >>> import numpy as np, usacv20
     >>> class Truncated(usacv20.Score):  # the cost of MSAC
@@ -220,7 +220,7 @@ class Usac:
 
         problem -- ProblemType
         points1, points2 -- N points each, in the layouts that the function estimate* of the problem
-        takes
+        accepts
         params -- Params; None: the defaults
         cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 -- for ESSENTIAL, as in
         estimateEssential; ABSOLUTE_POSE uses cameraMatrix1 and distCoeffs1"""

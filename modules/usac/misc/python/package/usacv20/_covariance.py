@@ -55,12 +55,12 @@ def covarianceOfPose(essential: npt.ArrayLike, covariance: npt.ArrayLike, R: npt
 
     essential -- 3x3, a multiple of [t]x R
     covariance -- Report.covariance of this matrix, 5x5
-    R, t -- rotation and translation that estimateRelativePose or cv2.recoverPose returns; t may
+    R, t -- rotation and translation that estimateRelativePose or cv2.recoverPose returns; t can
     have any length
 
-    Returns a 6x6 array of rank 5. The first three rows and columns are those of the rotation vector
-    w in radians, where exp(w) R is the rotation with an error; the last three are those of t / |t|,
-    whose errors are perpendicular to t."""
+    Returns a 6x6 array of rank 5. The first three rows and columns belong to the rotation vector w
+    in radians, where exp(w) R is the rotation with an error; the last three belong to t / |t|, whose
+    errors are perpendicular to t."""
     found: Any = native.covarianceOfPose(array(essential, "essential"), array(covariance, "covariance"), array(R, "R"), array(t, "t"))
     result: _Numbers = found
     return result

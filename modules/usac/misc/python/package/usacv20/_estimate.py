@@ -85,7 +85,7 @@ def estimateModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt
 
     problem -- ProblemType, or its name as a string
     points1, points2 -- N points each, in the layouts that the function estimate* of the problem
-    takes; ABSOLUTE_POSE: objectPoints and imagePoints
+    accepts; ABSOLUTE_POSE: objectPoints and imagePoints
     params, mask -- as in the function estimate* of the problem
     cameraMatrix1, distCoeffs1 -- for ESSENTIAL and ABSOLUTE_POSE
     cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: the same as cameraMatrix1, and no distortion

@@ -43,7 +43,7 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
 
     problem -- ProblemType, or its name as a string
     points1, points2 -- N points each, in the layouts that the function estimate* of the problem
-    takes; ABSOLUTE_POSE: objectPoints and imagePoints
+    accepts; ABSOLUTE_POSE: objectPoints and imagePoints
     weights -- N weights of the squared errors, at least 0; None: all are 1
     chosen -- mask of the points to fit, for example the inliers: N numbers or truth values, 0 for
     points that are left out; None: all points

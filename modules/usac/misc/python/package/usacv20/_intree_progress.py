@@ -101,7 +101,7 @@ class Runs:
         return outcome["result"]
 
     def notBegun(self) -> Tuple[Optional[Any], Optional[Any], Any, str]:
-        """Returns the result of an estimation that was cancelled before it started."""
+        """Returns the result of an estimation that was canceled before it started."""
         report = self._functions.Report()
         report.stop = _STOP_CANCELLED
         return None, None, report, ""

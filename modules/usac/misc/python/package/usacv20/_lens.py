@@ -25,7 +25,7 @@ def removeDistortion(points: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
     image corners of an ordinary lens.
 
     points -- N points of the original (distorted) image in pixels; any type and layout that
-    estimateHomography takes
+    estimateHomography accepts
     cameraMatrix -- 3x3
     distCoeffs -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints; None: no distortion
 

@@ -117,7 +117,7 @@ class Report:
 
     def asDict(self) -> Dict[str, Any]:
         """Returns a dictionary of the fields by name, for a table or a file: numbers, truth values,
-        `stop` as text, and `covariance` as lists or None."""
+        `stop` as text, `sample` as a tuple, and `covariance` as lists or None."""
         matrix = self.covariance
         return dict(self._values(), stop=self.stop.name, covariance=None if matrix is None else matrix.tolist())
 

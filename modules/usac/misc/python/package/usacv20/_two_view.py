@@ -39,7 +39,7 @@ class TwoViewRules:
     minInliers: int = 15  # minimum number of inliers of an accepted model; >= 1
     # Smallest expected inlier ratio, 0..1. The maximum number of samples is chosen so that the
     # model of a pair with this ratio is found with probability Params.confidence. Models of pairs
-    # with a smaller ratio may be found, too, but less reliably.
+    # with a smaller ratio can be found, too, but less reliably.
     inlierRatio: float = 0.25
     # Inlier ratios of some image pairs of the same collection, each above 0 and at most 1.
     # Params.confidence is then the average probability of success over the correct pairs of this
@@ -58,8 +58,8 @@ class TwoViewRules:
         """Returns the number of samples needed to find the model of an acceptable pair, at least
         500, regardless of params.maxIterations.
 
-        params -- options; only `confidence` is used, and whether the local optimization is that of
-        USACV20
+        params -- options; only `confidence` is used, and whether the search (sampler, score, local
+        optimization and polishing) is that of USACV20
         sampleSize -- number of points in a sample: 5 for E, 7 for F, 4 for H
         matches -- number of matches of the pair
 
@@ -68,9 +68,9 @@ class TwoViewRules:
         least minInliers. With k `ratios`, the confidence is met on average over k pairs with these
         ratios and one more pair, whose ratio is uniformly distributed between inlierRatio and the
         smallest of `ratios`. The additional pair has the weight 1 / (k + 1), which is the
-        probability that a new pair has a smaller ratio than k others. For E and F with the local
-        optimization of USACV20, a sample counts as up to four samples, because models are also found
-        from samples with an outlier."""
+        probability that a new pair has a smaller ratio than k others. For E and F with the search
+        of USACV20, a sample counts as up to four samples, because models are also found from samples
+        with an outlier."""
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
 
     def reached(self, params: Params, sampleSize: int, matches: int) -> float:
@@ -147,8 +147,7 @@ def _size(size: Any, name: str) -> Any:
 
 
 def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
-    """Returns the fields of a pair, converted and in the order in which the compiled part takes
-    them."""
+    """Returns the converted fields of a pair in the order that the compiled part expects."""
     scores = None if pair.scores is None else np.ravel(_arguments.array(pair.scores, prefix + "scores")).astype(np.float32)
     return (*(_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS),
             *(_arguments.optionalArray(getattr(pair, name), prefix + name) for name in _ARRAYS),
@@ -193,7 +192,7 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
 
     If both focal lengths are known, an essential matrix E is estimated, and then a fundamental
     matrix F starting from E; otherwise only F. If E is rejected, F is searched for with 500
-    samples, and its report.chance may be at most the square of the significance. If F shows that
+    samples, and its report.chance must be at most the square of the significance. If F shows that
     the focal lengths are wrong, E is estimated once more, starting from F. H is estimated from the
     inliers of E or F or, if both were rejected, from all matches. The focal lengths are accepted if
     E has at least rules.calibrationRatio of the inliers of F, not counting the inliers that F gains

@@ -32,8 +32,8 @@ class Cluster:
     running cluster
     say -- function that prints a line for the user
 
-    If all workers can read the files of the source, they read the pairs themselves; otherwise this
-    process reads the pairs and sends them to all workers."""
+    If all workers see the same files of the source as this process, they read the pairs themselves;
+    otherwise this process reads the pairs and sends them to the workers."""
 
     def __init__(self, source: Source, settings: Any, verify: Verify, workers: int, scheduler: str,
                  say: Callable[[str], None]) -> None:

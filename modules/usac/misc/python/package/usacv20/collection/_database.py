@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 # COLMAP's pair_id is this number times the smaller image_id, plus the larger image_id.
 IMAGES = 2147483647
 CACHE = 256 << 20  # maximum number of bytes of keypoints that each process keeps in memory
-_PAGE = 4096  # number of keys read at once; an open SELECT statement would prevent other connections from writing
+_PAGE = 4096  # number of keys in a query; a single query for all keys would prevent other connections from writing
 _COLUMNS = (2, 4, 6)  # allowed numbers of columns of keypoints: x, y; x, y, scale, orientation; x, y, 2x2 affine shape
 
 

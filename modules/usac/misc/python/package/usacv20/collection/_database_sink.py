@@ -67,7 +67,7 @@ class DatabaseSink:
         self._settings = json.loads(json.dumps(dict(settings), sort_keys=True))
         self.removed = 0  # number of removed rows of two_view_geometries from another program or an earlier run
         self._run: Optional[int] = None
-        self._newest: Optional[int] = None  # newest run in the database that this sink knows
+        self._newest: Optional[int] = None  # newest run in the database when this sink last wrote or was opened
         self._same = ""  # comma-separated ids of the earlier runs with the same settings, for SQL statements
         self._keep = keep
         self._resumed = False

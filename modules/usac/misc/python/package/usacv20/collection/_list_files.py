@@ -135,7 +135,7 @@ def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optiona
         array = np.ravel(array)
         if len(array) not in (len(rows), count):
             fail("{}: {} numbers for {} matches".format(name, len(array), len(rows)))
-        # Keypoints without a match may have scores that are not finite.
+        # Keypoints without a match can have scores that are not finite.
         scores = _numbers(array if len(array) == len(rows) else array[rows[:, 0]], name, 0)
         return (scores if len(scores) and scores.min() < scores.max() else None), higherIsBetter
     return None, True

@@ -114,7 +114,7 @@ class Folder:
 
     def _scanned(self, folder: str) -> typing.Iterator[str]:
         """Yields the files and subfolders of a folder; names of subfolders end in '/'. Links to
-        folders are not followed, because they may form a cycle."""
+        folders are not followed, because they can form a cycle."""
         with os.scandir(os.path.join(self._path, folder)) as entries:
             for entry in entries:
                 if entry.name.startswith("."):
@@ -271,7 +271,7 @@ class ListSource:
     no pairs."""
 
     def __init__(self, path: str, features: Optional[str] = None) -> None:
-        # The paths are absolute, because workers may run in another folder.
+        # The paths are absolute, because workers can run in another folder.
         self._path = os.path.abspath(path)
         self._features = None if features is None else os.path.abspath(features)
         self._opened: Optional[Tuple[int, Container]] = None

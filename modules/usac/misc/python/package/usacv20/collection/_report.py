@@ -9,8 +9,8 @@ It lists some pairs that should be checked, the first few of each kind:
 - refused pairs with the most matches,
 - verified pairs whose probability of being a chance result is at least a hundredth of the limit
   (Settings.significance), those with the largest probability first,
-- verified pairs with an inlier ratio below 0.2, those with the most inliers first; the reason may be
-  repeated structure, or a moving part of the images,
+- verified pairs with an inlier ratio below 0.2, those with the most inliers first; possible reasons
+  are repeated structure and a moving part of the images,
 - pairs that are the only link between two parts of at least two images each, sorted by the number of
   images of the smaller part, in descending order. If such a pair is wrong, it joins unrelated parts
   of the reconstruction; if it were missing, the reconstruction would fall apart."""
@@ -55,7 +55,7 @@ MEASURES = (
 
 
 def _significance(settings: Any) -> float:
-    """Returns the limit of the chance from the settings of a run, which may be nested dictionaries;
+    """Returns the limit of the chance from the settings of a run, which can be nested dictionaries;
     the default limit if the settings do not contain it."""
     if isinstance(settings, dict):
         for name, value in settings.items():

@@ -75,7 +75,7 @@ def _read(source: DatabaseSource, path: str) -> List[int]:
 
 
 def _key(line: str, images: Dict[str, int], place: str) -> int:
-    """Returns the key of the pair on a line. Names may contain blanks, so each blank is tried as
+    """Returns the key of the pair on a line. Names can contain blanks, so each blank is tried as
     the separator until both parts are names of images."""
     numbers: Optional[List[int]] = None
     for i, letter in enumerate(line):

@@ -15,9 +15,9 @@ from .._two_view import TwoViewRules
 from ._pair import CollectionError
 
 # USACV20_PARALLEL is excluded because the pairs are processed in parallel. USACV20_PROSAC is
-# excluded because it needs sorted matches, and those of a collection are not sorted. All other
-# methods use the scores of the matches, if there are any. With USACV20_AUTO each pair has its own
-# threshold.
+# excluded because it requires sorted matches, and the matches of a collection are not sorted. All
+# other methods use the scores of the matches, if there are any. With USACV20_AUTO, each pair has its
+# own threshold.
 METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Method.USACV20_PARALLEL, UsacV20Method.USACV20_PROSAC)}
 
 
@@ -29,12 +29,12 @@ class Settings:
     method: str = "USACV20"  # one of METHODS
     confidence: float = 0.999
     # Maximum number of samples for a model, equal to COLMAP's limit. With the other defaults, this
-    # limit may end a search for F before `confidence` is reached (see `reached`), but not a search
+    # limit can end a search for F before `confidence` is reached (see `reached`), but not a search
     # for E or H. This happens for pairs with at least 44 matches, if the inlier ratio is below 0.33
     # (with 60 matches) or 0.29 (with many matches). If the inlier ratio is 0.25, F is then found
     # with a probability of about 0.49 (60 matches), 0.86 (300 matches) or 0.91 (2000 matches).
     maxIterations: int = 10000
-    # Smallest expected inlier ratio. Pairs with a smaller ratio may be found, too, but with a
+    # Smallest expected inlier ratio. Pairs with a smaller ratio can be found, too, but with a
     # probability below `confidence`.
     inlierRatio: float = 0.25
     # Inlier ratios of some pairs of the collection, from the estimation of its threshold; used by

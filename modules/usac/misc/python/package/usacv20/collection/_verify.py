@@ -56,9 +56,10 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     settings -- method, confidence, maxIterations, inlierRatio, minInliers, significance,
     watermarks, seed: as on the command line
 
-    Pairs that cannot be read are named on stderr and counted in the summary, which is returned.
-    Raises CollectionError if nothing can be done, and KeyboardInterrupt if the run was interrupted,
-    after the results of the pairs in progress are stored."""
+    Returns the summary of the run. Pairs that cannot be read are counted in the summary, and the
+    first 20 of these pairs are named on stderr. Raises CollectionError if nothing can be done, and
+    KeyboardInterrupt if the run was interrupted, after the results of the pairs in progress are
+    stored."""
     summary = verifyDatabase(path, output, threshold, pairs, resume, scores, loops, settings, say or _silent, threads=threads,
                              workers=workers, scheduler=scheduler, chunk=chunk, progress=progress)
     if summary.interrupted:
