@@ -8,8 +8,8 @@
 
 int main()
 {
-    // 300 points and their images under a known homography; every third image is replaced by a
-    // random point.
+    // 300 points and the points to which a known homography maps them; every third mapped point is
+    // replaced with a random point.
     const cv::Mat truth = cv::Mat_<double>({3, 3}, {1.1, 0.1, 20, -0.05, 0.9, 10, 1e-4, -5e-5, 1});
     cv::RNG rng(1);
     std::vector<cv::Point2d> src(300), dst;

@@ -56,8 +56,8 @@ def sentence(comment):
 
 
 def short(comment):
-    """Returns the comment of an enumerator as plain text. Of a comment with the length of two lines
-    or more, only the first sentence is returned."""
+    """Returns the comment of an enumerator as plain text. If the text has the length of two lines or
+    more, only its first sentence is returned."""
     text = plain(comment)
     return text if len(text) < 2 * WIDTH else sentence(comment)
 

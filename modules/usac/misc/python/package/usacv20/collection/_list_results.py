@@ -235,8 +235,8 @@ def checkExtension(path: str) -> None:
 
 def readResults(path: str) -> typing.Iterator[TwoView]:
     """Yields the results of the command `pairs` in the order of the names of the pairs, from its
-    SQLite, NPZ or HDF5 file, or from OUTPUT.part of an interrupted run. Raises CollectionError if the file is
-    damaged or has no results."""
+    SQLite, NPZ or HDF5 file, or from OUTPUT.part of an interrupted run. Raises CollectionError if
+    the file is damaged or has no results."""
     try:
         with open(path, "rb") as file:
             start = file.read(16)

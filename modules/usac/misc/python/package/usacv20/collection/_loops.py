@@ -119,8 +119,8 @@ class _Forest:
 
     def _find(self, image: typing.Hashable) -> Tuple[typing.Hashable, _Rotation]:
         """Returns the representative of the tree of an image, and the rotation of the image
-        relative to the representative. The number of steps is at most logarithmic in the number of images, because
-        the smaller tree is always attached to the larger one."""
+        relative to the representative. The number of steps is at most logarithmic in the number of
+        images, because the smaller tree is always attached to the larger tree."""
         rotation = _NONE
         while image in self._toward:
             image, step = self._toward[image]

@@ -185,7 +185,7 @@ class Results:
         return [str(known[int(images[i])]) for i in order], ranks
 
     def links(self, where: str = "1") -> typing.Iterator[Tuple[int, int, int, int]]:
-        """Yields the numbers of the two images, the inliers and the state of each pair."""
+        """Yields the ids of the two images, the number of inliers and the state of each pair whose images are known."""
         for first, second, inliers, state in self.rows(
                 "SELECT first, second, inliers, state FROM results WHERE first IS NOT NULL AND {}".format(where)):
             yield first, second, inliers, state

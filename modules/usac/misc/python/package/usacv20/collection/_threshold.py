@@ -55,8 +55,8 @@ CHUNK = 50  # number of pairs that are read at once
 QUANTILE = 0.95  # fraction of the correct matches within the threshold @cite hartley2003multiple (table 4.2)
 IN_SIGMAS = 1.96  # threshold / standard deviation, if a fraction QUANTILE of normally distributed errors is within it
 
-WIDEST = 12.0  # largest plausible threshold in pixels: three times COLMAP's
-CONFIDENCE, ITERATIONS = 0.99, 500  # confidence and maximum number of samples; pairs without a model after these are left out
+WIDEST = 12.0  # largest plausible threshold in pixels: three times that of COLMAP
+CONFIDENCE, ITERATIONS = 0.99, 500  # confidence and maximum number of samples; pairs for which no model is found are left out
 SIGNIFICANCE = 1e-4  # largest Report.chance of a pair that is used
 MOST = 1000  # maximum number of matches of a pair that are used
 
