@@ -141,7 +141,7 @@ def copyDatabase(source: str, target: str) -> None:
                 reader.backup(writer, pages=4096)
             tidy(target)
         except BaseException:
-            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # these files remain if the disk is full
+            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # they remain if the disk is full
                 with contextlib.suppress(FileNotFoundError):
                     os.remove(name)
             raise
