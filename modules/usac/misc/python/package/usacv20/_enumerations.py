@@ -70,7 +70,7 @@ class SamplerType(enum.IntEnum):
     SAMPLER_UNIFORM = 0  # all points are equally likely
     SAMPLER_PROSAC = 1  # from a growing set of the best points
     SAMPLER_P_NAPSAC = 2  # P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
-    SAMPLER_NAPSAC = 3  # a random point and neighbors of it
+    SAMPLER_NAPSAC = 3  # a random point and some of its neighbors
     SAMPLER_IMPORTANCE = 4  # each point with probability proportional to Params.scores, for example inlier probabilities
 
 
@@ -154,8 +154,8 @@ class TerminationFlags(enum.IntFlag):
     # modifies the other criteria: with I inliers among N points, a sample of m points, drawn without replacement, is
     # all-inlier with probability C(I, m) / C(N, m) instead of (I / N)^m
     TERMINATION_EXACT = 32
-    # PROSAC's criterion, if the inliers of the best model come early in a known order, and if samples of its outliers yield no
-    # better model; no effect if runnersUp is 0
+    # PROSAC's criterion, if inliers of the best model come early in a known order and samples of its outliers yield no better
+    # model; no effect if runnersUp is 0 or orderedEvery is 1
     TERMINATION_ORDER = 64
 
 
@@ -175,7 +175,8 @@ class PolishingType(enum.IntEnum):
     """How the best model is refined at the end (Algorithm 1, last line)."""
 
     POLISHING_NONE = 0  # nothing
-    POLISHING_LEAST_SQUARES = 1  # least squares of the geometric error over all inliers, until the inliers no longer change
+    # least squares of the geometric error over all inliers, repeated while this improves the model
+    POLISHING_LEAST_SQUARES = 1
     POLISHING_REWEIGHTED = 2  # iteratively re-weighted least squares with the weights of MAGSAC++
     POLISHING_ROBUST = 3  # least squares with a robust loss adapted to the noise of the inliers
 
@@ -187,7 +188,7 @@ class StopReason(enum.IntEnum):
     STOP_TOO_FEW_POINTS = 1  # fewer finite correspondences than a minimal sample: no model
     STOP_NO_MODEL = 2  # no sample yielded a model with enough inliers (degenerate data)
     STOP_MAX_ITERATIONS = 3  # Params.maxIterations was reached
-    STOP_STANDARD = 4  # TERMINATION_STANDARD fired
+    STOP_STANDARD = 4  # TERMINATION_STANDARD fired, or practically all samples have been drawn
     STOP_SPRT = 5  # TERMINATION_SPRT fired
     STOP_P_NAPSAC = 6  # TERMINATION_P_NAPSAC fired
     STOP_CUSTOM = 7  # a Termination component of the caller fired
@@ -197,20 +198,20 @@ class StopReason(enum.IntEnum):
     STOP_NOT_SIGNIFICANT = 10
     STOP_ORDER = 11  # TERMINATION_ORDER fired
     STOP_TIME = 12  # Params.maxTime was reached: the model, if any, is the best so far
-    STOP_CANCELLED = 13  # a ProgressScope's function returned false: best model so far, if any
+    STOP_CANCELLED = 13  # the function of a ProgressScope returned false: best model so far, if any
     STOP_NO_SEARCH = 14  # result of Usac.fit or Usac.refine, which do not search
 
 
 class TwoViewConfiguration(enum.IntEnum):
     """The relation between two images, with the names and numbers of COLMAP's table two_view_geometries."""
 
-    TWO_VIEW_UNDEFINED = 0  # unknown: invalid arguments, or the estimation was cancelled
+    TWO_VIEW_UNDEFINED = 0  # unknown: the estimation was canceled, or it raised an exception (batches)
     TWO_VIEW_DEGENERATE = 1  # no model is good enough, see TwoViewGeometry.reason
     TWO_VIEW_CALIBRATED = 2  # essential matrix and relative pose
     TWO_VIEW_UNCALIBRATED = 3  # fundamental matrix: the focal lengths are unknown or wrong
     TWO_VIEW_PLANAR = 4  # plane seen by calibrated cameras with a baseline
     TWO_VIEW_PANORAMIC = 5  # pure rotation of a calibrated camera
-    TWO_VIEW_PLANAR_OR_PANORAMIC = 6  # plane or pure rotation, with unknown focal lengths
+    TWO_VIEW_PLANAR_OR_PANORAMIC = 6  # plane or pure rotation; the focal lengths are unknown or wrong
     TWO_VIEW_WATERMARK = 7  # most inliers are at the borders of both images, with a common shift
 
 
