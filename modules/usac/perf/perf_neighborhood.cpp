@@ -46,7 +46,7 @@ PERF_TEST_P(UsacSize, gridWithEdges_1000000points, testing::Values(100, 1000, 10
         {
             const Vec2i* links = 0;
             scene.context.arena.clear();
-            edges = createGridNeighborhood(4)->edges(scene.context, links);
+            edges = createGridNeighborhood(4)->edges(scene.context, 0, links);
         }
     }
     EXPECT_GT(edges, 0);

@@ -20,24 +20,13 @@ constexpr double CUT_WORK = 50;
 
 }  // namespace
 
-void Labeling::weigh(const Context& context, const Model& model)
+int Labeling::findDegree(const Context& context)
 {
-    const Correspondences& points = context.points;
-    Arena::Scope scope(context.arena);
-    float* const errors = scope.take<float>(size);
-    context.components.residual->squaredErrors(points, model, 0, size, errors);
-    const float factor = (float)(-0.5 / (points.threshold * points.threshold));
-    const float reach = std::log(NEGLIGIBLE) / factor;
-    for (int i = 0; i < size; ++i)
-    {
-        K[i] = errors[i] < reach ? std::exp(errors[i] * factor) : 0;  // NaN gives 0
-        unary[i] = 1 - 2 * K[i];
-    }
-}
-
-//! Largest number of edges of a point.
-int Labeling::degreeOf(const Vec2i* edges, int count)
-{
+    const int known = context.neighborhood().mostEdges();
+    if (known >= 0)
+        return known;
+    const Vec2i* edges = 0;
+    const int count = context.neighborhood().edges(context, 0, edges);
     std::fill(node, node + size, 0);
     int most = 0;
     for (int e = 0; e < count; ++e)
@@ -45,66 +34,101 @@ int Labeling::degreeOf(const Vec2i* edges, int count)
     return most;
 }
 
-/* An edge (p, q) changes the cost of p as an inlier minus its cost as an outlier by -lambda a if q
-is an inlier, and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. A point whose
-label is the same for any labels of its neighbors is labeled before the cut. For most points a
-coarse test is enough: the magnitude of `unary` exceeds lambda times the largest number of edges. */
-void Labeling::labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda)
+float Labeling::weight(float squaredError) const
 {
-    if (degree < 0)
-        degree = degreeOf(edges, count);
-    const float mostOfEdges = lambda * degree;
-    // bounds of `unary` plus the changes by the edges over all possible labels of the neighbors
-    Arena::Scope scope(arena);
-    float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
-    const float *const k = K, *const cost = unary;
-    int* const label = node;
-    for (int i = 0; i < size; ++i)
+    const float weight = std::exp(squaredError * factor);
+    return weight > NEGLIGIBLE ? weight : 0;  // NaN gives 0
+}
+
+/* An edge (p, q) changes the cost of p as an inlier minus its cost as an outlier by -lambda a if q
+is an inlier, and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. The most that all
+edges of p can change is reached for K_q = 0 if all q are outliers, and for K_q = 1 if all are
+inliers. For most points, 1 - 2 K_p is of larger magnitude than that, so that the error alone tells
+the label. */
+void Labeling::labelByError(const Context& context, const Model& model, uchar* wanted)
+{
+    context.components.residual->squaredErrors(context.points, model, 0, size, errors);
+    const float most = lambda * degree, farthest = std::log(NEGLIGIBLE) / factor;
+    float inner = 0, outer = farthest;  // squared errors below and above which the label is known
+    if (most < 2)
     {
-        const bool outlier = (cost[i] >= mostOfEdges) | (k[i] == 0);
-        label[i] = cost[i] + mostOfEdges < 0 ? INLIER : outlier ? OUTLIER : 0;
+        inner = std::log((1 + most) / (2 + most / 2)) / factor;
+        outer = std::min(std::log((1 - most / 2) / (2 + most / 2)) / factor, farthest);
     }
-    std::copy(cost, cost + size, lowest);
-    std::copy(cost, cost + size, highest);
-    for (int e = 0; e < count; ++e)
+    for (int i = 0; i < size; ++i)  // this loop can use vector instructions
     {
-        const int p = edges[e][0], q = edges[e][1];
-        if ((label[p] & label[q]) < 0)  // both have a label
-            continue;
-        const float a = 0.5f * (k[p] + k[q]), least = lambda * a, most = lambda * (1 - a);
-        lowest[p] -= least;
-        lowest[q] -= least;
-        highest[p] += most;
-        highest[q] += most;
+        const float error = errors[i];
+        const bool open = (error >= inner) & (error < outer);
+        node[i] = error < inner ? INLIER : open ? 0 : OUTLIER;  // NaN gives an outlier
+        wanted[i] = open;
+        K[i] = -1;
     }
     nodeCount = 0;
     for (int i = 0; i < size; ++i)
-        if (node[i] == 0)
+        if (wanted[i])
         {
-            node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 ? OUTLIER : nodeCount;
-            if (node[i] >= 0)
-                pointOfNode[nodeCount++] = i;
+            pointOfNode[nodeCount++] = i;
+            K[i] = weight(errors[i]);
+            unary[i] = 1 - 2 * K[i];
         }
+}
+
+void Labeling::labelByNeighbors(Arena& arena, const Vec2i* edges, int count)
+{
+    // bounds of `unary` plus the changes by the edges over all possible labels of the neighbors
+    Arena::Scope scope(arena);
+    float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
+    for (int k = 0; k < nodeCount; ++k)
+        lowest[pointOfNode[k]] = highest[pointOfNode[k]] = unary[pointOfNode[k]];
+    for (int e = 0; e < count; ++e)
+    {
+        const int p = edges[e][0], q = edges[e][1];
+        if ((node[p] & node[q]) < 0)  // both have a label
+            continue;
+        for (int end = 0; end < 2; ++end)
+            if (K[edges[e][end]] < 0)
+                K[edges[e][end]] = weight(errors[edges[e][end]]);
+        const float a = 0.5f * (K[p] + K[q]), least = lambda * a, most = lambda * (1 - a);
+        for (int end = 0; end < 2; ++end)
+            if (node[edges[e][end]] == 0)
+            {
+                lowest[edges[e][end]] -= least;
+                highest[edges[e][end]] += most;
+            }
+    }
+    const int open = nodeCount;
+    nodeCount = 0;
+    for (int k = 0; k < open; ++k)
+    {
+        const int i = pointOfNode[k];
+        node[i] = highest[i] < 0 ? INLIER : lowest[i] >= 0 ? OUTLIER : nodeCount;
+        if (node[i] >= 0)
+            pointOfNode[nodeCount++] = i;
+    }
 }
 
 int Labeling::cut(const Context& context, const Model& model, int* inliers)
 {
     size = context.points.size;
     Arena::Scope scope(context.arena);
+    errors = scope.take<float>(size);
     K = scope.take<float>(size);
     unary = scope.take<float>(size);
     node = scope.take<int>(size);
     pointOfNode = scope.take<int>(size);
-    weigh(context, model);
-    const float lambda = (float)context.params.spatialWeight;
+    uchar* const wanted = scope.take<uchar>(size);
+    lambda = (float)context.params.spatialWeight;
+    factor = (float)(-0.5 / (context.points.threshold * context.points.threshold));
+    const bool late = context.stopBefore(size * CUT_WORK);
+    if (degree < 0)
+        degree = late ? 0 : findDegree(context);
+    labelByError(context, model, wanted);
     const Vec2i* edges = 0;
-    int count = context.stopBefore(size * CUT_WORK) ? 0
-                                                    : context.neighborhood().edges(context, edges);
+    int count = late ? 0 : context.neighborhood().edges(context, wanted, edges);
     if (context.stop(0))  // the time limit was reached while the edges were searched
         count = 0;
-    degree = std::max(degree, context.neighborhood().mostEdges());
-    labelWithoutCut(context.arena, edges, count, lambda);
-    labelByCut(context.arena, edges, count, lambda);
+    labelByNeighbors(context.arena, edges, count);
+    labelByCut(context.arena, edges, count);
     int found = 0;
     for (int i = 0; i < size; ++i)
         if (node[i] == INLIER)
@@ -114,7 +138,7 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
 
 /* With x = 1 for an inlier and 0 for an outlier, the cost of an edge (p, q) is lambda times
 a + (1 - a) x_p - a x_q + (1 - x_p) x_q. The last term is one arc of the graph. */
-void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda)
+void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count)
 {
     const int nodes = nodeCount;
     Arena::Scope scope(arena);

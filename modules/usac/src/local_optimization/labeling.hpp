@@ -30,7 +30,10 @@ outliers. The graph is set up in O(N) time; in practice, the cut takes linear ti
 class Labeling
 {
 public:
-    Labeling() : K(0), unary(0), node(0), pointOfNode(0), size(0), nodeCount(0), degree(-1) {}
+    Labeling()
+        : lambda(0), factor(0), errors(0), K(0), unary(0), node(0), pointOfNode(0), size(0),
+          nodeCount(0), degree(-1)
+    {}
 
     //! To be called when a run begins, because its points may have other edges than those of the
     //! previous run.
@@ -43,19 +46,27 @@ public:
 private:
     enum { INLIER = -1, OUTLIER = -2 };
 
-    int degreeOf(const Vec2i* edges, int count);
-    void weigh(const Context& context, const Model& model);
-    //! Labels the points whose label the edges cannot change. The other points become nodes.
-    void labelWithoutCut(Arena& arena, const Vec2i* edges, int count, float lambda);
+    //! Largest number of edges of a point.
+    int findDegree(const Context& context);
+    float weight(float squaredError) const;
+    //! Labels the points whose label the edges cannot change according to the errors alone. Lists
+    //! the other points in `pointOfNode`.
+    void labelByError(const Context& context, const Model& model, uchar* wanted);
+    //! Labels the points whose label the edges cannot change according to the weights of their
+    //! neighbors. The other points become nodes.
+    void labelByNeighbors(Arena& arena, const Vec2i* edges, int count);
     //! Labels the nodes with a minimum cut.
-    void labelByCut(Arena& arena, const Vec2i* edges, int count, float lambda);
+    void labelByCut(Arena& arena, const Vec2i* edges, int count);
 
     // The following members are valid only during cut(), except for the memory of `graph`.
-    float* K;                      //!< K_p of each point
-    float* unary;                  //!< cost as an inlier minus cost as an outlier
-    int* node;                     //!< node of each point in the graph, or its label (negative)
-    int* pointOfNode;              //!< point of each node
-    int size, nodeCount;           //!< numbers of points and of nodes
+    float lambda;
+    float factor;         //!< K_p = exp(factor error_p^2)
+    float* errors;        //!< squared error of each point
+    float* K;             //!< K_p of points that have no label yet and of their neighbors
+    float* unary;         //!< cost as an inlier minus cost as an outlier, of the same points
+    int* node;            //!< node of each point in the graph, or its label (negative)
+    int* pointOfNode;     //!< point of each node
+    int size, nodeCount;  //!< numbers of points and of nodes
     detail::GCGraph<float> graph;  //!< a member, so that its memory is reused
 
     int degree;  //!< at least the largest number of edges of a point; -1: not yet known

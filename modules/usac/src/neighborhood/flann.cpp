@@ -125,7 +125,7 @@ public:
         return around.counts[layer];
     }
 
-    int edges(const Context& context, const Vec2i*& edges) CV_OVERRIDE
+    int edges(const Context& context, const uchar*, const Vec2i*& edges) CV_OVERRIDE
     {
         if (!build(context))
             return 0;

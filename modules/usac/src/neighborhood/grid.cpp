@@ -35,7 +35,7 @@ class GridNeighborhood : public Neighborhood
 public:
     explicit GridNeighborhood(int columns)
         : axes(columns), bits(std::min<int>(CODE_BITS / columns, MOST_BITS)), size(0), codes(0),
-          sorted(0), rank(0), sortedCodes(0), links(0), linkCount(0)
+          sorted(0), rank(0), sortedCodes(0), links(0)
     {}
 
     void start(const Context&) CV_OVERRIDE
@@ -67,16 +67,18 @@ public:
         return last - first;
     }
 
-    int edges(const Context& context, const Vec2i*& edges) CV_OVERRIDE
+    int edges(const Context& context, const uchar* wanted, const Vec2i*& edges) CV_OVERRIDE
     {
         build(context);
         if (!links)
-        {
             links = context.arena.take<Vec2i>((size_t)size * CELL_LINKS);
-            linkCount = linkPoints(sorted, sortedCodes, size, axes, links);
-        }
         edges = links;
-        return linkCount;
+        Arena::Scope scope(context.arena);
+        uchar* const wantedAt = scope.take<uchar>(size + CELL_LINKS);  // in the order of `sorted`
+        for (int place = 0; place < size; ++place)
+            wantedAt[place] = wanted ? wanted[sorted[place]] : 1;
+        std::fill(wantedAt + size, wantedAt + size + CELL_LINKS, (uchar)0);
+        return link(wantedAt);
     }
 
     int mostEdges() const CV_OVERRIDE { return 2 * CELL_LINKS; }
@@ -84,17 +86,22 @@ public:
 private:
     static bool lessCode(ushort code, int value) { return code < value; }
 
-    //! Writes the edges. @param shift number of low bits of the codes that the second layer ignores
-    //! @return number of edges
-    static int linkPoints(const int* points, const ushort* pointCodes, int count, int shift,
-                          Vec2i* edges)
+    //! Writes the edges with an endpoint that is wanted. @return their number
+    int link(const uchar* wantedAt)
     {
         int found = 0;
-        for (int i = 0; i < count; ++i)
-            for (int k = i + 1; k <= i + CELL_LINKS && k < count &&
-                                pointCodes[i] >> shift == pointCodes[k] >> shift;
-                 ++k)
-                edges[found++] = Vec2i(points[i], points[k]);
+        for (int i = 0; i < size; ++i)
+        {
+            int any = wantedAt[i];
+            for (int k = 1; k <= CELL_LINKS; ++k)
+                any |= wantedAt[i + k];
+            if (!any)
+                continue;
+            const int end = std::min(i + CELL_LINKS + 1, size), cell = sortedCodes[i] >> axes;
+            for (int k = i + 1; k < end && sortedCodes[k] >> axes == cell; ++k)
+                if (wantedAt[i] | wantedAt[k])
+                    links[found++] = Vec2i(sorted[i], sorted[k]);
+        }
         return found;
     }
 
@@ -178,8 +185,7 @@ private:
     int* sorted;           //!< points, sorted by code
     int* rank;             //!< position of each point in `sorted`
     ushort* sortedCodes;   //!< codes of the points in `sorted`
-    Vec2i* links;          //!< the edges; null: they have not been requested yet
-    int linkCount;
+    Vec2i* links;          //!< memory for edges; null: none have been requested yet
 };
 
 }  // namespace

@@ -204,7 +204,7 @@ public:
     void start(const Context& context) CV_OVERRIDE { life.start(context); }
     int layers() const CV_OVERRIDE { return 1; }
     int members(const Context&, int, int, const int*&) CV_OVERRIDE { return 0; }
-    int edges(const Context& context, const Vec2i*& edges) CV_OVERRIDE
+    int edges(const Context& context, const uchar*, const Vec2i*& edges) CV_OVERRIDE
     {
         life.use(context.points.size);
         edges = 0;

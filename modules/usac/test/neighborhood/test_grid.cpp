@@ -144,6 +144,32 @@ TEST(Usac_Neighborhood, edges)
     }
 }
 
+//! With `wanted`, the edges must be those of the whole graph that have a wanted endpoint, in the
+//! same order.
+TEST(Usac_Neighborhood, wantedEdges)
+{
+    RNG rng(4);
+    std::vector<Point2d> points1, points2;
+    clumsyPoints(1000, rng, points1, points2);
+    const OwnPoints points(HOMOGRAPHY, points1, points2);
+    const Surroundings around(points.view());
+    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
+    const std::vector<Vec2i> all = edgesOf(*grid, around.context);
+    for (int every = 1; every <= 1024; every *= 4)
+    {
+        std::vector<uchar> wanted(points.view().size);
+        for (size_t i = 0; i < wanted.size(); ++i)
+            wanted[i] = i % every == 0;
+        std::vector<Vec2i> expected;
+        for (const Vec2i& edge : all)
+            if (wanted[edge[0]] || wanted[edge[1]])
+                expected.push_back(edge);
+        EXPECT_EQ(expected, edgesOf(*grid, around.context, wanted.data()));
+    }
+    const std::vector<uchar> none(points.view().size);
+    EXPECT_TRUE(edgesOf(*grid, around.context, none.data()).empty());
+}
+
 //! A point must have an edge exactly if another point is in its cell of layer 1.
 TEST(Usac_Neighborhood, noPointIsForgotten)
 {

@@ -15,7 +15,7 @@ class GivenEdges : public Neighborhood
 public:
     int layers() const CV_OVERRIDE { return 0; }
     int members(const Context&, int, int, const int*&) CV_OVERRIDE { return 0; }
-    int edges(const Context&, const Vec2i*& edges) CV_OVERRIDE
+    int edges(const Context&, const uchar*, const Vec2i*& edges) CV_OVERRIDE
     {
         edges = given.data();
         return (int)given.size();

@@ -46,10 +46,10 @@ cv::Ptr<T> started(const cv::Ptr<T>& part, const cv::usacv20::Correspondences& p
 }
 
 inline std::vector<cv::Vec2i> edgesOf(cv::usacv20::Neighborhood& neighborhood,
-                                      const cv::usacv20::Context& context)
+                                      const cv::usacv20::Context& context, const uchar* wanted = 0)
 {
     const cv::Vec2i* edges = 0;
-    const int count = neighborhood.edges(context, edges);
+    const int count = neighborhood.edges(context, wanted, edges);
     return std::vector<cv::Vec2i>(edges, edges + count);
 }
 

@@ -197,9 +197,13 @@ public:
     //! Neighbors of a point in a layer, including the point itself. @return their number; `members`
     //! points to them.
     virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
-    //! Undirected edges of the graph, each listed once, at most a constant times N. @return their
-    //! number; `edges` points to them.
-    virtual int edges(const Context& context, const Vec2i*& edges) = 0;
+    /** @brief Undirected edges of the graph, each listed once, at most a constant times N.
+    @param context the run
+    @param wanted N values, or null for all edges. Edges between two points with value 0 may be
+    left out, which saves time.
+    @param edges output: pointer to the edges, which are valid until the next call
+    @return their number */
+    virtual int edges(const Context& context, const uchar* wanted, const Vec2i*& edges) = 0;
     //! Upper bound of the number of edges of a point; -1, the default: unknown. If it is unknown,
     //! the graph cut counts the edges of all points.
     virtual int mostEdges() const;
