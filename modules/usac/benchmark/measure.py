@@ -21,7 +21,7 @@
                 fails if a quotation differs from the measurement, if a file was changed by hand,
                 or if README.md quotes a measurement older than the last change of results
 
-BUILD is a build folder of this project; it is brought up to date first, except for --structured.
+BUILD is a build folder of this project; it is brought up to date first.
 DATA is a folder of data as for usac_benchmark --data."""
 
 import argparse
@@ -340,7 +340,7 @@ KINDS = collections.OrderedDict((
     ("structured_tables", Kind("Structured scenes", None, Rows(), False)),
     ("collections_tables", Kind("Collections of images", None, Rows(), False))))
 COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # files with tables and the commands whose outputs they are
-PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_scale", "usac_synthetic", "usac_tracking")
+PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_scale", "usac_structured", "usac_synthetic", "usac_tracking")
 
 
 def project():
@@ -462,7 +462,7 @@ def main(arguments=None):
             raise FiguresError("--build is missing")
         if not names and options.structured is None and not options.logs and not options.fill and not options.copied:
             parser.error("nothing to do")
-        if names:
+        if names or options.structured is not None:
             subprocess.run(["cmake", "--build", options.build, "--target"] + list(PROGRAMS), check=True, stdout=sys.stderr)
         if options.structured is not None:
             measure_structured(options.build, options.structured)

@@ -113,7 +113,7 @@ bool parse(int argc, char** argv, Options& options)
 
 int sampleSizeOf(ProblemType problem)
 {
-    const int sizes[] = {4, 7, 5, 3, 2, 3, 3, 3};
+    const int sizes[] = {4, 7, 5, 3, 2, 3, 3, 3, 1};
     return sizes[problem];
 }
 

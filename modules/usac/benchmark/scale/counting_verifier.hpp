@@ -60,6 +60,12 @@ public:
             verifier->adapt(context, state);
     }
 
+    double keptProbability(const cv::usacv20::Context& context, double inliers,
+                           bool withoutRepetition) const CV_OVERRIDE
+    {
+        return verifier ? verifier->keptProbability(context, inliers, withoutRepetition) : 1;
+    }
+
     //! Number of tested points so far, summed over all models.
     int64 tested() const { return count; }
 

@@ -10,18 +10,19 @@ namespace benchmark {
 
 namespace {
 
-const char KEYS[] = "{help h usage ? | | print this }"
-                    "{problems       |P,H| of the sequences }"
-                    "{ratios         |0.2,0.35,0.6| parts of right matches }"
-                    "{limits         |1,8,32,128| most samples, beside the default of the problem }"
-                    "{frames         |300| of a sequence; before the middle one the camera jumps }"
-                    "{size           |1000| matches of a frame }"
-                    "{noise          |0.5| standard deviation of the right matches in each "
-                    "coordinate, pixels }"
-                    "{speed          |2| 1: about 1.4 pixels a frame }"
-                    "{sequences      |3| with a seed of their own }"
-                    "{seed           |1| of the first sequence, the next ones count up }"
-                    "{csv            | | file for the figures }";
+const char KEYS
+    [] = "{help h usage ? | | print this }"
+         "{problems       |P,H| of the sequences }"
+         "{ratios         |0.2,0.35,0.6| parts of right matches }"
+         "{limits         |1,8,32,128| most samples, in addition to the default of the problem }"
+         "{frames         |300| of a sequence; before the middle one the camera jumps }"
+         "{size           |1000| matches of a frame }"
+         "{noise          |0.5| standard deviation of the right matches in each "
+         "coordinate, pixels }"
+         "{speed          |2| 1: about 1.4 pixels a frame }"
+         "{sequences      |3| with a seed of their own }"
+         "{seed           |1| of the first sequence, the next ones count up }"
+         "{csv            | | file for the figures }";
 
 }  // namespace
 

@@ -200,7 +200,7 @@ debian_uninstall()
     rm -f "$work/build/install_manifest.txt"
     ls "$work"/build/install_manifest_*.txt &&
     ! cmake --build "$work/build" --target uninstall > "$work/uninstall.log" 2>&1 &&
-    grep 'nothing has been installed' "$work/uninstall.log"
+    tr -s ' \n' ' ' < "$work/uninstall.log" | grep 'nothing has been installed'  # CMake wraps its messages
 }
 
 # Prints the paths of the libraries and programs in the unpacked packages.

@@ -67,11 +67,7 @@ bool Ransac::adaptTerminations()
     for (size_t t = 0; t < parts.terminations.size(); ++t)
         changed = parts.terminations[t]->adapt(context, state) || changed;
     if (state.wanted != wanted && state.iteration > 0)
-    {
         improveRunnersUp();
-        runnersUp.clear();  // makes room for runners-up of the next samples, which may have fewer
-                            // inliers
-    }
     if (changed)
         updateTermination();
     return changed;

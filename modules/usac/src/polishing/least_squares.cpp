@@ -36,7 +36,7 @@ public:
                 if (errors[k] <= limit)
                     inliers[count++] = k;
             Model fitted = model;
-            if (!parts.nonMinimalSolver->fit(p, inliers, count, 0, fitted))
+            if (!context.nonMinimalSolver().fit(p, inliers, count, 0, fitted))
                 return;
             const Quality fittedQuality = context.rate(fitted, quality.cost);
             if (!fittedQuality.betterThan(quality))

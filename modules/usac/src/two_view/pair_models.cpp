@@ -115,8 +115,6 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
                    (int)points1.size(), (int)points2.size()));
     checkTaken(pair.taken1, "taken1");
     checkTaken(pair.taken2, "taken2");
-    if (!params.sigmas.empty())
-        CV_Error(Error::StsBadArg, "sigmas: two-view geometry compares errors in pixels");
     if (scores.empty())
         scores = params.scores;
     if (!scores.empty() && scores.size() != points1.size())
@@ -211,10 +209,10 @@ void PairModels::improveEssential()
 
 void PairModels::searchHomography()
 {
-    const PairModel& explained = E ? E : F;
+    const PairModel* const explained = base();
     if (explained)
     {
-        homographyOfInliers(explained);
+        homographyOfInliers(*explained);
         return;
     }
     Params given = options(samples(OF_H.sampleSize));
@@ -288,7 +286,7 @@ void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask,
     model.mask = mask;
     model.inliers = inliers;
     model.report = report;
-    if (params.thresholdType == THRESHOLD_GIVEN)
+    if (sigma > 0)  // estimated by an earlier search of this pair
         model.report.sigma = sigma;
 }
 

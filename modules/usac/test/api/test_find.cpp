@@ -17,13 +17,12 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(FLAG_PROBLEMS));
 
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
-//! The last flag, USACV20_AUTO, is not tested here.
-const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005}, FLAG_COUNT = 6;
+const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005, 0x4006}, FLAG_COUNT = 7;
 //! A confidence so low, and a number of iterations so small, that each of them changes the result.
 const double LOW = 1e-15;
 const int FEW = 20;
 
-//! The preset that belongs to a flag (not USACV20_AUTO) according to the documentation.
+//! The preset that belongs to a flag according to the documentation.
 Params presetOf(UsacV20Method flag)
 {
     return flag == USACV20            ? Params::usacV20()
@@ -31,7 +30,8 @@ Params presetOf(UsacV20Method flag)
            : flag == USACV20_ACCURATE ? Params::accurate()
            : flag == USACV20_PROSAC   ? Params::sorted()
            : flag == USACV20_MAGSAC   ? Params::magsacPlusPlus()
-                                      : Params::parallel();
+           : flag == USACV20_PARALLEL ? Params::parallel()
+                                      : Params::automatic();
 }
 
 Params paramsOf(UsacV20Method flag, double pixels, double confidence, int maxIterations)

@@ -16,8 +16,7 @@ namespace {
 
 const UsacV20Method OURS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                               USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
-//! The last flag, USACV20_AUTO, is not tested here.
-const int OUR_COUNT = 6;
+const int OUR_COUNT = 7;
 //! OpenCV's flags without USAC_PARALLEL, which is not deterministic.
 const int THEIRS[] = {0,         FM_7POINT,     FM_8POINT,    LMEDS,
                       RANSAC,    RHO,           USAC_DEFAULT, USAC_FM_8PTS,
@@ -50,7 +49,7 @@ struct Answer
 };
 
 //! For every flag, compares the answer of the form with an int with that of the typed form (the
-//! first OUR_COUNT flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of
+//! flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of
 //! OpenCV are left out.
 template <class AtRunTime, class Typed, class Calib3d>
 void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed,
@@ -173,7 +172,7 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
 }
 
 //! calib3d's USAC is not deterministic for E. Therefore the test checks only that its models differ
-//! from those of the first OUR_COUNT flags of this module and from those of calib3d's RANSAC and
+//! from those of the flags of this module and from those of calib3d's RANSAC and
 //! LMedS.
 TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
 {

@@ -140,5 +140,22 @@ TEST(Usac_Parts, requiredOnesAreAskedFor)
     }
 }
 
+//! Local optimization and polishing need a non-minimal solver; without both, a run does not.
+TEST(Usac_Parts, fitsNeedASolver)
+{
+    const Scene scene = makeScene(HOMOGRAPHY);
+    for (int polishing = POLISHING_NONE; polishing <= POLISHING_ROBUST; ++polishing)
+    {
+        Params params = Params::ransac();
+        params.polishing = polishing;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        usac->components().nonMinimalSolver.release();
+        if (polishing == POLISHING_NONE)
+            EXPECT_FALSE(usac->run().empty());
+        else
+            EXPECT_THROW(usac->run(), cv::Exception) << polishing;
+    }
+}
+
 }
 }  // namespace

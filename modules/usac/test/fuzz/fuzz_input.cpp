@@ -22,11 +22,13 @@ namespace {
 Params preset(int number)
 {
     static Params (*const presets[])() = {
-        Params::usacV20,  Params::fast,     Params::accurate, Params::sorted,
-        Params::parallel, Params::ransac,   Params::msac,     Params::lmeds,
-        Params::mlesac,   Params::prosac,   Params::loRansac, Params::floRansac,
-        Params::gcRansac, Params::usac2013, Params::magsac,   Params::magsacPlusPlus};
-    return presets[number % 16]();
+        Params::usacV20,   Params::fast,         Params::accurate, Params::sorted,
+        Params::parallel,  Params::ransac,       Params::msac,     Params::lmeds,
+        Params::mlesac,    Params::prosac,       Params::loRansac, Params::floRansac,
+        Params::gcRansac,  Params::usac2013,     Params::magsac,   Params::magsacPlusPlus,
+        Params::automatic, Params::trustedScores};
+    const int old = number % 16;  // kept inputs with smaller numbers keep their presets
+    return presets[number < 192 ? old : 16 + number % 2]();
 }
 
 //! Reduces a valid value (from `low` to `high`) that exceeds `most` to less than `low` + `most`. An

@@ -144,6 +144,16 @@ TEST(Usac_TwoViewGeometry, estimated_threshold)
         }
 }
 
+//! With a given threshold, the report must have the noise that Params::covariance asks for.
+TEST(Usac_TwoViewGeometry, noise_with_a_given_threshold)
+{
+    const Scene scene = sceneOf(1);
+    Params params = twoPixels();
+    EXPECT_EQ(0, estimateTwoViewGeometry(pairOf(scene), params).report.sigma);
+    params.covariance = 1;
+    EXPECT_NEAR(0.5, estimateTwoViewGeometry(pairOf(scene), params).report.sigma, 0.1);
+}
+
 TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
 {
     for (uint64 seed = 1; seed <= 5; ++seed)

@@ -132,10 +132,6 @@ TEST(Usac_Tdd, dropsWrongModels)
 TEST(Usac_Tdd, asksAllPoints)
 {
     const Exact exact(HOMOGRAPHY, 39, 1);
-    const Correspondences& points = exact.usac->points();
-    int outlier = 0;
-    while (exact.scene.truth[points.inputIndex[outlier]])
-        ++outlier;
     const Rate rate = measure(exact, *createTddVerifier(1), exact.truth, 20000, 1);
     EXPECT_NEAR(39 / 40., rate.passed, 4.5 * std::sqrt(0.025 / 20000));
     EXPECT_EQ(0, measure(exact, *createTddVerifier(40), exact.truth, 100, 1).passed)

@@ -209,8 +209,7 @@ CV_EXPORTS TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArra
 report.
 
 An error in a pair ends only that pair and is described in its `error`. Raises cv::Exception for
-invalid options, and if `threads` is negative; `sigmas` that are not empty are an error of each
-pair. */
+invalid options, and if `threads` is negative. */
 CV_EXPORTS std::vector<TwoViewGeometry> estimateTwoViewGeometries(
     const std::vector<TwoViewPair>& pairs, const Params& params = Params(),
     const TwoViewRules& rules = TwoViewRules(), int threads = 0);

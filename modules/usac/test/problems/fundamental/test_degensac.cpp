@@ -91,7 +91,7 @@ TEST(Usac_Degensac, generalScenesAreNotWorse)
     {
         SceneOptions options;
         options.inliers = k ? 300 : 100;
-        options.outliers = k ? 100 : 100;
+        options.outliers = 100;
         const Outcome a = estimateScenes(options, SCENES, paramsWith(WITH));
         const Outcome b = estimateScenes(options, SCENES, paramsWith(WITHOUT));
         EXPECT_GE(a.successes, b.successes - 2);
