@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests the method flags of the module (USACV20, USACV20_FAST, ...) in every form of call of
-OpenCV's functions, e.g. findHomography.
+"""Tests the method flags of the module (USACV20, USACV20_FAST, ...) in all forms in which OpenCV's
+functions, for example findHomography, can be called.
 
-Runs alone (python3 test_usac.py) and with OpenCV's Python tests, and tests either cv2.usacv20 or the
-package usacv20: see usac_common.py.
+The file can be run alone (python3 test_usac.py) or together with OpenCV's Python tests. It tests
+either cv2.usacv20 or the package usacv20: see usac_common.py.
 """
 
 import unittest
@@ -99,8 +99,8 @@ class FlagTest(unittest.TestCase):
             self.assertEqual(bits(inliers), bits(np.zeros((1, 1), np.uint8)))
 
     def test_none_in_the_place_of_the_mask(self):
-        # In OpenCV's findFundamentalMat this position is that of maxIters, and None means 0. Here
-        # None must mean that no mask is given.
+        # In OpenCV's findFundamentalMat, None at this position means that maxIters is 0. With a flag
+        # of this module, None must have the same effect as no argument.
         g = GENERAL
         self.assertEqual(bits(FINDER.findFundamentalMat(g.points1, g.points2, usac.USACV20, 1.0, 0.99, None)),
                          bits(FINDER.findFundamentalMat(g.points1, g.points2, usac.USACV20, 1.0, 0.99)))

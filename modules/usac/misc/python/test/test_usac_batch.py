@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the functions for many estimations in one call. They must return the same results as
-single calls, with one camera matrix for all pairs or one for each pair, and must refuse wrong
-arguments."""
+"""Tests of the functions for many estimations in one call. These functions must return the same
+results as single calls, whether one camera matrix is given for all pairs or one for each pair, and
+they must refuse wrong arguments."""
 
 import unittest
 
@@ -18,8 +18,8 @@ THREADS = (0, 1, 2, 3)
 
 
 def pairs(planar, count=9):
-    """Returns lists of the points of image 1 and of image 2: the first 60, 85, 110, ...
-    correspondences of the same scene."""
+    """Returns the points of `count` image pairs, as a list for image 1 and a list for image 2. The
+    pairs have the first 60, 85, 110, ... correspondences of the same scene."""
     scene = Scene(planar)
     parts = [slice(0, 60 + 25 * i) for i in range(count)]
     return [scene.points1[part] for part in parts], [scene.points2[part] for part in parts]
@@ -36,7 +36,7 @@ def spaces(count=6):
 
 
 def values(result):
-    """Returns a result without the times in the report, so that results can be compared exactly."""
+    """Returns the parts of a result that must be equal in each run; the times in the report differ."""
     model, mask, report = result
     return bits((model, mask)), report.iterations, report.cost, report.stop
 
@@ -108,7 +108,7 @@ class BatchTest(unittest.TestCase):
                 usac.estimateHomographies(*call)
         with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
             usac.estimateEssentials(first, second, [np.eye(3)] * 2)
-        for both in (False, True):  # the wrong camera matrix belongs to all pairs, so the call itself must fail
+        for both in (False, True):  # one wrong camera matrix for all pairs: the call itself must fail
             with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
                 usac.estimateEssentials(first, second, "K", returnExceptions=both)
 

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the cameras of a COLMAP database: COLMAP's numbers of the camera models, and the removal
-of distortion."""
+"""Tests of the cameras of a COLMAP database: COLMAP's numbers for camera models, and the removal of
+lens distortion."""
 
 import unittest
 
@@ -18,7 +18,7 @@ try:
 except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
     Camera = None
 
-# For each lens: COLMAP's number and name of the camera model, and its parameters. Focal lengths and
+# For each lens: COLMAP's number and name of the camera model, and the parameters. Focal lengths and
 # principal point are in pixels.
 LENSES = ((2, "SIMPLE_RADIAL", [800, 400, 300, -.2]), (3, "RADIAL", [800, 400, 300, -.25, .06]),
           (4, "OPENCV", [800, 810, 400, 300, -.25, .06, 1e-3, -2e-3]),
@@ -33,8 +33,8 @@ def camera(model, params, known=1):
 
 
 def seen(lens, points):
-    """Returns the pixels at which the camera sees the points (x, y, 1), computed here from the
-    definition of the distortion."""
+    """Returns the pixels at which the camera sees the points (u, v, 1), computed from the definition
+    of the distortion instead of with the package."""
     k1, k2, p1, p2, k3, k4, k5, k6 = lens.distortion
     u, v = points.T
     r2 = u * u + v * v
@@ -91,23 +91,23 @@ class CamerasTest(unittest.TestCase):
             np.testing.assert_allclose(taken[:, 0], seen(lens, points[:, :2]), atol=1e-9, err_msg=name)
 
     def test_what_no_direction_is_mapped_to_is_not_a_number(self):
-        # The distorted radius r (1 - 0.2 r^2) is at most 0.86, which is 688 pixels from the center.
-        # Pixels outside of this circle correspond to no direction and must become NaN.
+        # The distorted radius r (1 - 0.2 r^2) is at most 0.86, or 688 pixels. Pixels farther from the
+        # center correspond to no direction and must become NaN.
         lens = camera(2, [800, 400, 300, -.2])
         got = lens.ideal(np.array([[400 + 680, 300], [400 + 695, 300], [400., 300 + 2000]]))
         self.assertTrue(np.isfinite(got[0]).all())
         self.assertTrue(np.isnan(got[1:]).all())
         fisheye = camera(8, [400, 400, 300, 0])
-        # Directions 90 degrees from the optical axis are 628 pixels from the center. Pixels outside
-        # of this circle have no ideal position in the image plane.
+        # A direction 90 degrees from the optical axis is seen 628 pixels from the center. Pixels at
+        # this distance or farther correspond to no point of an image without distortion.
         got = fisheye.ideal(np.array([[400 + 400 * 1.5, 300], [400 + 400 * 1.6, 300]]))
         np.testing.assert_allclose(got[0], [400 + 400 * np.tan(1.5), 300], rtol=1e-9)
         self.assertTrue(np.isnan(got[1]).all())
 
     def test_plain_fisheyes(self):
         """In a plain fisheye model (SIMPLE_FISHEYE, FISHEYE) the angle to the optical axis is
-        proportional to the distance from the center. Its results must equal those of the fisheye
-        model with distortion whose coefficients are all 0."""
+        proportional to the distance from the center. The results must equal those of the fisheye
+        model with coefficients if all coefficients are 0."""
         points = grid(1.5)
         for plain, other in (((14, [400, 400, 300]), (8, [400, 400, 300, 0])),
                              ((15, [400, 410, 400, 300]), (5, [400, 410, 400, 300, 0, 0, 0, 0]))):

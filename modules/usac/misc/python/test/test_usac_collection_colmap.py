@@ -4,7 +4,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Tests of the collection tool on a synthetic collection of images: the tool's results for the
-pairs, and the reconstruction that COLMAP makes from the table that the tool writes."""
+pairs, and the reconstruction that COLMAP makes from the tool's table two_view_geometries."""
 
 from __future__ import annotations
 
@@ -24,13 +24,14 @@ from usac_common import once, package
 DEGENERATE, CALIBRATED, UNCALIBRATED, PLANAR, PANORAMIC, PLANAR_OR_PANORAMIC, WATERMARK = range(1, 8)
 KNOWN = Recipe(images=20, lonePairs=0.15)
 UNKNOWN = KNOWN._replace(cameras=(("SIMPLE_RADIAL", False),))
-# Pairs of a general scene with more than this fraction of points on a plane may also be classified
-# as planar, so their configuration is not tested.
+# Pairs of Kind.GENERAL with at least this fraction of the right matches in one plane can reasonably
+# be classified as planar, so their configuration is not tested.
 CLEAR = 0.7
 
 
 def verify(database: str, threshold: str = "4") -> None:
-    """Runs the tool's command verify on a database. The default threshold is COLMAP's, 4 pixels."""
+    """Runs the tool's command verify on a database. threshold -- pixels, by default COLMAP's value, or
+    "auto"."""
     usac_colmap.runProgram([sys.executable, "-m", "usacv20.collection", "verify", "--threads", "1", "--threshold", threshold,
                             "--no-progress", database])
 
@@ -112,8 +113,8 @@ class Found:
         self.table = usac_colmap.verified(database)
 
     def configurations(self, kind: Kind) -> List[int]:
-        """Returns the configurations that were found for the pairs of a true kind. Pairs of a
-        general scene that may also count as planar (see CLEAR) are left out."""
+        """Returns the configurations that were found for the pairs whose true kind is `kind`. General
+        pairs that can also be classified as planar (see CLEAR) are left out."""
         return [self.table[pair.pairId].configuration for pair in self.collection.pairs if pair.kind is kind
                 and (kind is not Kind.GENERAL or pair.flatShare < CLEAR)]
 
@@ -121,8 +122,8 @@ class Found:
         return float(np.mean(np.array(self.configurations(kind)) == configuration))
 
     def inliers(self) -> Tuple[float, float]:
-        """Returns two fractions, computed over all pairs with overlap: the recall of right matches,
-        and the part of the inliers that are wrong matches."""
+        """Returns two fractions over all pairs with overlap: the fraction of the right matches that are
+        inliers, and the fraction of the inliers that are wrong matches."""
         right = found = both = 0
         for pair in self.collection.pairs:
             if pair.kind in (Kind.GENERAL, Kind.PLANAR, Kind.ROTATION):
@@ -149,8 +150,8 @@ class VerifyTest(Case):
 
     def test_threshold_of_the_collection(self) -> None:
         """The noise is 1.5 pixels, and the threshold is estimated from the matches ("auto"). Such a
-        threshold excludes 5 % of the right matches at any noise level, so the required recall is
-        lower than in other tests."""
+        threshold excludes about 5 % of the right matches at any noise level, so a smaller fraction of
+        them must be found than in other tests."""
         self.check(self.found(KNOWN._replace(noise=1.5), "auto"), 0.92)
 
     def check(self, found: Found, least: float) -> None:
@@ -206,8 +207,8 @@ class VerifyTest(Case):
 @package
 @unittest.skipUnless(usac_colmap.find(), "there is no program colmap")
 class MapperTest(Case):
-    """Compares COLMAP's reconstructions from two tables of two-view geometries of the same matches:
-    the one that the tool writes, and COLMAP's own."""
+    """Tests the reconstruction that COLMAP makes from the tool's table two_view_geometries, mostly by
+    comparison with the one from COLMAP's own table for the same matches."""
 
     def mapped(self, database: str, collection: Collection, program: Optional[str] = None, command: str = "mapper") -> Dict[str, float]:
         model, _ = usac_colmap.mapper(database, program=program, command=command)
@@ -244,9 +245,9 @@ class MapperTest(Case):
 
     @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a later colmap")
     def test_later_version(self) -> None:
-        """The reconstructions of both mappers of COLMAP 4 must be as good with the tool's table as
-        with COLMAP's own. The tool's database is once in the format of COLMAP 3.8, and once it was
-        converted by COLMAP 4 before the tool verifies it."""
+        """The reconstructions of both mappers of COLMAP 4 must be about as good with the tool's table
+        as with COLMAP's own. The tool is run on a database in the format of COLMAP 3.8, and on one
+        that COLMAP 4 has converted before."""
         later = usac_colmap.findLater()
         for name, recipe in (("known", KNOWN), ("unknown", UNKNOWN)):
             collection = Collection(recipe)
@@ -264,7 +265,7 @@ class MapperTest(Case):
                         self.assertEqual(a["registered"], recipe.images)
                         self.assertGreater(a["auc1"], b["auc1"] - 0.02)
                         self.assertGreater(a["auc1"], 0.9)
-                    if base == "3.8":  # written anew for the next mapper, because COLMAP 4 has converted the database
+                    if base == "3.8":  # written again for the next mapper, because this one has converted the database
                         os.remove(ours)
                         ours = self.write(collection, "later-{}-{}".format(base, name))
                         verify(ours)

@@ -28,7 +28,7 @@ except ImportError:  # cv2.usacv20 may be tested without the package; tests of t
     pass
 
 NAMES = {1: "day/a.jpg", 2: "day/b.jpg", 3: "night/c.jpg", 4: "d.jpg"}
-WRONG = 0.96  # fraction of wrong matches, so high that a few samples find a model only if they are drawn by the scores
+WRONG = 0.96  # fraction of wrong matches, so high that 40 samples find a model only if the scores guide them
 
 
 def scenes(wrong):

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the collection tool's reading and copying of COLMAP databases, intact and damaged."""
+"""Tests of how the collection tool reads COLMAP databases, intact or damaged, and of its error
+messages for databases that cannot be read, written or copied."""
 
 import contextlib
 import os
@@ -59,8 +60,8 @@ class SourceTest(DatabaseCase):
                 self.assertTrue(view.focalKnown)
 
     def test_points_without_a_direction(self):
-        """The distorted radius of this lens has a maximum, so keypoints farther from the center
-        correspond to no direction. Matches of such keypoints and their scores must be left out."""
+        """The distorted radius of this lens has a maximum. Keypoints farther from the center than this
+        radius correspond to no direction. Their matches and scores must be left out."""
         smallDatabase(self.path, distorted=True)
         before = self.load(scores=Column())
         change(self.path, "UPDATE cameras SET params = ?", np.array([600, 610, 320, 240, -0.9, 0, 0, 0], "<f8").tobytes())
@@ -85,8 +86,8 @@ class SourceTest(DatabaseCase):
                 self.assertEqual(list(self.source().keys()), keys)
 
     def test_cache(self):
-        """The cache has room for three of the six images. Images must be dropped at this limit and
-        read again later, with the same pairs as without a limit."""
+        """The cache has room for three of the six images. Other images must be dropped and read again
+        later, and the pairs must be the same as without a limit."""
         smallDatabase(self.path, distorted=True)
         limit = 3 * (1000 + 60 * 24)
         source = self.source(cache=limit)
@@ -173,12 +174,12 @@ class Missing(Column):
 @once
 @package
 class FaultTest(DatabaseCase):
-    """Each test damages one part of the database. For pairs that need this part, the source must
-    return a Fault (with the reason) instead of a Pair. All other pairs must be unchanged."""
+    """The tests change or damage parts of the database. For pairs that need a damaged part, the source
+    must return a Fault (with the reason) instead of a Pair. All other pairs must be unchanged."""
 
     def faults(self, words, expected, *statements):
-        """Executes the SQL statements on a new database. Then exactly the `expected` pairs of images
-        must be read as a Fault, and each reason must contain the words."""
+        """Executes the SQL statements on a new database. Then the source must return a Fault for exactly
+        the `expected` pairs of images, and each reason must contain all of the words."""
         with contextlib.suppress(FileNotFoundError):
             os.remove(self.path)
         smallDatabase(self.path)
@@ -216,8 +217,8 @@ class FaultTest(DatabaseCase):
         self.faults(["58 rows of 2", "0 bytes"], [(2, 4)], ("UPDATE matches SET data = NULL WHERE pair_id = ?", key))
 
     def test_no_matches(self):
-        """COLMAP stores an empty row if no matches were found. Such a pair must be read as a Pair with
-        0 matches, not as a Fault."""
+        """If COLMAP finds no matches, it stores a row with 0 matches. For such a row the source must
+        return a Pair with 0 matches, not a Fault."""
         smallDatabase(self.path)
         change(self.path, "UPDATE matches SET rows = 0, data = NULL")
         self.assertEqual([pair.matches.shape for pair in self.load()], [(0, 2)] * 15)
@@ -235,8 +236,8 @@ class FaultTest(DatabaseCase):
             self.faults(words, pairs, statement)
 
     def test_keypoints_without_a_place(self):
-        """Keypoint 59 of image 3 is at NaN or infinity. Only pairs with a match of this keypoint
-        must be read as a Fault."""
+        """Keypoint 59 of image 3 has a coordinate that is NaN or infinite. The source must return a
+        Fault only for pairs with a match of this keypoint."""
         for value, text in ((np.nan, "(1, nan)"), (np.inf, "(1, inf)")):
             table = np.ones((60, 2), "<f4")
             table[59, 1] = value
@@ -272,8 +273,8 @@ class FaultTest(DatabaseCase):
 @once
 @package
 class WholeTest(DatabaseCase):
-    """Tests of databases that cannot be used at all. Reading them and writing to them must raise a
-    CollectionError with a helpful message."""
+    """Tests of databases that as a whole cannot be read, written or copied. Each attempt must raise a
+    CollectionError whose message names the reason."""
 
     def unusable(self, *words, **keywords):
         path = keywords.get("path", self.path)
@@ -336,7 +337,7 @@ class WholeTest(DatabaseCase):
                 other.execute("BEGIN EXCLUSIVE")
                 self.refused(["a.db", "another program", "locked"], DatabaseSink, self.path, {})
                 if wal:
-                    self.assertEqual(len(self.load()), 15)  # in WAL mode, readers do not wait for a writer
+                    self.assertEqual(len(self.load()), 15)  # in WAL mode, a writer does not block readers
                 else:
                     self.refused(["a.db", "another program", "locked"], self.load)
             sink.close(finished=False)

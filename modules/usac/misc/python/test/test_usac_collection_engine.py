@@ -4,7 +4,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Runs the collection tool's engine on all pairs of a database, with threads and with Dask. The
-table of results must be the same each time, even if the run is stopped or killed and then resumed,
+table of results must be the same each time, even if a run is stopped or killed and then resumed,
 or if a worker dies."""
 
 import contextlib
@@ -35,8 +35,8 @@ PAIRS = 190  # number of pairs of 20 images
 
 
 class Rows(object):
-    """Wraps a sink. It counts commits and results, and calls the function `before` (if not None)
-    before each commit."""
+    """Passes results to another sink. Counts commits and results, and calls `before(self)` before each
+    commit, if `before` is not None."""
 
     def __init__(self, sink, before=None):
         self.sink, self.before, self.commits, self.results = sink, before, 0, 0
@@ -60,7 +60,7 @@ class EngineCase(DatabaseCase):
         smallDatabase(self.path, images=20, points=30)
 
     def run_engine(self, path=None, resume=False, before=None, settings=None, verify=None, progress=False, **keywords):
-        """Runs the engine; returns (summary, rows of the results, output on stderr)."""
+        """Runs the engine; returns (summary, table of results, output on stderr)."""
         path = path or self.fresh()
         source, sink = self.source(path), DatabaseSink(path, settings or {}, resume)
         told = io.StringIO()
@@ -106,7 +106,7 @@ class ThreadsTest(EngineCase):
 
     def test_bounded(self):
         """The number of pairs whose keys were read but whose results are not stored yet must not
-        depend on the total number of pairs: two threads have at most four chunks of 5 pairs."""
+        depend on the total number of pairs: for two threads, there are at most four chunks of 5 pairs."""
         drawn = []
 
         class Counted(DatabaseSource):
@@ -126,8 +126,8 @@ class ThreadsTest(EngineCase):
         self.assertLessEqual(max(ahead), 4 * 5)
 
     def test_files_are_closed(self):
-        """After a run, SQLite's additional files (-wal, -shm) must be gone, which requires that no
-        reader is left open. The source must still be usable."""
+        """After a run, SQLite's additional files (-wal, -shm) must be gone; they stay if the source's
+        connection is left open. The source must still be usable."""
         path = self.fresh()
         source, sink = self.source(path), DatabaseSink(path, {})
         _engine.run(source, sink, {}, stand.verify, threads=2)
@@ -165,10 +165,11 @@ class ThreadsTest(EngineCase):
         self.assertEqual(rows(path, "PRAGMA integrity_check"), [("ok",)])
 
     def test_mistake_keeps_the_others(self):
-        """A chunk fails with an error. The results of all earlier pairs must be stored, also if they
-        are ready at the same time as the error. The slow commits make this likely."""
+        """A chunk fails with an error. The results of all earlier pairs must be stored, even if they
+        become ready during the same commit as the error. Slow commits make this likely."""
         expected = self.reference()["two_view_geometries"]
-        # number of pairs whose first image is one of the images 1 to 9; the chunk after these fails
+        # Number of pairs whose first image is one of the images 1 to 9. All chunk sizes divide this
+        # number, so that the next chunk begins with image 10 and fails.
         before = sum(20 - i for i in range(1, 10))
         for chunk in (5, 9, 15, 27, 45):
             path = self.fresh()
@@ -219,7 +220,7 @@ class ProgressTest(EngineCase):
         self.assertIn("{0}/{0}".format(PAIRS), told)
         self.assertIn("pairs/s", told)
         self.assertIn("cannot be read: image1.jpg - image2.jpg", told)
-        self.assertNotIn("pairs/s", self.run_engine(progress=None)[2])  # stderr is not a terminal here
+        self.assertNotIn("pairs/s", self.run_engine(progress=None)[2])  # no bar, because stderr is not a terminal
         path = self.fresh()
         self.run_engine(path)
         change(path, "DELETE FROM two_view_geometries WHERE pair_id >= ?", pairId(18, 19))
@@ -257,8 +258,8 @@ class ProcessCase(EngineCase):
         self.fail("it stores nothing")
 
     def stopped(self, path, number, group, *options):
-        """Starts a run and stops it by the signal `number`. If `group` is true, its child processes
-        get the signal, too. Returns (exit code, stdout, stderr)."""
+        """Starts a run and stops it with the signal `number`. If `group` is true, the child processes of
+        the run get the signal, too. Returns (exit code, stdout, stderr)."""
         process = self.start(path, *options)
         self.wait(path, process)
         (os.killpg if group else os.kill)(process.pid, number)
@@ -313,8 +314,8 @@ class DaskTest(ProcessCase):
         cls.address = cls.cluster.scheduler_address
 
     def killer(self, killed):
-        """Returns a function that kills a worker before the third commit and appends its process id
-        to the list `killed`."""
+        """Returns a function that kills a worker before the third commit and appends the worker's
+        process id to the list `killed`."""
         def kill(counted):
             if counted.commits == 3:
                 process = list(self.cluster.workers.values())[0].pid
@@ -351,17 +352,17 @@ class DaskTest(ProcessCase):
             self.run_engine(scheduler=self.address, verify=stand.fails)
 
     def test_own_workers(self):
-        """Ctrl-C in a terminal also reaches the Dask workers that the command has started. The run
-        must nevertheless end without a traceback, and it must be possible to resume it."""
+        """Ctrl-C in a terminal also reaches the Dask workers that the run has started. The run must
+        nevertheless end without a traceback, and it must be possible to resume the run."""
         path = self.fresh()
         code, out, error = self.stopped(path, signal.SIGINT, True, "workers")
-        self.assertEqual(code, 130, error)  # stderr may have log messages of some Dask versions about closed workers
+        self.assertEqual(code, 130, error)  # some Dask versions write log messages about closed workers to stderr
         self.assertNotIn("Traceback", error)
         self.assertIn("interrupted", out)
         self.resumed(path)
 
     def test_workers_that_differ(self):
-        """A worker that joins later and sees other files must raise an error. If several workers
+        """A worker that joins later and whose files differ must raise an error. If several workers
         die while they process the same chunk, the error message must say so."""
         source = self.source(self.fresh())
         packed, keys = pickle.dumps(source), list(source.keys())

@@ -3,14 +3,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A camera in NumPy for tests without cv2: rotation vectors, projection, distortion with up to five
-coefficients."""
+"""A camera in NumPy for tests without cv2: rotation vectors, projection, and lens distortion with
+five coefficients."""
 
 import numpy as np
 
 
 def rotation(vector):
-    """Returns the rotation matrix of a rotation vector (radians), by Rodrigues' formula."""
+    """Returns the rotation matrix of a rotation vector (radians), computed with Rodrigues' formula."""
     vector = np.asarray(vector, float).ravel()
     angle = np.linalg.norm(vector)
     if angle == 0:
@@ -21,8 +21,8 @@ def rotation(vector):
 
 
 def distort(points, coefficients):
-    """Returns points of the normalized image plane after a lens distortion with the coefficients k1,
-    k2, p1, p2, k3; None: no distortion."""
+    """Applies a lens distortion to points of the normalized image plane. coefficients -- k1, k2, p1,
+    p2, k3; None: no distortion"""
     if coefficients is None:
         return points
     k1, k2, p1, p2, k3 = np.ravel(coefficients)[:5]
@@ -34,13 +34,13 @@ def distort(points, coefficients):
 
 
 def project(X, rvec, tvec, K, coefficients=None):
-    """Returns the pixels of N points of space. rvec, tvec -- pose: X_camera = R(rvec) X + tvec"""
+    """Projects N points of space to pixels. rvec, tvec -- pose: X_camera = R(rvec) X + tvec"""
     seen = X.dot(rotation(rvec).T) + np.ravel(tvec)
     return distort(seen[:, :2] / seen[:, 2:], coefficients).dot(K[:2, :2].T) + K[:2, 2]
 
 
 def normalize(pixels, K, coefficients=None):
-    """Returns the undistorted points of the normalized image plane that belong to pixels."""
+    """Converts pixels to points of the normalized image plane, without distortion."""
     seen = (pixels - K[:2, 2]).dot(np.linalg.inv(K[:2, :2]).T)
     points = seen
     for _ in range(100):  # fixed-point iteration, which converges linearly for a weak distortion

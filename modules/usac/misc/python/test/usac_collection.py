@@ -3,13 +3,14 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A synthetic collection with known cameras, and its database of matches in the form of COLMAP 3.8.
+"""A synthetic collection of images with known cameras. Its matches can be written to a database in
+the format of COLMAP 3.8.
 
 The scene is a square building. One side is a flat mural, three sides are grids of equal windows
-with balconies (repeated structure), and statues stand in front of all four sides. Most cameras are
-on a ring around the building. Some stand close to the mural, so that all their common points lie in
-a plane; some rotate at one position. Opposite cameras have no common points; two of them have the
-same logo in a corner of the image.
+with balconies (repeated structure), and statues stand in front of all four sides. Four images are
+taken close to the mural and show only points of its plane. Three images are taken from one position
+in different directions. All others are taken from a ring around the building; images from opposite
+sides show no common points. Two of these show the same logo near the lower right corner.
 """
 
 from __future__ import annotations
@@ -58,11 +59,11 @@ PRAGMA user_version = 3800;
 
 
 class Kind(enum.Enum):
-    """The true relation of a pair of images."""
+    """The true relation between the two images of a pair."""
 
     GENERAL = "general"
     PLANAR = "planar"  # all common points lie in one plane
-    ROTATION = "rotation"  # taken from the same position
+    ROTATION = "rotation"  # both images are taken from the same position
     NONE = "none"  # no common points
     WATERMARK = "watermark"  # no common points except a logo
 
@@ -72,8 +73,8 @@ class Label(enum.IntEnum):
 
     RANDOM = 0
     RIGHT = 1
-    # A part of a window is matched to the same part of another window. In a pair of images, all matches
-    # of this kind have the same offset between the two windows.
+    # A point of a window is matched to the same point of another window. In a pair of images, all
+    # matches of this kind have the same offset between the two windows.
     COPY = 2
     LOGO = 3
 
@@ -83,12 +84,12 @@ class Recipe(NamedTuple):
 
     images: int = 23  # at least 12
     noise: float = 0.5  # standard deviation of each coordinate, pixels
-    density: float = 1.0  # 1: about 250 keypoints in an image
+    density: float = 1.0  # factor of the number of points; 1: about 370 keypoints in an image on average
     wrong: Tuple[float, float] = (0.3, 0.7)  # range of the fraction of wrong matches in pairs with overlap
-    lone: Tuple[float, float] = (0.1, 0.3)  # range of the number of matches in pairs without overlap, relative to the number of keypoints in an image
-    lonePairs: float = 1.0  # fraction of the pairs without overlap that have matches at all
-    copies: float = 0.3  # fraction of the wrong matches that are of Label.COPY, if the images show enough windows
-    # Camera model and whether the focal length is known, for each camera; the images use the cameras in
+    lone: Tuple[float, float] = (0.1, 0.3)  # range of the number of matches in pairs without overlap, relative to the smaller number of keypoints
+    lonePairs: float = 1.0  # probability that a pair without overlap has matches at all
+    copies: float = 0.3  # about this fraction of the wrong matches are of Label.COPY; fewer if few windows are visible
+    # For each camera: its model, and whether its focal length is known. The images use the cameras in
     # turn.
     cameras: Tuple[Tuple[str, bool], ...] = (("SIMPLE_RADIAL", True),)
     columns: int = 6  # number of columns of the table of keypoints: 2, 4 or 6
@@ -97,7 +98,7 @@ class Recipe(NamedTuple):
 
 
 class Lens(NamedTuple):
-    """A camera with its true parameters, and those stored in the database."""
+    """A camera with its true parameters. The database can have other parameters, see stored()."""
 
     model: str
     params: Floats
@@ -123,8 +124,8 @@ class Lens(NamedTuple):
         return np.asarray(plane @ K[:2, :2].T + K[:2, 2], float)
 
     def stored(self, size: Tuple[int, int]) -> Floats:
-        """Returns the parameters for the database. If the focal length is unknown, they are
-        COLMAP's guess without distortion."""
+        """Returns the parameters for the database. If the focal length is unknown, it is replaced by
+        COLMAP's guess, 1.2 times the longer side, and the distortion by 0."""
         if self.focalKnown:
             return self.params
         params = self.params.copy()
@@ -141,11 +142,11 @@ class Space(NamedTuple):
     normals: Floats  # P x 3, surface normals; points are visible only from the front
     sides: Integers  # P: side of the building; 0 is the side with the mural
     flat: npt.NDArray[np.bool_]  # P: true if the point lies in the plane of its side
-    windows: Integers  # 3 x columns x rows x parts: indices of points
+    windows: Integers  # 3 sides x COLUMNS x ROWS x parts of a window: indices of points
 
 
 class PairTruth(NamedTuple):
-    """A pair of images, which are numbered from 0, and its matches with their ground truth."""
+    """A pair of images (numbered from 0) and its matches with their ground truth."""
 
     first: int
     second: int
@@ -169,8 +170,8 @@ def frame(side: int) -> Tuple[Floats, Floats]:
     return np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
 
 
-HALF_WIDTH, HEIGHT = 2.5, 4.0  # half width and height of the building in units of the scene; its axis is the z axis
-COLUMNS, ROWS = 5, 3  # numbers of windows on a side
+HALF_WIDTH, HEIGHT = 2.5, 4.0  # half the width, and the height of the building; its vertical axis is the z axis
+COLUMNS, ROWS = 5, 3  # numbers of columns and rows of windows on a side
 
 
 def buildSpace(rng: np.random.RandomState, density: float) -> Space:
@@ -189,7 +190,7 @@ def buildSpace(rng: np.random.RandomState, density: float) -> Space:
 
     for across, up in rng.uniform([-2.4, 0.2], [2.4, 3.8], (int(170 * density), 2)):
         add(0, across, up, 0)
-    parts = rng.uniform([0.05, 0.05, 0.1], [0.85, 1.15, 0.9], (int(12 * density), 3))  # points of a window and of its balcony
+    parts = rng.uniform([0.05, 0.05, 0.1], [0.85, 1.15, 0.9], (int(12 * density), 3))  # position of each point of a window and its balcony: across, up, in front of the wall
     parts[::2, 2] = 0
     windows = np.zeros((3, COLUMNS, ROWS, len(parts)), int)
     for side, column, row, part in itertools.product(range(3), range(COLUMNS), range(ROWS), range(len(parts))):
@@ -209,7 +210,8 @@ def buildSpace(rng: np.random.RandomState, density: float) -> Space:
 
 
 def lookAt(center: Floats, target: Floats, roll: float) -> Tuple[Floats, Floats]:
-    """Returns R, t of a camera (x right, y down, z forward)."""
+    """Returns R, t of a camera at `center` that looks at `target` (axes: x right, y down, z forward).
+    roll -- rotation about the viewing direction in radians"""
     ahead = (target - center) / np.linalg.norm(target - center)
     right = np.cross(ahead, [0, 0, 1.0])
     right /= np.linalg.norm(right)
@@ -230,7 +232,7 @@ class Collection:
         self.translations: List[Floats] = []
         self._placeCameras()
         self.keypoints: List[Floats] = []
-        self.pointOf: List[Integers] = []  # for each keypoint, the index of the scene's point, or -1
+        self.pointOf: List[Integers] = []  # for each image and keypoint, the index of the point of the scene, or -1
         for image in range(recipe.images):
             self._detect(image)
         ring = [i for i, name in enumerate(self.names) if name.startswith("ring")]
@@ -252,7 +254,8 @@ class Collection:
         return np.asarray(-self.rotations[image].T @ self.translations[image])
 
     def relative(self, first: int, second: int) -> Tuple[Floats, Floats]:
-        """Returns R, t of the second camera relative to the first: x2 ~ R x1 + t."""
+        """Returns R, t of the second camera relative to the first: x2 = R x1 + t for points in camera
+        coordinates."""
         R = self.rotations[second] @ self.rotations[first].T
         return R, self.translations[second] - R @ self.translations[first]
 
@@ -280,7 +283,8 @@ class Collection:
                         0.15 * i - 0.15)
 
     def _detect(self, image: int) -> None:
-        """Adds keypoints of visible points, and random keypoints without a point."""
+        """Adds the keypoints of an image: most of the visible points with noise, and random keypoints
+        that show no point."""
         rng, size, space = self.rng, np.array(self.recipe.size), self.space
         seen = space.points @ self.rotations[image].T + self.translations[image]
         pixels = self.lens(image).project(np.where(seen[:, 2:] > 0.5, seen, 1))
@@ -314,8 +318,8 @@ class Collection:
         return np.stack(numbers, axis=1)
 
     def _match(self, first: int, second: int) -> PairTruth:
-        """Returns one-to-one matches in random order: some of the common points, copies (Label.COPY),
-        and random pairs of the remaining keypoints."""
+        """Returns one-to-one matches in random order: some of the common points and copies
+        (Label.COPY), or the logo, and random pairs of other keypoints."""
         rng, enough = self.rng, 30
         a, b = self.pointOf[first], self.pointOf[second]
         common = np.intersect1d(a[a >= 0], b[b >= 0])
@@ -328,8 +332,8 @@ class Collection:
         else:
             common = rng.permutation(common)[:int((1 - share) * most)]
             wrong = int(len(common) * share / (1 - share))
-            # No copies for cameras at the same position: there, copies and right matches agree with
-            # one epipolar geometry and would indicate a translation.
+            # No copies for two images from the same position: copies and right matches would together
+            # agree with one epipolar geometry and would wrongly indicate a translation.
             most = 0 if self.fromOneSpot(first, second) else min(int(self.recipe.copies * wrong), len(common) // 3)
             copies = self._copies(a, b, most)
             common = common[~np.isin(common, np.concatenate([a[copies[:, 0]], b[copies[:, 1]]]))]
@@ -346,9 +350,9 @@ class Collection:
         return self._truth(first, second, matches[order], labels[order])
 
     def _copies(self, a: Integers, b: Integers, most: int) -> Integers:
-        """Returns at most `most` wrong matches by repeated structure: parts of windows matched to the
-        same parts of other windows. The offset between the windows is the same for all matches; the
-        offset with the most matches is chosen."""
+        """Returns at most `most` wrong matches due to repeated structure: points of windows matched to
+        the same points of other windows. The offset between the windows is the same for all matches;
+        of six offsets, the one with the most matches is chosen."""
         windows = self.space.windows
         best = np.zeros((0, 2), int)
         for across, up in ((1, 0), (-1, 0), (2, 0), (-2, 0), (0, 1), (0, -1)):
@@ -397,7 +401,7 @@ class Collection:
 
 
 def _whereIn(pointOf: Integers, points: Integers) -> Integers:
-    """Returns, for each of the points, the index of the keypoint that shows it, or -1."""
+    """Returns for each of the points the index of the keypoint that shows this point, or -1."""
     number = np.full(max(int(points.max(initial=0)), int(pointOf.max(initial=0))) + 1, -1)
     known = pointOf >= 0
     number[pointOf[known]] = np.flatnonzero(known)

@@ -21,8 +21,8 @@ if not IN_TREE:
 
 IMAGES = 2147483647
 SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV = range(5)
-# Tables that differ between versions of COLMAP: prior poses of images have moved to a separate table,
-# and rigs and frames were added.
+# Differences between versions of COLMAP: in later versions, prior poses of images are in a separate
+# table, and there are rigs, frames, and cameras of verified pairs.
 _OLD_IMAGES = ", prior_qw REAL, prior_qx REAL, prior_qy REAL, prior_qz REAL, prior_tx REAL, prior_ty REAL, prior_tz REAL"
 _PRIORS = """CREATE TABLE pose_priors (image_id INTEGER PRIMARY KEY NOT NULL, position BLOB, coordinate_system INTEGER NOT NULL,
 position_covariance BLOB, FOREIGN KEY(image_id) REFERENCES images(image_id) ON DELETE CASCADE);"""
@@ -75,9 +75,10 @@ def writeDatabase(path, cameras, images, keypoints, matches, schema="3.8", wal=T
 
     cameras -- {camera_id: (model, width, height, parameters, whether the focal length is known)}
     images -- {image_id: (name, camera_id)}
-    keypoints -- {image_id: N x 2, 4 or 6}
+    keypoints -- {image_id: array with N rows and 2, 4 or 6 columns}
     matches -- {(image_id, image_id): M x 2 indices of keypoints}, or an iterable of such items; the
     smaller image_id is first
+    schema -- version of COLMAP, a key of SCHEMAS
     wal -- True: journal mode WAL, as COLMAP sets it"""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         if wal:
@@ -107,7 +108,7 @@ def rows(path, statement, *arguments):
 
 
 def dump(path, *tables):
-    """Returns {table: all its rows}, sorted by the first column."""
+    """Returns {table: list of all its rows}; the rows are sorted by their first column."""
     return {table: rows(path, "SELECT * FROM {} ORDER BY 1".format(table)) for table in tables}
 
 
@@ -115,9 +116,9 @@ INPUT = ("cameras", "images", "keypoints", "descriptors", "matches")
 
 
 def smallDatabase(path, images=6, points=60, seed=0, distorted=False, columns=2, **keywords):
-    """Writes a database with all pairs of a few images; returns (keypoints, matches) as for
-    writeDatabase. Keypoints and matches are random; match i of a pair is of keypoint i of the first
-    image."""
+    """Writes a database with all pairs of a few images; returns (keypoints, matches) in the form that
+    writeDatabase takes. Keypoints and matches are random, but match i of a pair belongs to keypoint i
+    of the first image."""
     rng = np.random.RandomState(seed)
     camera = (OPENCV, 640, 480, (600, 610, 320, 240, -0.1, 0.02, 0.001, -0.002), True) if distorted else (
         SIMPLE_PINHOLE, 640, 480, (600, 320, 240), False)
@@ -146,7 +147,8 @@ class DatabaseCase(unittest.TestCase):
         return source.load(list(source.keys()))
 
     def refused(self, words, function, *args, **keywords):
-        """The call must raise a CollectionError whose message is one line and contains the words."""
+        """Asserts that a call raises a CollectionError whose message is one line and contains all of the
+        words."""
         with self.assertRaises(CollectionError) as context:
             function(*args, **keywords)
         message = str(context.exception)
@@ -156,7 +158,7 @@ class DatabaseCase(unittest.TestCase):
 
 
 def flat(item):
-    """Converts loaded data, arrays within lists and tuples, to a form that == compares exactly."""
+    """Converts loaded data (arrays in nested lists and tuples) to values that == compares exactly."""
     if isinstance(item, np.ndarray):
         return item.dtype.str, item.shape, item.tobytes()
     if isinstance(item, (list, tuple)):

@@ -66,14 +66,14 @@ class Files(unittest.TestCase):
         return self.path(name)
 
     def h5(self, name, **arrays):
-        """Writes an HDF5 file with the arrays, which are named GROUP/NAME."""
+        """Writes an HDF5 file. arrays -- the names are paths in the file: NAME or GROUP/NAME"""
         with h5py.File(self.path(name), "w") as out:
             for key, array in arrays.items():
                 out[key] = array
         return self.path(name)
 
     def only(self, path, *more):
-        """Returns the pair, or the Fault, of a source that must have only one."""
+        """Opens a source, which must have exactly one item, and returns this Pair or Fault."""
         source = self.source(path, *more)
         self.assertEqual(len(source), 1)
         (loaded,) = source.load(list(source.keys()))
@@ -86,7 +86,8 @@ class Files(unittest.TestCase):
         return source
 
     def check(self, pair, seed, rows=slice(None), known=True, scores=True):
-        """The pair must have the given rows of matchesOf(seed), and the cameras K1, K2 if known."""
+        """Asserts that the pair has the given rows of matchesOf(seed), and the camera matrices K1 and K2
+        if `known` is true."""
         self.assertNotIsInstance(pair, Fault, pair)
         a, b, s = matchesOf(seed)
         for view, points in ((pair.first, a), (pair.second, b)):

@@ -17,10 +17,13 @@ KINDS = ("general", "general", "general", "general", "planar", "rotation")
 class NoisyPair(object):
     """A pair with its ground truth.
 
-    A quarter of the wrong matches go from one small square of image 1 to one of image 2. Another
-    quarter are right matches whose points in image 2 have the same offset (repeated structure). The
-    others are random. `sigma`: standard deviation of the noise in pixels. `heavy`: the noise of each
-    keypoint gets a random log-normal factor; this is the standard deviation of its logarithm."""
+    A quarter of the wrong matches join a small square of image 1 and one of image 2. If the images
+    overlap, another quarter are copies of right matches whose points in image 2 are all shifted by
+    the same offset (repeated structure). The others are random.
+
+    sigma -- standard deviation of the noise in pixels
+    heavy -- above 0: the noise of each keypoint is multiplied by a random log-normal factor; `heavy`
+    is the standard deviation of the logarithm of this factor"""
 
     def __init__(self, seed, kind="general", size=(1600, 1200), sigma=1.0, wrong=0.5, known=True, matches=None,
                  heavy=0.0):
@@ -75,8 +78,8 @@ class NoisyPair(object):
 
 
 def noisyPairs(seed, pairs, none=0.2, **options):
-    """Returns random pairs of all kinds with 30 to 70 % wrong matches. A fraction `none` of the pairs
-    has no overlap."""
+    """Returns random pairs of all kinds, with 30 to 70 % wrong matches unless `options` has `wrong`.
+    With probability `none`, a pair has no overlap and only wrong matches."""
     rng = np.random.RandomState(seed)
     result = []
     for i in range(pairs):

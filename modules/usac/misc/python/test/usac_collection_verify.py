@@ -2,8 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""A fast replacement of the verification of pairs, for tests of the other parts of the collection
-tool. Its result depends on all of its input, so that a wrong input is noticed."""
+"""Fast replacements for the verification of pairs, for tests of the other parts of the collection
+tool. The results of verify() depend on the names, points and matches of a pair, so that a test
+notices wrong input."""
 
 import hashlib
 import os
@@ -19,9 +20,9 @@ from usacv20.collection._pair import CollectionError, Configuration, TwoView
 
 
 def verify(pairs, settings):
-    """Returns a pseudo-result for each pair, which depends only on the pair and the seed.
+    """Returns a made-up result for each pair; it depends only on the pair and the seed.
 
-    settings -- {"sleep": seconds to wait for each pair, "seed": number}"""
+    settings -- {"sleep": seconds to wait for each pair, "seed": number}; both are 0 by default"""
     return [_one(pair, settings) for pair in pairs]
 
 
@@ -64,7 +65,8 @@ def forgets(pairs, settings):
 
 
 class Here(DatabaseSource):
-    """A database that only the process that made this object can open, as if files were not shared."""
+    """A database that can be opened only in the process that created this object, as if other
+    processes did not have the file."""
 
     def __init__(self, *args, **keywords):
         super().__init__(*args, **keywords)
@@ -80,7 +82,8 @@ class Here(DatabaseSource):
 
 
 def main(path, *options):
-    """Makes a run that takes at least a second. options -- "workers": with two workers of Dask"""
+    """Runs the engine on a database, with a wait of 0.02 seconds for each pair, so that a test can stop
+    the run. options -- "workers": uses two Dask workers instead of two threads"""
     source, sink = DatabaseSource(path), DatabaseSink(path, {})
     summary = run(source, sink, {"sleep": 0.02}, sys.modules["usac_collection_verify"].verify, threads=2, chunk=5,
                   workers=2 * ("workers" in options))
@@ -90,5 +93,5 @@ def main(path, *options):
 
 
 if __name__ == "__main__":
-    import usac_collection_verify  # noqa: F401, the functions that workers know are those of the module
+    import usac_collection_verify  # noqa: F401, workers can import functions of this module, but not of __main__
     sys.exit(main(*sys.argv[1:]))

@@ -7,8 +7,8 @@
 results and compares the camera poses with true ones.
 
 The program is `colmap` on the PATH (version 3.8 in Debian 12). The environment variable USAC_COLMAP4
-names the command of a later version (4.2.1 in Debian sid). This command may be a script that enters a
-chroot, if the folder of temporary files has the same path there."""
+names the command of a later version (4.2.1 in Debian sid). This command can be a script that enters a
+chroot, if the folder of temporary files has the same path in the chroot."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ MAX_IMAGES = 2147483647  # pair_id = MAX_IMAGES * smaller image_id + larger imag
 
 
 class ColmapError(Exception):
-    """Raised if the program is missing or has failed."""
+    """Raised if COLMAP is missing or a program has failed."""
 
 
 class Usage(NamedTuple):
@@ -65,21 +65,21 @@ def find() -> Optional[str]:
 
 
 def findLater() -> Optional[str]:
-    """Returns the path of a COLMAP of version 4, or None."""
+    """Returns the path of the command in USAC_COLMAP4; None if there is no such command."""
     name = os.environ.get("USAC_COLMAP4")
     return shutil.which(name) if name else None
 
 
 @functools.lru_cache(maxsize=None)
 def options(program: str, command: str) -> str:
-    """Returns the help text of a command, to find out the names of its options. These differ between
-    versions of COLMAP."""
+    """Returns the help text of a command, which shows the names of its options. These names differ
+    between versions of COLMAP."""
     return runProgram([program, command, "--help"]).output
 
 
 def withoutGpu(program: str, command: str) -> Dict[str, object]:
-    """Returns the options with which a command of COLMAP that extracts or matches features runs on one
-    core, without GPU."""
+    """Returns the options with which a COLMAP command that extracts or matches features runs on one
+    core, without a GPU."""
     groups = ("FeatureExtraction", "FeatureMatching", "SiftExtraction", "SiftMatching")
     known = options(program, command)
     group = next(name for name in groups if "--{}.use_gpu".format(name) in known)
@@ -87,8 +87,8 @@ def withoutGpu(program: str, command: str) -> Dict[str, object]:
 
 
 def runProgram(command: Sequence[str]) -> Usage:
-    """Runs a program; raises ColmapError if it fails. No other child process may end during the call,
-    because the CPU time is measured for all child processes together."""
+    """Runs a program; raises ColmapError if it fails. The CPU time is wrong if another child process
+    ends during the call, because it is measured for all child processes together."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
                          env=dict(os.environ, QT_QPA_PLATFORM="offscreen"))
@@ -99,8 +99,10 @@ def runProgram(command: Sequence[str]) -> Usage:
 
 
 def colmap(command: str, program: Optional[str] = None, **options: object) -> Usage:
-    """Runs a COLMAP command. Names of options have two underscores instead of COLMAP's dot:
-    Mapper__num_threads. program -- None: the program on the PATH"""
+    """Runs a COLMAP command.
+
+    program -- None: the program on the PATH
+    options -- options of the command, with two underscores instead of a dot: Mapper__num_threads"""
     program = program or find()
     if program is None:
         raise ColmapError("there is no program colmap (Debian: apt-get install colmap)")
@@ -109,7 +111,7 @@ def colmap(command: str, program: Optional[str] = None, **options: object) -> Us
 
 
 def pairsOf(database: str) -> List[Tuple[str, str]]:
-    """Returns the image names of all pairs that have matches."""
+    """Returns the names of the two images of each pair in the table `matches`."""
     connection = sqlite3.connect(database)
     names = dict(connection.execute("SELECT image_id, name FROM images"))
     pairs = [(names[key // MAX_IMAGES], names[key % MAX_IMAGES])
@@ -127,9 +129,9 @@ def clear(database: str) -> None:
 
 
 def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
-    """Runs COLMAP's own verification on one core. Its results replace the table two_view_geometries.
-    Version 3 has no command that only verifies, so matches_importer is used with a list of pairs. It
-    verifies pairs that have matches and needs no descriptors."""
+    """Runs COLMAP's own verification on one core. Its results replace all rows of the table
+    two_view_geometries. Version 3 has no command that only verifies, so matches_importer is used with
+    a list of the pairs. This command verifies pairs that have matches, and needs no descriptors."""
     clear(database)
     program = program or find() or ""
     if program and "geometric_verifier" in runProgram([program, "help"]).output:
@@ -153,8 +155,8 @@ def verified(database: str) -> Dict[int, Verified]:
 
 def mapper(database: str, images: Optional[str] = None, program: Optional[str] = None, command: str = "mapper", seed: int = 0,
            fixed: bool = False) -> Tuple[Model, Usage]:
-    """Returns the largest model that `mapper` or `global_mapper` makes on one core; an empty model
-    if it makes none.
+    """Runs COLMAP's command `mapper` or `global_mapper` on one core. Returns (largest model, usage). If
+    no model was made, the model is empty; the CPU time is NaN if the command reports this as a failure.
 
     images -- folder of the images, from which the points get colors; None: no colors
     fixed -- True: focal lengths and distortion are not refined"""
@@ -164,7 +166,7 @@ def mapper(database: str, images: Optional[str] = None, program: Optional[str] =
     given: Dict[str, object] = {group + "__num_threads": 1}
     if group + ".extract_colors" in known:
         given[group + "__extract_colors"] = int(images is not None)
-    if group + ".structure_less_registration_fallback" in known:  # switched off: Debian's 4.2.1 crashes in it by a double free
+    if group + ".structure_less_registration_fallback" in known:  # switched off: in Debian's 4.2.1 it crashes (double free)
         given[group + "__structure_less_registration_fallback"] = 0
     given[group + "__random_seed" if group + ".random_seed" in known else "random_seed"] = seed
     if fixed:
@@ -182,7 +184,7 @@ def mapper(database: str, images: Optional[str] = None, program: Optional[str] =
 
 
 def readModel(folder: str) -> Model:
-    """Reads a reconstruction from the files images.bin and points3D.bin of COLMAP."""
+    """Reads a reconstruction from COLMAP's files images.bin and points3D.bin."""
     poses = {}
     with open(os.path.join(folder, "images.bin"), "rb") as file:
         data = file.read()
@@ -218,8 +220,8 @@ def angle(a: Floats, b: Floats) -> float:
 
 
 def poseError(estimate: Pose, truth: Pose) -> float:
-    """Returns the larger of two errors in degrees: of the rotation, and of the direction of the
-    translation. If the true translation is zero, only the rotation counts."""
+    """Returns the larger of the errors of the rotation and of the direction of the translation, in
+    degrees. If the true translation is zero, only the error of the rotation is returned."""
     D = estimate[0] @ truth[0].T
     skew = np.array([D[2, 1] - D[1, 2], D[0, 2] - D[2, 0], D[1, 0] - D[0, 1]])
     turned = float(np.degrees(np.arctan2(np.linalg.norm(skew), np.trace(D) - 1)))
@@ -235,8 +237,8 @@ def between(first: Pose, second: Pose) -> Pose:
 
 
 def relativeErrors(estimate: Dict[str, Pose], truth: Dict[str, Pose]) -> Floats:
-    """Returns the errors of the relative poses of all pairs of images in degrees. The error is
-    infinite if one of the two images is not registered."""
+    """Returns the errors of the relative poses of all pairs of images, in degrees. The error of a pair
+    is infinite if one or both of its images are not registered."""
     names = sorted(truth)
     errors = []
     for i, a in enumerate(names):

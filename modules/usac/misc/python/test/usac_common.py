@@ -3,11 +3,12 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The tested module, and scenes, call forms and comparisons that its tests share.
+"""The module under test, and scenes, forms of calls and comparisons that its tests share.
 
-USAC_TEST_MODULE  "cv2" (default): cv2.usacv20 of an OpenCV built with the module; "usacv20": the
-package
-USAC_TEST_CV2     "none": the package is tested without cv2; comparisons with cv2 are skipped
+Environment variables:
+USAC_TEST_MODULE  "cv2" (default): tests cv2.usacv20 of an OpenCV built with the module; "usacv20":
+tests the package
+USAC_TEST_CV2     "none": tests the package without cv2; comparisons with cv2 are skipped
 """
 
 import os
@@ -33,10 +34,10 @@ if IN_TREE:
 else:
     import usacv20 as usac
 ERRORS = (usac.error,) if cv is None else (usac.error, cv.error)
-FINDER = cv if IN_TREE else usac  # the module whose find* functions take flags of this module
+FINDER = cv if IN_TREE else usac  # the module whose FUNCTIONS are called with flags
 SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")  # see misc/sanitize.sh
-# Decorators that skip tests. `once` is for tests of tools and of the installation, which do not depend
-# on cv2 or a sanitizer, so that these run only in the normal configuration.
+# Decorators that skip tests. `once` is for tests of tools and of the installation. They do not depend
+# on cv2 or a sanitizer, so they are skipped if a sanitizer or USAC_TEST_CV2=none is used.
 once = unittest.skipIf(SANITIZED or os.environ.get("USAC_TEST_CV2") == "none", "not of the module")
 needsCv2 = unittest.skipIf(cv is None, "there is no cv2")
 inTree = unittest.skipUnless(IN_TREE, "of cv2.usacv20 only")
@@ -44,21 +45,24 @@ package = unittest.skipIf(IN_TREE, "of the package only")
 
 FUNCTIONS = ("findHomography", "findFundamentalMat", "findEssentialMat", "estimateAffine2D", "estimateAffinePartial2D",
              "solvePnPRansac")
-# OpenCV's own functions, even if the functions of cv2 are replaced.
+# OpenCV's own functions, even if this module has replaced the functions of cv2.
 NATIVE = types.SimpleNamespace(**{name: getattr(getattr(cv, "_native", cv), name) for name in FUNCTIONS if cv is not None})
 FLAGS = {flag.name: int(flag) for flag in usac.UsacV20Method}
-# Flags of OpenCV, defined here because the package also takes them without cv2.
+# Flags of OpenCV, defined here because the package also accepts them without cv2.
 FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO = 1, 2, 4, 8, 16
 USAC_DEFAULT, USAC_PARALLEL, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
-# Some of these values differ between OpenCV 4 and 5; the numbers given here are those of OpenCV 4.
+# The last two values differ between OpenCV 4 and 5; without cv2, those of OpenCV 4 are used.
 SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = (
     0, 1, 2, getattr(cv, "SOLVEPNP_AP3P", 5), getattr(cv, "SOLVEPNP_SQPNP", 8))
 THRESHOLD = 2.0  # pixels
 
 
 class Scene(object):
-    """300 correspondences in random order: 200 inliers with noise (0.3 pixels) and 100 outliers.
-    planar -- True: the points of space lie in a plane"""
+    """300 correspondences in random order: 200 inliers with noise (standard deviation 0.3 pixels) and
+    100 outliers.
+
+    planar -- True: the points of space lie in a plane
+    distorted -- True: two different cameras with lens distortion; False: one camera without it"""
 
     def __init__(self, planar, distorted=False):
         rng = np.random.RandomState(5)
@@ -82,15 +86,16 @@ class Scene(object):
         self.focal, self.pp = 800., (320., 240.)
 
     def moveTo(self, similarity):
-        """Replaces the inliers of image 2 by a similarity transform (2 x 3) of image 1, with noise."""
+        """Replaces the inliers of image 2 with the points of image 1, mapped by a similarity transform
+        (2 x 3 matrix), with noise."""
         noise = self.points2 - self.true2
         self.true2 = self.true1.dot(similarity[:, :2].T) + similarity[:, 2]
         self.points2[self.inliers] = (self.true2 + noise)[self.inliers]
         return self
 
     def error(self, problem, model):
-        """Returns the mean error of a model in pixels, computed from the inliers without their
-        noise."""
+        """Returns the mean error of a model in pixels, computed from the noise-free positions of the
+        inliers. For E, a focal length of 750 pixels converts the error to pixels."""
         if model.shape == (2, 3):
             return np.linalg.norm(self.true1.dot(model[:, :2].T) + model[:, 2] - self.true2, axis=1)[self.inliers].mean()
         a, b = self.true1[self.inliers], self.true2[self.inliers]
@@ -130,10 +135,10 @@ def formsOfMaps(method):
 
 
 def forms(method):
-    """Returns all forms of calls with two images: (problem, function, scene, positional arguments,
+    """Returns calls with two images in many forms: (problem, function, scene, positional arguments,
     keyword arguments).
 
-    Calls with the same problem and scene estimate the same model with the same parameters."""
+    With a flag of this module, calls with the same problem and scene must give the same result."""
     p, g, d = PLANE, GENERAL, DISTORTED
     pa, pb, ga, gb, da, db = p.points1, p.points2, g.points1, g.points2, d.points1, d.points2
     H, F, E = FUNCTIONS[:3]
@@ -173,14 +178,14 @@ def forms(method):
 
 
 def formsOfOpencv():
-    """Returns forms() for those flags of OpenCV whose results are reproducible."""
+    """Returns forms() for OpenCV's flags, without calls whose results differ from run to run."""
     usacs = [USAC_DEFAULT, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC]
     return [form for method in [0, LMEDS, RANSAC, RHO, FM_7POINT, FM_8POINT] + usacs for form in forms(method)
-            if form[1] != "findEssentialMat" or method not in usacs]  # their essential matrix differs in each run of OpenCV 4.6
+            if form[1] != "findEssentialMat" or method not in usacs]  # E differs from run to run in OpenCV 4.6
 
 
 def paramsForms(params):
-    """Returns the forms of calls with Params instead of a flag, as forms() does."""
+    """Returns calls with Params instead of a flag, as tuples like those of forms()."""
     p, g, d, m = PLANE, GENERAL, DISTORTED, MOVED
     H, F, E, A, S = FUNCTIONS[:5]
     return [
@@ -213,7 +218,8 @@ def estimate(problem, scene, params, *args):
 
 
 def bits(result):
-    """Converts a result or an exception to a form that == compares exactly, arrays bit by bit."""
+    """Converts a result or an exception to values that == compares exactly; arrays are compared bit
+    by bit."""
     if isinstance(result, (tuple, list)):
         return tuple(bits(item) for item in result)
     if isinstance(result, np.ndarray):

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Scenes and call forms of cv2.solvePnPRansac for tests of the module usac."""
+"""Scenes and forms of calls of solvePnPRansac for tests of the module usac."""
 
 import numpy as np
 
@@ -13,8 +13,8 @@ THRESHOLD = 2.0  # pixels
 
 
 class PoseScene(object):
-    """`count` points of space X and their pixels x in a camera with distortion, in random order.
-    `good` of them are inliers with noise (0.3 pixels), the others are outliers."""
+    """`count` points X of space and their pixels x in a camera with lens distortion, in random order.
+    `good` of the pixels have noise (standard deviation 0.3); the others are random: outliers."""
 
     def __init__(self, count, good):
         rng = np.random.RandomState(5)
@@ -31,7 +31,7 @@ class PoseScene(object):
         self.inliers[bad] = False
 
     def error(self, rvec, tvec):
-        """Returns the mean distance in pixels between the projections by this pose and by the true
+        """Returns the mean distance in pixels between the projections with this pose and with the true
         pose."""
         return self.errorOf(np.hstack((rotation(rvec), np.reshape(tvec, (3, 1)))))
 
@@ -45,12 +45,12 @@ class PoseScene(object):
 
 
 POSE = PoseScene(300, 200)
-FEW = PoseScene(600, 30)  # an inlier ratio of 5 %: one of 8000 minimal samples (3 points) has only inliers
+FEW = PoseScene(600, 30)  # an inlier ratio of 5 %: about one in 9000 samples of 3 points is all-inlier
 
 
 def formsOfPose(method):
-    """Returns the forms of calls of solvePnPRansac with a flag: (positional arguments, keyword
-    arguments). All of them mean the same, so their results must be equal."""
+    """Returns calls of solvePnPRansac with a flag in many forms: (positional arguments, keyword
+    arguments). All calls have the same parameters, so their results must be equal."""
     s, T = POSE, THRESHOLD
     X, x, K, d = s.X, s.x, s.K, s.d
     return [
@@ -65,7 +65,7 @@ def formsOfPose(method):
 
 
 def paramsFormsOfPose(params):
-    """Returns the forms of calls of solvePnPRansac with Params instead of a flag."""
+    """Returns calls of solvePnPRansac with Params instead of a flag, like formsOfPose()."""
     s = POSE
     return [
         ((s.X, s.x, s.K, s.d, None, None, None, params), {}),
