@@ -46,9 +46,9 @@ def matrixOf(q):
 
 
 class Scene(object):
-    """Two images of random points in space. A fraction `planar` of the points lies in one plane, and
-    a fraction `wrong` of the matches is wrong. `noise` is in pixels; the stored focal length is the
-    true one times `focal`."""
+    """Two images of random points in space. With probability `planar` a point lies in a certain plane;
+    with probability `wrong` a match is wrong. `noise` is the standard deviation in pixels; the stored
+    focal length is the true one times `focal`."""
 
     def __init__(self, seed=1, planar=0., count=300, wrong=0.4, turn=(0.03, -0.2, 0.05), move=(-1., 0.2, 0.1), known=True,
                  focal=1., names=("a.jpg", "b.jpg"), key=5, noise=NOISE):
@@ -74,14 +74,14 @@ class Scene(object):
         return np.degrees(np.arccos(np.clip([(turn - 1) / 2, move], -1, 1)))
 
     def marked(self, result):
-        """Returns for each match whether it is an inlier of the result."""
+        """Returns an array with an entry for each match: True if the match is an inlier of the result."""
         inliers = set(map(tuple, result.inliers.tolist()))
         return np.array([tuple(match) in inliers for match in self.matches.tolist()])
 
 
 def rightSamples(sample, matches, right):
-    """Returns the fraction of all samples, drawn without replacement, that have only right matches.
-    `right` of the `matches` are right."""
+    """Returns the probability that a sample of `sample` matches, drawn without replacement, has only
+    right matches; `right` of all `matches` matches are right."""
     part = 1.0
     for i in range(sample):
         part *= (right - i) / (matches - i)
@@ -89,9 +89,9 @@ def rightSamples(sample, matches, right):
 
 
 def missedBySample(sample, matches, ratio):
-    """Returns the logarithm of the probability that a sample for E does not find a pair of this
-    inlier ratio. A sample counts as one to four samples, because local optimization also finds
-    models from samples with an outlier."""
+    """Returns the logarithm of the probability that a sample for E does not lead to the model of a pair
+    with this inlier ratio. A sample counts as one to four samples, because local optimization also
+    finds models from samples with an outlier."""
     counted = min(max((ratio * matches / 11.5)**2, 1), 4)
     return counted * math.log1p(-rightSamples(sample, matches, math.ceil(ratio * matches - 1e-9)))
 
@@ -152,9 +152,10 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.UNCALIBRATED)
 
     def test_samples_by_the_other_pairs(self):
-        """The inlier ratios of some pairs of the collection are known. Then the number of samples
-        must be the least for which a random pair is found with `confidence`. The random pair is one
-        of the known pairs or one further pair with a lower ratio, all with the same probability."""
+        """The inlier ratios of some pairs of the collection are known. Then the number of samples must
+        be the smallest (but at least 500) with which the model of a random pair is found with
+        probability `confidence`. The random pair is one of the known pairs or one further pair with a
+        lower ratio, all with the same probability."""
         plain = Settings()
         self.assertEqual(Settings(ratios=(0.25,) * 9).needed(5, 80), plain.needed(5, 80))
         self.assertEqual(Settings(ratios=(0.1, 0.2)).needed(5, 80), plain.needed(5, 80))
@@ -163,7 +164,8 @@ class GeometryTest(unittest.TestCase):
             settings = Settings(ratios=(0.45,) * count)
             needed = settings.needed(5, 80)
             self.assertLess(needed, before)
-            # The further pair: eight ratios between 0.25 and 0.45, each with an eighth of its weight.
+            # The further pair is represented by eight ratios between 0.25 and 0.45, each with an eighth
+            # of the weight of a pair.
             tail = [0.25 + 0.2 * (i + 0.5) / 8 for i in range(8)]
             logs = np.array([missedBySample(5, 80, ratio) for ratio in [0.45] * count + tail])
             weights = np.array([1.] * count + [1 / 8] * 8) / (count + 1)
@@ -176,8 +178,8 @@ class GeometryTest(unittest.TestCase):
 
     def test_samples_that_count_more_than_once(self):
         """For E and F, a sample of USACV20 counts as up to four samples, because models are also
-        found from samples with an outlier. The smaller number of samples must still find all of 100
-        pairs with an inlier ratio of 0.25, as a much larger number does."""
+        found from samples with an outlier. The resulting smaller number of samples must still find a
+        model for each of 100 pairs with an inlier ratio of 0.25, as a larger number does."""
         settings = Settings(threshold=1)
         full = math.log(0.001) / math.log1p(-rightSamples(5, 200, 50))
         self.assertLess(settings.needed(5, 200), full / 3.9)
@@ -193,8 +195,8 @@ class GeometryTest(unittest.TestCase):
                  for options in ({}, {"maxIterations": 10000, "inlierRatio": 0.18}, {"maxIterations": 1000})]
         for configurations in found:
             self.assertNotIn(Configuration.DEGENERATE, configurations)
-            # With 1000 samples, the first search for E finds a worse model than F in 6 pairs. E is
-            # then searched again, starting from F.
+            # With 1000 samples, the first search for E finds a worse model than F for 6 pairs. E is
+            # then searched for again, starting from F.
             self.assertGreaterEqual(configurations.count(Configuration.CALIBRATED), 99)
         # Pairs with unknown focal lengths, so that only F is estimated; the inlier ratio is 0.4.
         scenes = [Scene(2000 + seed, count=100, wrong=0, known=False) for seed in range(60)]
@@ -205,8 +207,9 @@ class GeometryTest(unittest.TestCase):
             self.assertLessEqual(sum(len(result.inliers) == 0 for result in results), 1)
 
     def test_fundamental_matrix_alone(self):
-        """All matches are wrong. If E is refused, F must be searched for with only 500 samples (and
-        at most 50 more) and a stricter significance, and must be refused, too."""
+        """All matches are wrong. If E is refused, F must be searched for with only about 500 samples,
+        and must be refused, too. The search for E draws at most as many samples as the search for F of
+        a pair with an unknown focal length."""
         for seed in range(6):
             pair = Scene(seed, wrong=1.0, count=300).pair
             known = verifyPairs([pair], Settings(threshold=2, maxIterations=2000))[0]
@@ -216,8 +219,8 @@ class GeometryTest(unittest.TestCase):
             self.assertLessEqual(known.iterations, unknown.iterations + 500 + 50)
 
     def test_one_chance(self):
-        """A refused pair has a reason and the false-alarm probability `chance`. If the reason
-        contains a probability, both must refer to the same model, so the two numbers must agree."""
+        """The result of a refused pair has a reason and the false-alarm probability `chance`. If the
+        reason also contains a probability, both must belong to the same model and must be equal."""
         seen = 0
         for seed in range(12):
             result = verifyPairs([Scene(seed, wrong=1.0, count=80).pair], Settings(threshold=2, maxIterations=300))[0]
@@ -237,11 +240,11 @@ class GeometryTest(unittest.TestCase):
         for seed in range(5):
             scene = Scene(seed, planar=1)
             result = verified(scene)
-            # Points of a plane determine E only weakly, and the search chooses the E with the most
-            # inliers. So a fraction 0.027 of the wrong matches become inliers of the estimated E
+            # Points of a plane determine E only weakly, and the search chooses the E that fits the
+            # most matches. So a fraction 0.027 of the wrong matches are inliers of the estimated E
             # (mean of 40 seeds, at most 0.053). For the true E the fraction is 0.008 (at most 0.035).
             self.check(scene, result, Configuration.PLANAR, None, wrong=0.08)
-            # For a plane two motions are possible. E must belong to the motion that is returned.
+            # A plane is compatible with two motions. E must belong to the returned motion.
             cross = np.cross(np.eye(3), result.translation)
             E = -cross @ matrixOf(result.quaternion)
             self.assertAlmostEqual(abs(np.sum(E * result.E)), np.sqrt(2), places=6)
@@ -299,8 +302,8 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
         without = verifyPairs([pair], Settings(threshold=2, watermarks=False))[0]
         self.assertIn(without.configuration, (Configuration.PANORAMIC, Configuration.PLANAR))
-        # Matches that have the same displacement but are not near the border of the image must not be
-        # classified as a watermark.
+        # The same matches must not be classified as a watermark if they are not near the border of the
+        # images.
         moved = pair._replace(first=views[0]._replace(taken=first + [300, 300]), second=views[1]._replace(taken=second + [300, 300]))
         self.assertNotEqual(verifyPairs([moved], Settings(threshold=2))[0].configuration, Configuration.WATERMARK)
 
@@ -345,9 +348,9 @@ class GeometryTest(unittest.TestCase):
             self.check(scene, verified(scene, method=method), Configuration.CALIBRATED, 2.)
 
     def test_samples_that_keep_a_pair(self):
-        """There are so few matches, of which the first `right` are right, that all samples can be
-        enumerated. The number of samples must follow from the fraction of those with right matches
-        only."""
+        """There are so few matches that all possible samples can be enumerated; the first `right`
+        matches are right. The number of samples to draw must follow from the fraction of the possible
+        samples that have only right matches."""
         for sample, matches, ratio, right in ((4, 12, 0.5, 6), (5, 14, 0.36, 6), (7, 16, 0.5, 8), (5, 15, 0.01, 5), (5, 10, 0.1, 5)):
             settings = Settings(inlierRatio=ratio, minInliers=1, confidence=0.99999, maxIterations=10**9, method="USACV20_FAST")
             samples = list(itertools.combinations(range(matches), sample))
@@ -356,19 +359,19 @@ class GeometryTest(unittest.TestCase):
             self.assertEqual(settings.iterations(sample, matches), needed)
             self.assertAlmostEqual(settings.reached(sample, matches), 1 - (1 - part)**needed, places=12)
         # For 75 matches and an inlier ratio of 0.25, at least 19 matches are right. 7070 samples would
-        # be enough if points were drawn with replacement. Without replacement they reach only a
-        # confidence of 0.9915, so more samples are needed.
+        # be enough if points were drawn with replacement. Without replacement, 7070 samples reach only
+        # a confidence of 0.9915, so more samples are needed.
         part = math.factorial(19) * math.factorial(70) / (math.factorial(14) * math.factorial(75))
         wide = Settings(maxIterations=20000, method="USACV20_FAST")  # USACV20_FAST: each sample counts once
         self.assertEqual(wide.iterations(5, 75), math.ceil(math.log(0.001) / math.log(1 - part)))
         self.assertEqual(wide.iterations(5, 75), 10250)
         self.assertAlmostEqual(Settings(maxIterations=7070, method="USACV20_FAST").reached(5, 75), 0.9915, places=4)
-        # The number of right matches must be rounded correctly: in floating point 0.07 * 100
-        # exceeds 7.
+        # The number of right matches must be 7, although 0.07 * 100 is slightly above 7 in floating
+        # point and the number is rounded up.
         self.assertEqual(Settings(inlierRatio=0.07, minInliers=1).needed(4, 100),
                          Settings(inlierRatio=0, minInliers=7).needed(4, 100))
-        # First: minInliers counts if it is larger than ratio * matches. Second: if all 15 matches
-        # must be right, the least number of 500 samples suffices. Third: the limit maxIterations.
+        # First: minInliers is used if it is larger than ratio * matches. Second: if all 15 matches
+        # must be right, the minimum of 500 samples is enough. Third: maxIterations is the limit.
         self.assertEqual(wide.needed(5, 24), Settings(inlierRatio=15 / 24, method="USACV20_FAST").needed(5, 24))
         self.assertEqual((wide.needed(7, 15), wide.reached(7, 15)), (500, 1))
         self.assertEqual(Settings(maxIterations=20).iterations(5, 300), 20)

@@ -58,7 +58,7 @@ class CorrTest(Files):
         self.fault(three, "No such file")
         self.write("x.P.list", "pairs/x/two\n")
         self.mistake("no pairs of images", self.path("x.P.list"))
-        self.write("pairs/x/here.list", "one\n")  # the folder of the list is not called lists, so paths are relative to it
+        self.write("pairs/x/here.list", "one\n")  # paths are relative to the folder of the list, unless this folder is called lists
         self.check(self.only(self.path("pairs/x/here.list")), 0)
 
     def test_without_scores(self):
@@ -139,7 +139,7 @@ class NpzTest(Files):
         a, b, s = matchesOf(1)
         order = np.random.RandomState(0).permutation(12)
         forward = np.full(14, -1)
-        forward[2:] = np.argsort(order)  # match i is of keypoint 2 + i of image 1; keypoints 0 and 1 have no match
+        forward[2:] = np.argsort(order)  # match i belongs to keypoint 2 + i of image 1; keypoints 0 and 1 have no match
         forward[5] = -1
         rows = np.array([0, 1, 2] + list(range(4, 12)))
         first = np.vstack(([[1, 1], [2, 2]], a))

@@ -4,7 +4,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Tests of the loop check: a pair is refused if its rotation contradicts the rotation along a path
-of other pairs (links) that have more inliers."""
+of other pairs (links) that have at least twice as many inliers."""
 
 import os
 import shutil
@@ -38,8 +38,8 @@ class Ring(object):
         self.rotations = [rotationOf([0, 2 * np.pi * i / count, 0]).dot(rotationOf(rng.normal(0, 0.1, 3))) for i in range(count)]
 
     def edge(self, first, second, inliers, degrees=0.0, link=True, noise=0.5):
-        """Returns a pair whose rotation is wrong by `degrees`, plus random noise of about `noise`
-        degrees."""
+        """Returns an accepted pair whose rotation is wrong by `degrees`, plus random noise of about
+        `noise` degrees."""
         wrong = rotationOf(np.radians(degrees) * np.array([0, 0.6, 0.8])).dot(rotationOf(np.radians(self.rng.normal(0, noise, 3))))
         R = wrong.dot(self.rotations[second]).dot(self.rotations[first].T)
         return Edge((first, second), first, second, inliers, quaternion(R)[None], link)
@@ -65,8 +65,8 @@ class LoopsTest(unittest.TestCase):
         self.assertEqual(contradicted([]), {})
 
     def test_what_is_asked_of_links(self):
-        """A path contradicts a pair only if each of its links has at least twice as many inliers as
-        this pair and a single rotation (link=True), and if it has at most LONGEST links."""
+        """A path contradicts a pair only if each link of the path has a single rotation (link=True) and
+        at least twice as many inliers as the pair, and if the path has at most LONGEST links."""
         ring = Ring(12)
         wrong = ring.edge(0, 4, 51, 90)
         self.assertEqual(contradicted(chain(ring) + [wrong]), {})
@@ -80,15 +80,15 @@ class LoopsTest(unittest.TestCase):
             self.assertEqual(len(contradicted(chain(ring) + [ring.edge(3, 3 + distance, 20, 90)])), count)
 
     def test_wrong_links_are_none(self):
-        """Pair (0, 2) is contradicted by pairs with more inliers. It must therefore not be a link of a
-        path that contradicts other pairs."""
+        """Pair (0, 2) is contradicted by pairs with more inliers. Therefore this pair must not be a link
+        of a path that contradicts other pairs."""
         ring = Ring(8)
         links = [ring.edge(0, 1, 1000), ring.edge(1, 2, 1000), ring.edge(4, 3, 1000)]
         wrong = ring.edge(0, 2, 400, 90)
         right = ring.edge(0, 3, 300), ring.edge(2, 4, 90)
         self.assertEqual(list(contradicted(links + [wrong, *right])), [(0, 2)])
         # Without the link (0, 1), no path contradicts (0, 2). So this wrong pair is itself a link, and
-        # another pair is refused.
+        # the right pair (1, 4) is refused.
         self.assertEqual(list(contradicted(links[1:] + [wrong, right[0], ring.edge(1, 4, 90)])), [(1, 4)])
 
     def test_one_of_two_rotations(self):
@@ -163,8 +163,8 @@ class CourtTest(unittest.TestCase):
         cls.street = Street(Options("court", 16, seed=1))
 
     def verified(self, name, **options):
-        """Verifies the database; returns the numbers of accepted pairs with overlap (at least 30
-        common points) and without (no common point)."""
+        """Verifies the database `name`; returns the number of accepted pairs with overlap (at least 30
+        common points) and the number of accepted pairs without a common point."""
         path = os.path.join(self.folder, name)
         if not os.path.exists(path):
             self.street.write(path)

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the command `report`: its numbers must equal those that the tests count themselves. Also
-tests of its pictures, and of invalid files."""
+"""Tests of the command `report`: its numbers must equal the numbers that the tests count in the
+results. Also tests of its pictures, and of invalid files."""
 
 import collections
 import csv
@@ -46,8 +46,8 @@ KINDS = ("CALIBRATED", "UNCALIBRATED", "PLANAR", "PANORAMIC", "WATERMARK")
 
 def results(links, seed=1, name=pairId):
     """Returns {(first image, second image): TwoView}, made-up results of all pairs of images. A pair
-    is accepted if links(first, second) is true. About one in ten of the other pairs could not be
-    read (UNDEFINED), the rest are refused."""
+    is accepted if links(first, second) is true. About one in ten of the other pairs cannot be read
+    (UNDEFINED); the rest are refused."""
     rng = np.random.RandomState(seed)
     found = {}
     for first in range(1, IMAGES + 1):
@@ -170,8 +170,8 @@ class FiguresTest(Reports):
                              [r.matches, len(r.inliers), r.iterations, r.chance, r.milliseconds])
 
     def test_pairs(self):
-        """Reports on a database that the command `pairs` has written, with and without the names of
-        the images."""
+        """Tests reports on a database in the format of the command `pairs`, with and without the names
+        of the images."""
         found = results(neighbors, name=lambda a, b: "{:02d}.jpg - {:02d}.jpg".format(a, b))
         np.savez(self.path("l/a.npz"), points1=np.zeros((3, 2)), points2=np.zeros((3, 2)))
         source = self.source(os.path.dirname(self.path("l/")))
@@ -220,7 +220,7 @@ class FiguresTest(Reports):
         self.assertIn("1 more pairs were not looked at yet", self.text(path))
         good = [r for r in found.values() if not r.reason]
         change(path, "UPDATE two_view_geometries SET rows = rows + 1 WHERE pair_id = ?", good[0].key)
-        # The second row belongs to the pair that was deleted above.
+        # The other row belongs to the pair that was deleted from usacv20_pairs above.
         self.assertIn("2 rows of two_view_geometries are not of this run", self.text(path))
 
     def test_reasons(self):
@@ -263,7 +263,7 @@ class LookTest(Reports):
             os.remove(self.path("a.db"))
 
     def test_only_link(self):
-        """Images 1 to 8 and 9 to 17 are connected by the single pair 3 - 12, which must be listed.
+        """Only the pair 3 - 12 connects the images 1 to 8 with the images 9 to 17, so it must be listed.
         The pairs 16 - 17 and 18 - 19 are also bridges, but they connect a single image and must not
         be listed. Image 20 has no verified pair."""
         def links(a, b):
@@ -314,13 +314,13 @@ class PicturesTest(Reports):
 
     @staticmethod
     def has(path, color):
-        """Returns whether more than a thousandth of the picture's pixels have this color."""
+        """Returns True if more than a thousandth of the picture's pixels have this color."""
         pixels = np.round(255 * imread(path)[..., :3]).astype(int)
         return bool((np.abs(pixels - color).max(axis=2) == 0).mean() > 0.001)
 
     def test_order_of_the_names(self):
-        """The rows of the matrix in the picture must be in the order of the image names, whatever
-        the numbers of the images are."""
+        """The rows of the matrix in the picture must be in the order of the image names, no matter which
+        numbers the images have."""
         found = results(neighbors)
         path = self.verified(found)
         change(path, "UPDATE images SET name = 'x' || (100 - image_id)")
@@ -401,9 +401,9 @@ class MistakesTest(Reports):
         self.assertMistake("damaged", self.path("b.db"))
 
     def test_memory(self):
-        """The memory for computing the report must not grow with the number of pairs."""
+        """The memory needed to compute the report must not grow with the number of pairs."""
         peaks = []
-        self.text(self.verified(results(neighbors)))  # loads modules, whose memory must not be measured
+        self.text(self.verified(results(neighbors)))  # loads modules before the memory is measured
         for repeats in (10, 60):
             change(self.path("a.db"), "DELETE FROM usacv20_pairs")
             change(self.path("a.db"), """WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < ?)

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of the files of results (SQLite, NPZ, HDF5) of the command `pairs`: writing, reading,
+"""Tests of the result files (SQLite, NPZ, HDF5) of the command `pairs`: writing and reading, and
 interrupted and resumed runs."""
 
 import contextlib
@@ -57,8 +57,8 @@ for start in range(0, len(keys), 4):
 
 
 def result(number, name=None):
-    """Returns a made-up result, which depends only on the number. Each optional part (models,
-    quaternion, translation) is missing in some of the results."""
+    """Returns a made-up result, which depends only on `number` and `name`. Each optional part (models,
+    quaternion, translation) is None for some numbers."""
     rng = np.random.RandomState(number)
     inliers = rng.randint(0, 2**32, (number % 5, 2), np.int64).astype(np.uint32)
     models = [None if number % (i + 2) == 0 else rng.normal(size=shape) for i, shape in enumerate(((3, 3),) * 3 + (4, 3))]
@@ -152,7 +152,7 @@ class ResultsTest(Files):
     def run_all(self, name, resume=False):
         sink = self.open(name, resume)
         keys = [key for key in self.pairs.keys() if sink.done(key)]
-        with contextlib.redirect_stderr(io.StringIO()):  # names of pairs that cannot be read are printed on stderr
+        with contextlib.redirect_stderr(io.StringIO()):  # pairs that cannot be read are named on stderr
             summary = run(self.pairs, sink, self.settings, verifyPairs, threads=2, chunk=5, progress=False)
         sink.close(not summary.interrupted)
         return keys
@@ -176,8 +176,9 @@ class ResultsTest(Files):
                 self.assertResults(name, whole, times=False)
 
     def test_grown(self):
-        """File p03 is damaged during the first run and repaired before the run is resumed. The
-        resumed run must take all other results from the complete file and process only p03."""
+        """File p03 is damaged during the first run and repaired before the second run, which has
+        resume=True. The second run must take all other results from the complete file of the first
+        run and process only p03."""
         with open(self.path("list/p03.npz"), "rb+") as file:
             whole = file.read()
             file.truncate(100)
@@ -245,7 +246,7 @@ class ResultsTest(Files):
             self.write("text" + extension, "text")
             self.assertMistake("text" + extension, list, readResults(self.path("text" + extension)))
             self.assertMistake("text" + extension, self.open, "text" + extension, True)
-        with mock.patch.dict(sys.modules, {"h5py": None}):  # the message must be about the file, not about the missing h5py
+        with mock.patch.dict(sys.modules, {"h5py": None}):  # the message must be about the file, not about h5py
             self.assertMistake("text.sqlite: no results", list, readResults(self.path("text.sqlite")))
         with sqlite3.connect(self.path("other.db")) as connection:
             connection.execute("CREATE TABLE images (a)")
@@ -287,7 +288,7 @@ class ResultsTest(Files):
                 self.assertEqual(sum(1 for _ in readResults(self.path("o{}.npz".format(count)))), count)
                 peaks.append(tracemalloc.get_traced_memory()[1])
                 tracemalloc.stop()
-        self.assertLess(peaks[2], peaks[1] + 100000)  # in bytes; the results of the larger file have a megabyte
+        self.assertLess(peaks[2], peaks[1] + 100000)  # bytes; the results of the largest file have about a megabyte
 
 
 if __name__ == "__main__":

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of collections that get new images, of selected pairs, and of the function verify() for
-other programs."""
+"""Tests of collections that grow, of runs with selected pairs, and of verify(), the function that
+other programs call."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if not IN_TREE:
     from usacv20.collection import CollectionError, verify
     from usacv20.collection._command import main
 
-PAIRS, LATER = 234, 66  # numbers of pairs that are verified first and added later; together all pairs of 25 images
+PAIRS, LATER = 234, 66  # number of pairs that are verified first, and that are added later; together all pairs of 25 images
 TABLE = "two_view_geometries"
 FEW = 100  # largest number of samples for a pair; most matches are right, so few samples suffice
 
@@ -53,7 +53,7 @@ class RunCase(unittest.TestCase):
         shutil.copy(self.whole, self.path)
 
     def verify(self, path: str = "", **options: Any) -> List[str]:
-        """Runs the verification; returns the lines that it would print."""
+        """Runs the verification; returns the lines that the command would print."""
         said: List[str] = []
         options.setdefault("maxIterations", FEW)
         self.summary = verify(path or self.path, threads=1, say=said.append, **options)
@@ -204,8 +204,8 @@ class OutputTest(RunCase):
         self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("finished",)])
 
     def test_full_disk(self) -> None:
-        """A copy that does not fit on the disk must be removed. A limit of the file size stands for
-        the full disk."""
+        """A copy that does not fit on the disk must be removed. A limit of the file size simulates a
+        full disk."""
         import resource
         target = os.path.join(self.folder, "copies", "copy.db")
         os.mkdir(os.path.dirname(target))
@@ -222,20 +222,20 @@ class OutputTest(RunCase):
         self.assertEqual(os.listdir(os.path.dirname(target)), [])
 
     def test_interrupted_early(self) -> None:
-        """Ctrl-C while the program starts must stop it without damage to the database. On a fast
-        machine the run may have ended before the latest signal, and a library that is being imported
-        may swallow a signal. So it suffices that one of the three runs ends with another code than 0."""
+        """Ctrl-C during the start of the program must stop it without damage to the database. On a fast
+        machine, a run can end before the signal comes, and a library that is being imported can
+        swallow the signal. So it suffices that one of the three runs ends with a code other than 0."""
         codes = []
         for seconds in (0.15, 0.3, 0.45):
-            # resets the handler, since background jobs of a shell and their children ignore SIGINT
+            # Resets the handler, because background jobs of a shell and their children ignore SIGINT.
             with self.process("verify", self.path, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as run:
                 time.sleep(seconds)
                 run.send_signal(signal.SIGINT)
                 error = run.communicate()[1].decode()
             codes.append(run.returncode)
-            if not error:  # with an error message, Python itself was still starting, and other exit codes are possible
+            if not error:  # otherwise Python itself was still starting, and other exit codes are possible
                 self.assertIn(run.returncode, (0, 130, -signal.SIGINT))
-            self.assertNotIn("_command.py", error)  # a traceback may come only from Python's own start, not from this program
+            self.assertNotIn("_command.py", error)  # a traceback is allowed only from Python's own start, not from this program
             with contextlib.closing(sqlite3.connect(self.path)) as connection:
                 self.assertEqual(connection.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
         self.assertTrue(any(codes), codes)

@@ -25,8 +25,8 @@ TABLE = "two_view_geometries"
 
 
 def found(first, second, inliers=30, **keywords):
-    """Returns an accepted result. The entries of F, E and H differ, so that the test notices if
-    entries or matrices are exchanged."""
+    """Returns an accepted result. All entries of F, E and H differ, so that a test notices if entries
+    or matrices are exchanged."""
     key = pairId(first, second)
     count = np.arange(first * 100 + second, dtype=float)
     values = dict(key=key, configuration=Configuration.CALIBRATED, inliers=np.arange(2 * inliers, dtype=np.uint32).reshape(-1, 2),
@@ -58,7 +58,7 @@ class SinkCase(DatabaseCase):
         return sink
 
     def closed(self, sink):
-        with contextlib.suppress(CollectionError):  # raised if another sink of the test has begun a later run
+        with contextlib.suppress(CollectionError):  # raised if another sink of the test has started a later run
             sink.close()
 
     def row(self, first, second):
@@ -89,8 +89,8 @@ class RowTest(SinkCase):
             self.assertEqual(dump(path, *INPUT), before)
 
     def test_unknown_matrices(self):
-        """Unknown matrices and poses must be stored as NULL, as COLMAP 4 does. It would read zeros
-        as a known pose."""
+        """Unknown matrices and poses must be stored as NULL, as COLMAP 4 does. COLMAP 4 would read
+        zeros as a known pose."""
         for schema in SCHEMAS:
             self.path = os.path.join(self.folder, schema)
             smallDatabase(self.path, schema=schema)
@@ -102,8 +102,8 @@ class RowTest(SinkCase):
             self.assertEqual([row[name] for name in row if name.startswith("camera")], [None, None] if schema == "4.2" else [])
 
     def test_motion_of_a_plane(self):
-        """For a planar pair two motions are possible, so its motion must not be written. The motion
-        of a panoramic pair must be written."""
+        """A planar pair is compatible with two motions, so no motion must be written. The motion of a
+        panoramic pair must be written."""
         smallDatabase(self.path)
         self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC)])
         self.assertEqual([self.row(1, 2)[name] for name in ("qvec", "tvec")], [None, None])
@@ -145,9 +145,9 @@ class RowTest(SinkCase):
         self.assertEqual(rows(self.path, "SELECT chance FROM usacv20_pairs"), [(None,)])
 
     def test_tables_that_differ(self):
-        """A missing table two_view_geometries must be created with the same columns as COLMAP's.
-        Missing and additional columns of other versions of COLMAP must be accepted, but not a missing
-        column config."""
+        """If the table two_view_geometries is missing, it must be created with COLMAP's columns. Columns
+        that other versions of COLMAP lack or add must be accepted as missing or additional, but a
+        missing column config must be refused."""
         smallDatabase(self.path)
         made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
         change(self.path, "DROP TABLE " + TABLE)
@@ -212,7 +212,7 @@ class RunTest(SinkCase):
         sink = self.sink(resume=True)
         self.assertTrue(sink.resumed)
         keys = [pairId(1, i) for i in range(2, 6)]
-        # The third pair could not be read and must be processed again; the fourth one is new.
+        # The third pair could not be read and must be processed again; the fourth pair is new.
         self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])
         sink.commit([found(1, 4), found(1, 5)])
         self.assertEqual((self.pairs(), sink.removed), (keys, 0))
@@ -225,7 +225,7 @@ class RunTest(SinkCase):
         self.assertFalse(self.sink().done(keys[0]))
 
     def test_rows_that_were_taken_away(self):
-        """If another program has removed rows of results, a resumed run must process these pairs
+        """If another program has removed the rows of some pairs, a resumed run must process these pairs
         again."""
         self.sink().commit([found(1, 2), found(1, 3)])
         change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), pairId(1, 2))
@@ -233,8 +233,8 @@ class RunTest(SinkCase):
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
 
     def test_two_at_once(self):
-        """A run begins with the first commit of its sink. All other sinks that were opened before this
-        commit must then be refused, so that results of two runs are not mixed."""
+        """A run begins with the first commit of its sink. All sinks that were opened before this commit
+        must then raise an error when they commit or close, so that results of two runs are not mixed."""
         for resume in (False, True):
             with self.subTest(resume=resume):
                 first = self.sink(resume=resume)
@@ -255,8 +255,8 @@ class RunTest(SinkCase):
                 change(self.path, "DROP TABLE usacv20_runs")
 
     def test_some_pairs(self):
-        """With keep=True, rows of other pairs must stay, no matter which program has written them.
-        Pairs whose results have other settings must be processed again by a resumed run."""
+        """With keep=True, rows of other pairs must stay, no matter which program has written them. A
+        resumed run must process pairs again that were processed with other settings."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink(keep=True)
         sink.commit([found(1, 2)])
@@ -288,8 +288,8 @@ class RunTest(SinkCase):
         self.refused(["another version"], self.sink, resume=True)
 
     def test_all_or_nothing(self):
-        """A commit that fails must change nothing in the database. If it is the first commit, it
-        must not remove the old rows either."""
+        """A commit that fails must not change the database. A first commit that fails must not remove
+        the old rows either."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink()
         wrong = found(1, 3)._replace(F=np.eye(2))

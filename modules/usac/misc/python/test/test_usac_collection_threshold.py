@@ -72,7 +72,7 @@ class NoiseTest(unittest.TestCase):
         self.assertGreaterEqual(found.used, right - 1)
 
     def test_no_pair_tells(self):
-        """If no pair gives an estimate of the noise, the threshold must be COLMAP's, 4 pixels, and
+        """If no pair gives an estimate of the noise, the threshold must be that of COLMAP, 4 pixels, and
         the description must say so."""
         scenes = noisyPairs(6, 40, none=1.0)
         few = [NoisyPair(i, matches=12, wrong=0) for i in range(5)]
@@ -102,11 +102,11 @@ class NoiseTest(unittest.TestCase):
         self.assertNoise(estimate(scenes), 1, 0.1)
 
     def test_heavy_tails_count(self):
-        """The noise has a heavy tail. The threshold must be a quantile of the errors of right
-        matches, not a multiple of the standard deviation of the accurate ones."""
+        """The noise has a heavy tail. The threshold must be a quantile of the errors of all right
+        matches, not a multiple of the standard deviation of the accurately located ones."""
         scenes = noisyPairs(8, 40, none=0, heavy=0.8, matches=600, size=(6000, 4000))
         rng = np.random.RandomState(1)
-        factors = np.exp(rng.normal(0, 0.8, (10**6, 2)))  # standard deviations of the noise of both keypoints of a match
+        factors = np.exp(rng.normal(0, 0.8, (10**6, 2)))  # standard deviations of the noise of the two keypoints of each match
         true = np.quantile(np.abs(rng.normal(0, 1, 10**6)) * np.sqrt((factors**2).mean(axis=1)), QUANTILE)
         found = estimate(scenes)
         self.assertLess(abs(found.threshold / true - 1), 0.25)
@@ -133,7 +133,8 @@ class NoiseTest(unittest.TestCase):
 
 
 class Store(object):
-    """A source of pairs without points. It counts passes over the keys and pairs that are read."""
+    """A source of pairs without points. It counts the passes over the keys and the pairs that are
+    read, and stores the largest number of pairs read in one call."""
 
     def __init__(self, keys, matches=lambda key: 60, faults=()):
         self.order, self.matches, self.faults = list(keys), matches, faults
@@ -174,7 +175,7 @@ class SampleTest(unittest.TestCase):
 
     def test_they_come_from_everywhere(self):
         places = np.sort(self.chosen(range(10000), 100)) / 10000
-        # Kolmogorov-Smirnov test: for 100 uniform values, 0.136 is exceeded with a probability of 5 %.
+        # Kolmogorov-Smirnov test: 100 uniform values exceed this limit with a probability below 5 %.
         self.assertLess(np.abs(places - (np.arange(100) + 0.5) / 100).max(), 0.136)
 
     def test_numbers_of_a_process_do_not_matter(self):

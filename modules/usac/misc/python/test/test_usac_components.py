@@ -109,10 +109,10 @@ class SamplerTest(unittest.TestCase):
         self.assertIs(usac_.components.sampler, sampler)
         model, mask, report = usac_.run()
         self.assertLess(PLANE.error("Homography", model), 1.0)
-        self.assertGreaterEqual(sampler.calls, report.iterations)  # samples are drawn in batches, and some are not used
+        self.assertGreaterEqual(sampler.calls, report.iterations)  # samples are drawn in batches; the last batch is not always used up
         self.assertEqual((sampler.starts, sampler.points.sampleSize), (1, 4))
         again = usac_.run()
-        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers of a sampler depend only on the seed
+        self.assertEqual(bits(again[:2]), bits((model, mask)))  # the random numbers of a sampler are the same in each run
         usac_.components.sampler = None
         self.assertEqual(bits(usac_.run()[:2]), bits(create(usac.HOMOGRAPHY, PLANE).run()[:2]))
 
@@ -133,9 +133,9 @@ class SamplerTest(unittest.TestCase):
         counted = usac_.run()[2]
         usac_.components.sampler = Good()
         inliers = PLANE.inliers.mean()
-        self.assertGreater(inliers, 0.5)  # with more than half inliers, the termination counts all samples in any case
+        self.assertGreater(inliers, 0.5)  # the termination counts all samples if more than half of the points are inliers
         self.assertEqual(usac_.run()[2].stop, counted.stop)
-        # Now few matches are right, and no sample counts. So only maxIterations may end the search.
+        # Now few matches are right, and no sample counts. So only maxIterations can end the search.
         usac_.setPoints(PLANE.points1, PLANE.points2[::-1])
         self.assertEqual(usac_.run()[2].stop if usac_.run()[0] is not None else usac.STOP_MAX_ITERATIONS, usac.STOP_MAX_ITERATIONS)
 
@@ -233,7 +233,7 @@ class ScoreTest(unittest.TestCase):
             wholeModel = True
 
             def accumulate(self, squaredErrors, squaredThreshold):
-                # all 300 points, or the 16 artificial errors with which a Score is checked before the search
+                # errors of all 300 points, or the 16 made-up errors that check a Score before the search
                 test.assertIn(len(squaredErrors), (16, 300))
                 return super().accumulate(squaredErrors, squaredThreshold)
 

@@ -190,7 +190,8 @@ def buildSpace(rng: np.random.RandomState, density: float) -> Space:
 
     for across, up in rng.uniform([-2.4, 0.2], [2.4, 3.8], (int(170 * density), 2)):
         add(0, across, up, 0)
-    parts = rng.uniform([0.05, 0.05, 0.1], [0.85, 1.15, 0.9], (int(12 * density), 3))  # position of each point of a window and its balcony: across, up, in front of the wall
+    # positions of the points of a window and its balcony: across, up, distance in front of the wall
+    parts = rng.uniform([0.05, 0.05, 0.1], [0.85, 1.15, 0.9], (int(12 * density), 3))
     parts[::2, 2] = 0
     windows = np.zeros((3, COLUMNS, ROWS, len(parts)), int)
     for side, column, row, part in itertools.product(range(3), range(COLUMNS), range(ROWS), range(len(parts))):
