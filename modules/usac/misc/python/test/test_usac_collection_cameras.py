@@ -15,7 +15,7 @@ from usac_common import cv, needsCv2, once, package
 try:
     from usacv20.collection._cameras import Camera
     from usacv20.collection._pair import CollectionError
-except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
+except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     Camera = None
 
 # For each lens: COLMAP's number and name of the camera model, and the parameters. Focal lengths and
@@ -107,7 +107,7 @@ class CamerasTest(unittest.TestCase):
     def test_plain_fisheyes(self):
         """In a plain fisheye model (SIMPLE_FISHEYE, FISHEYE) the angle to the optical axis is
         proportional to the distance from the center. The results must equal those of the fisheye
-        model with coefficients if all coefficients are 0."""
+        model with distortion coefficients if all of these are 0."""
         points = grid(1.5)
         for plain, other in (((14, [400, 400, 300]), (8, [400, 400, 300, 0])),
                              ((15, [400, 410, 400, 300]), (5, [400, 410, 400, 300, 0, 0, 0, 0]))):

@@ -24,7 +24,7 @@ from usac_common import once, package
 
 try:
     from usacv20.collection._command import main
-except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
+except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     pass
 
 NAMES = {1: "day/a.jpg", 2: "day/b.jpg", 3: "night/c.jpg", 4: "d.jpg"}

@@ -60,8 +60,8 @@ class SourceTest(DatabaseCase):
                 self.assertTrue(view.focalKnown)
 
     def test_points_without_a_direction(self):
-        """The distorted radius of this lens has a maximum. Keypoints farther from the center than this
-        radius correspond to no direction. Their matches and scores must be left out."""
+        """The distorted radius of this lens has a maximum. Keypoints farther from the center correspond
+        to no direction. Matches of such keypoints and the scores of these matches must be left out."""
         smallDatabase(self.path, distorted=True)
         before = self.load(scores=Column())
         change(self.path, "UPDATE cameras SET params = ?", np.array([600, 610, 320, 240, -0.9, 0, 0, 0], "<f8").tobytes())
@@ -86,8 +86,8 @@ class SourceTest(DatabaseCase):
                 self.assertEqual(list(self.source().keys()), keys)
 
     def test_cache(self):
-        """The cache has room for three of the six images. Other images must be dropped and read again
-        later, and the pairs must be the same as without a limit."""
+        """The cache has room for three of the six images. If it is full, images must be dropped and
+        read again when needed; the pairs must be the same as without a limit."""
         smallDatabase(self.path, distorted=True)
         limit = 3 * (1000 + 60 * 24)
         source = self.source(cache=limit)
@@ -178,8 +178,8 @@ class FaultTest(DatabaseCase):
     must return a Fault (with the reason) instead of a Pair. All other pairs must be unchanged."""
 
     def faults(self, words, expected, *statements):
-        """Executes the SQL statements on a new database. Then the source must return a Fault for exactly
-        the `expected` pairs of images, and each reason must contain all of the words."""
+        """Executes the SQL statements on a new database. Then the source must return a Fault for each
+        `expected` pair of images and no other, and each reason must contain all of the words."""
         with contextlib.suppress(FileNotFoundError):
             os.remove(self.path)
         smallDatabase(self.path)

@@ -21,7 +21,7 @@ try:
     from usacv20.collection._pair import CollectionError, Configuration, Pair, View
     from usacv20.collection._poses import quaternion
     from usacv20.collection._settings import Settings
-except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
+except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     pass
 
 K = np.array([[900., 0, 500], [0, 900, 400], [0, 0, 1]])
@@ -74,7 +74,7 @@ class Scene(object):
         return np.degrees(np.arccos(np.clip([(turn - 1) / 2, move], -1, 1)))
 
     def marked(self, result):
-        """Returns an array with an entry for each match: True if the match is an inlier of the result."""
+        """Returns a boolean for each match: True if the match is an inlier of the result."""
         inliers = set(map(tuple, result.inliers.tolist()))
         return np.array([tuple(match) in inliers for match in self.matches.tolist()])
 

@@ -21,7 +21,7 @@ from usac_common import once, package
 try:
     from usacv20.collection import _lists
     from usacv20.collection._lists import inOrder
-except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
+except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     pass
 
 

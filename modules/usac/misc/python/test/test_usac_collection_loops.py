@@ -80,8 +80,8 @@ class LoopsTest(unittest.TestCase):
             self.assertEqual(len(contradicted(chain(ring) + [ring.edge(3, 3 + distance, 20, 90)])), count)
 
     def test_wrong_links_are_none(self):
-        """Pair (0, 2) is contradicted by pairs with more inliers. Therefore this pair must not be a link
-        of a path that contradicts other pairs."""
+        """Pair (0, 2) is contradicted by pairs with more inliers. Therefore it must not be a link of a
+        path that contradicts other pairs."""
         ring = Ring(8)
         links = [ring.edge(0, 1, 1000), ring.edge(1, 2, 1000), ring.edge(4, 3, 1000)]
         wrong = ring.edge(0, 2, 400, 90)
@@ -183,8 +183,8 @@ class CourtTest(unittest.TestCase):
         self.assertIn("{} pairs are refused as others".format(wrong), self.summary.line())
 
     def test_some_pairs_first(self):
-        """First the pairs of ten images are verified, then the remaining pairs are added. They must
-        be compared with the earlier results: the table must equal that of a single run."""
+        """First the pairs of ten images are verified, then the remaining pairs. The second run must
+        also use the results of the first run: the table must equal that of a single run."""
         self.verified("one.db")
         names = os.path.join(self.folder, "pairs.txt")
         with open(names, "w") as file:

@@ -32,7 +32,7 @@ try:
     from usacv20.collection._report import report, summarize
     from usacv20.collection._report_graph import graphOf, indexed, matrixOf
     from usacv20.collection._report_table import COLMAP, OURS, PAIRS, VERIFIED, Results, withoutNumbers
-except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
+except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     pass
 try:
     from matplotlib.image import imread
@@ -104,7 +104,7 @@ class Reports(Files):
 class FiguresTest(Reports):
 
     def counted(self, text, title):
-        """Returns {label: number} of the lines below a title of the report."""
+        """Returns {label: number of pairs} for the lines below a title of the report."""
         block = text.split("\n" + title, 1)[1].split("\n\n")[0].splitlines()[1:]
         return {m.group(1): int(m.group(2)) for m in (re.match(r"  (\S.*?) +(\d+)  +[\d.]+ %", line) for line in block) if m}
 
@@ -263,9 +263,9 @@ class LookTest(Reports):
             os.remove(self.path("a.db"))
 
     def test_only_link(self):
-        """Only the pair 3 - 12 connects the images 1 to 8 with the images 9 to 17, so it must be listed.
-        The pairs 16 - 17 and 18 - 19 are also bridges, but they connect a single image and must not
-        be listed. Image 20 has no verified pair."""
+        """Only the pair 3 - 12 connects images 1 to 8 with images 9 to 17, so it must be listed. The
+        pairs 16 - 17 and 18 - 19 are also bridges, but they connect only a single image, so they must
+        not be listed. Image 20 has no verified pair."""
         def links(a, b):
             return b <= 8 or (9 <= a and b <= 16) or (a, b) in ((3, 12), (16, 17), (18, 19))
         summary, kinds = self.kinds(results(links))
@@ -319,8 +319,8 @@ class PicturesTest(Reports):
         return bool((np.abs(pixels - color).max(axis=2) == 0).mean() > 0.001)
 
     def test_order_of_the_names(self):
-        """The rows of the matrix in the picture must be in the order of the image names, no matter which
-        numbers the images have."""
+        """The rows of the matrix in the picture must be in the order of the image names, no matter
+        which numbers the images have."""
         found = results(neighbors)
         path = self.verified(found)
         change(path, "UPDATE images SET name = 'x' || (100 - image_id)")

@@ -29,13 +29,13 @@ try:
     from usacv20.collection._list_results import TABLE, openResults, readResults
     from usacv20.collection._pair import CollectionError, Configuration, TwoView
     from usacv20.collection._settings import Settings
-except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
+except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     pass
 
 FORMATS = (".sqlite", ".npz") + ((".h5",) if h5py is not None else ())
 
-# A program that stores four pairs in each commit and kills itself just before its fourth commit, so that
-# only the results of three commits, 12 pairs, are stored.
+# A program that stores four pairs in each commit and kills itself just before its fourth commit, so
+# that only the results of three commits, 12 pairs, are stored.
 KILLED = """
 import os, signal, sys
 from usacv20.collection._geometry import verifyPairs

@@ -31,7 +31,7 @@ if not IN_TREE:
     from usacv20.collection import CollectionError, verify
     from usacv20.collection._command import main
 
-PAIRS, LATER = 234, 66  # number of pairs that are verified first, and that are added later; together all pairs of 25 images
+PAIRS, LATER = 234, 66  # numbers of pairs that are verified first and that are added later; together all pairs of 25 images
 TABLE = "two_view_geometries"
 FEW = 100  # largest number of samples for a pair; most matches are right, so few samples suffice
 

@@ -145,9 +145,9 @@ class RowTest(SinkCase):
         self.assertEqual(rows(self.path, "SELECT chance FROM usacv20_pairs"), [(None,)])
 
     def test_tables_that_differ(self):
-        """If the table two_view_geometries is missing, it must be created with COLMAP's columns. Columns
-        that other versions of COLMAP lack or add must be accepted as missing or additional, but a
-        missing column config must be refused."""
+        """A missing table two_view_geometries must be created with the same columns as COLMAP's. Missing
+        or additional columns, as in other versions of COLMAP, must be accepted; only a missing column
+        config must be refused."""
         smallDatabase(self.path)
         made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
         change(self.path, "DROP TABLE " + TABLE)
@@ -233,8 +233,8 @@ class RunTest(SinkCase):
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
 
     def test_two_at_once(self):
-        """A run begins with the first commit of its sink. All sinks that were opened before this commit
-        must then raise an error when they commit or close, so that results of two runs are not mixed."""
+        """A run begins with the first commit of its sink. Other sinks that were opened before must then
+        raise an error when they commit or close, so that results of two runs are not mixed."""
         for resume in (False, True):
             with self.subTest(resume=resume):
                 first = self.sink(resume=resume)
@@ -255,8 +255,8 @@ class RunTest(SinkCase):
                 change(self.path, "DROP TABLE usacv20_runs")
 
     def test_some_pairs(self):
-        """With keep=True, rows of other pairs must stay, no matter which program has written them. A
-        resumed run must process pairs again that were processed with other settings."""
+        """With keep=True, rows of other pairs must stay, no matter which program has written them.
+        Pairs that were processed with other settings must be processed again by a resumed run."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink(keep=True)
         sink.commit([found(1, 2)])

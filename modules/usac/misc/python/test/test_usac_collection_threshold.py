@@ -72,8 +72,8 @@ class NoiseTest(unittest.TestCase):
         self.assertGreaterEqual(found.used, right - 1)
 
     def test_no_pair_tells(self):
-        """If no pair gives an estimate of the noise, the threshold must be that of COLMAP, 4 pixels, and
-        the description must say so."""
+        """If no pair gives an estimate of the noise, the threshold must be that of COLMAP (4 pixels),
+        and the description must say so."""
         scenes = noisyPairs(6, 40, none=1.0)
         few = [NoisyPair(i, matches=12, wrong=0) for i in range(5)]
         for given in ([], few, scenes):

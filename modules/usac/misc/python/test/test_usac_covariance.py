@@ -38,7 +38,7 @@ class CovarianceTest(unittest.TestCase):
         report = self.estimate(covariance=1)[2]
         self.assertEqual(report.covariance.shape, (8, 8))
         self.assertTrue(np.allclose(report.covariance, report.covariance.T))
-        # pixels; sigma is estimated from about 400 errors, so its standard deviation is about 4 % of 0.5
+        # Sigma, here 0.5 pixels, is estimated from about 400 errors; its standard deviation is 4 %.
         self.assertAlmostEqual(report.sigma, 0.5, delta=0.06)
 
     def test_corners_are_where_they_are_said_to_be(self):
@@ -48,8 +48,9 @@ class CovarianceTest(unittest.TestCase):
             errors = mapped(H, self.corners) - mapped(self.H, self.corners)
             for error, C in zip(errors, usac.pointCovariance(usac.HOMOGRAPHY, H, report.covariance, self.corners)):
                 squares.append(error.dot(np.linalg.solve(C, error)))
-        # If the covariances are right, each value is chi-square distributed with two degrees of
-        # freedom, which has mean 2. The four values of an estimation depend on each other.
+        # If the covariances are right, each entry of `squares` has a chi-square distribution with two
+        # degrees of freedom, whose mean is 2. The four entries of an estimation depend on each other,
+        # so the tolerance is about two standard deviations of the mean of 60 independent values.
         self.assertAlmostEqual(np.mean(squares), 2, delta=0.5)
 
     def test_entries_and_tangent(self):
@@ -78,7 +79,8 @@ class CovarianceTest(unittest.TestCase):
         points = self.rng.uniform(0, 100, (50, 2))
         _, _, report = usac.estimateTranslation2D(points, points + [3, 4] + self.rng.normal(0, 0.1, points.shape),
                                                   usac.Params(covariance=1, threshold=1))
-        # The expected covariance is that of the mean of 50 displacements.
+        # The translation is the mean of 50 displacements, so the variance of each coordinate is
+        # sigma^2 / 50.
         self.assertTrue(np.allclose(report.covariance, np.eye(2) * report.sigma**2 / 50, rtol=0.3, atol=0.2 * report.sigma**2 / 50))
 
     def test_mistakes(self):

@@ -25,8 +25,8 @@ opencv = importlib.import_module(usac.__name__ + "._opencv")
 
 @needsCv2
 class Cv2Test(unittest.TestCase):
-    """Base class of tests during which the functions of cv2 take the module's flags. A cv2 that was
-    built without the module is patched for each test."""
+    """Base class of tests during which the functions of cv2 accept the module's flags. If the package
+    is tested, cv2 is patched for each test."""
 
     def setUp(self):
         if not IN_TREE:
@@ -36,7 +36,7 @@ class Cv2Test(unittest.TestCase):
 class WrapperTest(Cv2Test):
 
     def test_is_in_place(self):
-        for name in FUNCTIONS:  # fails also if cv2's loader has ignored an ImportError of the package
+        for name in FUNCTIONS:  # also fails if cv2's loader has ignored an ImportError of the package
             self.assertIsNot(getattr(cv, name), getattr(NATIVE, name), name)
             self.assertIs(getattr(cv, name).__wrapped__, getattr(NATIVE, name))
         self.assertTrue(os.path.isfile(usac.__file__))
@@ -82,7 +82,7 @@ class LoaderTest(unittest.TestCase):
 
     def test_constants_of_cv2(self):
         names = [name for name in dir(cv._native) if "USACV20" in name]
-        self.assertEqual(names, sorted(FLAGS))  # only the plain names, none with the name of an enum class before it
+        self.assertEqual(names, sorted(FLAGS))  # only the plain names, without the name of an enum class as a prefix
         for name, value in FLAGS.items():
             self.assertIs(type(getattr(cv, name)), int)
             self.assertEqual(getattr(cv, name), value)
@@ -142,7 +142,7 @@ class PatchTest(unittest.TestCase):
             self.assertEqual(cv.findFundamentalMat, NATIVE.findFundamentalMat)
             a, b = PLANE.points1, PLANE.points2
             self.assertEqual(bits(cv.findHomography(a, b, RANSAC)), bits(NATIVE.findHomography(a, b, RANSAC)))
-            # OpenCV's own function is called, which does not know the flag.
+            # The call reaches OpenCV's own function, which does not know the flag.
             self.assertRaises(cv.error, cv.findHomography, a, b, usac.USACV20)
         finally:
             cv.findHomography = NATIVE.findHomography
@@ -157,7 +157,7 @@ class PatchTest(unittest.TestCase):
 
 
 class RouteTest(unittest.TestCase):
-    """Tests whether a call reaches OpenCV's function ("opencv") or that of this module ("usacv20").
+    """Tests whether a call reaches OpenCV's function ("opencv") or the one of this module ("usacv20").
     Both are replaced by functions that only record the call."""
 
     def setUp(self):
@@ -244,7 +244,7 @@ class UnchangedTest(Cv2Test):
 
     def test_flags_of_opencv(self):
         found = 0
-        for _, function, _, args, kwargs in formsOfOpencv():  # without USAC flags for essential matrices; RouteTest has these
+        for _, function, _, args, kwargs in formsOfOpencv():  # without USAC flags for essential matrices, which RouteTest covers
             expected = self.compare(function, args, kwargs)
             found += isinstance(expected[0], tuple)
         self.assertGreater(found, 100)  # makes sure that models are compared, not only exceptions

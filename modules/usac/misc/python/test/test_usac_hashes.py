@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests that cv2.usacv20 and the package usacv20 give identical results: both must agree with the
-hashes of results in hashes.json.
+"""Tests that cv2.usacv20 and the package usacv20 give identical results: the results of each must
+have the hashes in hashes.json.
 
-After a change of the algorithms, `python3 test_usac_hashes.py --write` stores the hashes of the
-results of the tested module."""
+After a change of the algorithms, `python3 test_usac_hashes.py --write` stores the new hashes, from
+the results of the module under test."""
 
 import hashlib
 import json
@@ -28,9 +28,10 @@ PRESETS = ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac"
 
 
 def scene(seed, count):
-    """Returns corresponding points, a third of them outliers: points of space, of three images, and
-    points moved in space and in the image plane. All are rounded to multiples of 1/64, so that
-    rounding errors of NumPy's functions do not change them."""
+    """Returns seven arrays of corresponding points, a third of them outliers: points of space; their
+    pixels in camera 1, in camera 2, and in camera 2 with lens distortion; the points of space moved by
+    a similarity; the pixels of camera 1 moved by a similarity and by a translation. All are rounded to
+    multiples of 1/64, so that rounding errors of NumPy's functions do not change them."""
     rng = np.random.RandomState(seed)
     X = np.rint(rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (count, 3)) * 64) / 64
     r, t = [0.03, -0.1, 0.05], [-0.8, 0.1, 0.1]
@@ -43,14 +44,14 @@ def scene(seed, count):
     moved[bad] = rng.uniform(-5, 5, (len(bad), 3))
     plane = views[0].dot([[0.9, -0.2], [0.2, 0.9]]) + [40, -25] + rng.normal(0, 0.4, views[0].shape)
     plane[bad] = views[1][bad]
-    # drawn last, so that the random numbers of the arrays above stay the same
+    # Drawn last: an array that was added later must not change the random numbers of the others.
     shifted = views[0] + [37.25, -12.5] + rng.normal(0, 0.4, views[0].shape)
     shifted[bad] = views[1][bad]
     return [np.rint(points * 64) / 64 for points in (X, *views, moved, plane, shifted)]
 
 
 def calls(seed, count):
-    """Returns [(name of the problem, function of Params that estimates its model)]."""
+    """Returns [(name of the problem, function that takes Params and estimates the model)]."""
     X, a, b, distorted, moved, plane, shifted = scene(seed, count)
     none = (None, None, None)
     return [("Homography", lambda p: usac.estimateHomography(a, plane, p)),
@@ -81,7 +82,7 @@ def results():
                 params.threshold, params.maxIterations = (0.04 if name.endswith("3D") else 2.0), 500
                 if params.degeneracy == usac.DEGENERACY_ORIENTATION | usac.DEGENERACY_DEGENSAC and name in (
                         "Affinity2D", "Similarity2D", "AbsolutePose", "Rigid3D", "Similarity3D", "Translation2D"):
-                    continue  # these problems refuse this degeneracy test, see DegeneracyFlags
+                    continue  # these problems refuse DEGENERACY_DEGENSAC, see DegeneracyFlags
                 found["{} {} {}".format(name, preset, count)] = digest(function(params))
     return found
 

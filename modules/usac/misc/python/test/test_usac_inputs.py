@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests that all types and memory layouts of arrays are accepted as points, camera matrices and
-distortion coefficients, that wrong arrays are refused, and of extreme values of Params."""
+"""Tests that points, camera matrices and distortion coefficients can be arrays of many types and
+memory layouts, and that wrong arrays are refused. Also tests of extreme values of Params."""
 
 import unittest
 

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of installing the package. If something is missing, the error message must be a single line
-that names it."""
+"""Tests of installing the package. If something is missing, the last line of the output must be an
+error message that names what is missing."""
 
 import os
 import subprocess

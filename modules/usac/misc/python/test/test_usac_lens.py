@@ -20,8 +20,8 @@ def corners():
 
 
 def radial(points, k1):
-    """Returns pixels after a lens distortion with the only coefficient k1, computed from its
-    definition."""
+    """Applies a lens distortion with the single coefficient k1 to pixels; computed from the definition
+    of the distortion."""
     rays = (points - K[:2, 2]) / K[[0, 1], [0, 1]]
     return rays * (1 + k1 * (rays**2).sum(axis=1))[:, None] * K[[0, 1], [0, 1]] + K[:2, 2]
 
@@ -50,8 +50,8 @@ class LensTest(unittest.TestCase):
         self.assertEqual(usac.removeDistortion(np.empty((0, 2)), K).shape, (0, 2))
 
     def test_what_is_not_seen_is_not_a_number(self):
-        # The distorted radius r (1 - 0.25 r^2) is at most 0.77, so pixels more than 616 pixels from
-        # the center correspond to no ray.
+        # The distorted radius r (1 - 0.25 r^2) is at most 0.77, or 616 pixels. Pixels farther from the
+        # center correspond to no ray.
         found = usac.removeDistortion([[410 + 610, 305], [410 + 620, 305], [np.nan, 3], [3, np.inf]], K, (-.25, 0, 0, 0))
         self.assertTrue(np.isfinite(found[0]).all())
         self.assertTrue(np.isnan(found[1:]).all())
@@ -67,7 +67,8 @@ class ReportTest(unittest.TestCase):
 
     def test_threshold_in_another_unit(self):
         """The points are normalized image coordinates, but the threshold 1.5 is meant in pixels. The
-        report must say that such a result is meaningless."""
+        report must say that such a result is no better than chance. With the threshold in the unit of
+        the points, 1.5 / 800, it must not say so."""
         rng = np.random.RandomState(2)
         X = rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (300, 3))
         points1, moved = X[:, :2] / X[:, 2:], X + [.5, .1, 0]

@@ -3,8 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of common mistakes of callers, and of unusual but valid arguments. A mistake must raise
-usacv20.error with the name of the argument; valid arguments must be accepted."""
+"""Tests of common mistakes of callers, and of unusual but valid arguments. A wrong value must raise
+usacv20.error with the name of the argument. A wrong number of arguments or an unknown name must
+raise TypeError. Valid arguments must be accepted."""
 
 import unittest
 
@@ -25,7 +26,7 @@ class MistakeCase(unittest.TestCase):
 
 
 class CallTest(MistakeCase):
-    """Tests of arguments at a wrong position, and of Params together with other options."""
+    """Tests of arguments at wrong positions, of wrong scalars, and of Params with other options."""
 
     def test_number_behind_params(self):
         a, b, p = GENERAL.points1, GENERAL.points2, usac.Params()
@@ -188,7 +189,7 @@ class ArrayTest(MistakeCase):
         usac.findHomography(a, b, mask=apart[:, 1:2])
         np.testing.assert_array_equal(apart[:, 1:2], mask)
         self.assertEqual(set(apart[:, ::2].ravel()), {7})
-        other = np.full((count, 2), 7, np.uint8)  # has a wrong shape, so it stays and a new mask is returned, as in cv2
+        other = np.full((count, 2), 7, np.uint8)  # a mask of wrong shape stays unchanged, and a new mask is returned, as in cv2
         self.assertEqual(bits(usac.findHomography(a, b, mask=other)[1]), bits(mask))
         self.assertEqual(set(other.ravel()), {7})
 

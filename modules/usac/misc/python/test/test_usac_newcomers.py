@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of calls that first-time users wrote. Each must work as the user intended, or raise an error
-that explains what is wrong."""
+"""Tests of calls that first-time users wrote. Each call must work as the user intended, or raise an
+error that explains what is wrong."""
 
 import copy
 import inspect
@@ -180,12 +180,12 @@ class PointsTest(NewcomerCase):
         expected = bits(usac.estimateHomography(a, b)[:2])
         for scale in (1, 2, 4):  # homogeneous coordinates must be accepted
             self.assertEqual(bits(usac.estimateHomography(scale * np.hstack([a, np.ones((len(a), 1))]), b)[:2]), expected)
-        space = np.hstack([a / 640, confidences])  # for points of space, a third column must not be taken as confidences
+        space = np.hstack([a / 640, confidences])  # the third coordinate of points of space must not be mistaken for a confidence
         self.assertIsNotNone(usac.estimateRigid3D(space, space, usac.Params(threshold=0.01))[0])
 
     def test_sizes_of_features(self):
-        """A third column with values above 1 may be a homogeneous coordinate, so it must be
-        accepted. If it looks like sizes of features instead, there must be a warning."""
+        """A third column with values above 1 can be a homogeneous coordinate, so it must be accepted. If
+        the column looks like sizes of features instead, there must be a warning."""
         rng = np.random.RandomState(2)
         n = 500
         a = rng.uniform(0, 640, (n, 2))
@@ -297,7 +297,8 @@ class WordTest(NewcomerCase):
 
     def test_help(self):
         text = pydoc.plain(pydoc.render_doc(usac))
-        # 742 lines with Python 3.11 and 1817 with 3.14; it would be 5976 lines with all enumerations.
+        # The text has 742 lines with Python 3.11 and 1817 with 3.14; with the text of all enumerations
+        # it would have 5976 lines.
         self.assertLess(len(text.splitlines()), 2500)
         for name in FUNCTIONS + ("estimateHomography", "estimateHomographies", "Params", "Report", "draw_matches", "USACV20_FAST"):
             self.assertIn(name, text)
@@ -324,8 +325,8 @@ class PictureTest(NewcomerCase):
         return image1, image2, a, b, np.array([[1], [0], [1]], np.uint8)
 
     def check(self, picture, a, b, good):
-        """The dots of inliers must be green and those of outliers magenta. The line of an inlier
-        must be green at one of its points; an outlier must have no line."""
+        """The dots of inliers must be green and the dots of outliers magenta. The line of an inlier must
+        be green at the tested point; an outlier must have no line."""
         self.assertEqual((picture.shape, picture.dtype), ((500, 1240, 3), np.uint8))
         for p, q, inlier in zip(a, b + [640, 0], good):
             places = [p, q] + ([0.3 * p + 0.7 * q] if inlier else [])
@@ -341,7 +342,7 @@ class PictureTest(NewcomerCase):
         draw = usac.draw_matches
         picture = draw(image1, image2, a, b, mask)
         self.check(picture, a, b, mask.ravel())
-        self.assertEqual(picture[450, 320, 0], 76 + 70)  # the gray value 100 of image 1, made paler by 0.3 * 255 + 0.7 * 100
+        self.assertEqual(picture[450, 320, 0], 76 + 70)  # the gray value 100 of image 1, made paler: 0.3 * 255 + 0.7 * 100
         for args in ((image1, image2, a[:, None], b.T, mask.ravel() != 0), (image1 / 255.0, image2, a.tolist(), np.float32(b), mask)):
             np.testing.assert_allclose(draw(*args).astype(int), picture, atol=1)
         everything = draw(image1, image2, a, b)

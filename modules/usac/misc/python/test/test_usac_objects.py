@@ -258,7 +258,7 @@ class InTreeTest(unittest.TestCase):
 
 
 class AnyProblemTest(unittest.TestCase):
-    """estimateModel(problem, ...) must return the same result as the function of this problem, for
+    """estimateModel(problem, ...) must return the same result as the function for this problem, for
     example estimateHomography."""
 
     def test_same_as_the_function(self):

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of cv2.solvePnPRansac with the flags of the module, of estimateAbsolutePose, and of initial
+"""Tests of solvePnPRansac with the flags of the module, of estimateAbsolutePose, and of initial
 models."""
 
 import sys
@@ -144,7 +144,7 @@ class OpencvFlagTest(unittest.TestCase):
 @package
 class FlagsOfAnotherOpencvTest(unittest.TestCase):
     """The values of SOLVEPNP_* differ between OpenCV 4 and 5. Values of the imported cv2 must be
-    converted by name."""
+    converted by name to those of the OpenCV that the package was built with."""
 
     V4 = dict(ITERATIVE=0, EPNP=1, P3P=2, DLS=3, UPNP=4, AP3P=5, IPPE=6, IPPE_SQUARE=7, SQPNP=8, MAX_COUNT=9)
     V5 = dict(ITERATIVE=0, EPNP=1, P3P=2, AP3P=3, IPPE=4, IPPE_SQUARE=5, SQPNP=6, MAX_COUNT=7)
@@ -157,7 +157,8 @@ class FlagsOfAnotherOpencvTest(unittest.TestCase):
         native = sys.modules[usac.__name__ + "._native"].solvePnPFlags
         names = sorted(native)
         expected = self.outcomes(None, [native[name] for name in names])
-        # These flags have equal values in OpenCV 4 and 5. The test needs different results of them.
+        # SQPNP of OpenCV 5 has the value of IPPE of OpenCV 4, and IPPE_SQUARE that of AP3P. If their
+        # results were equal, the test could not detect a flag that was not converted.
         byName = dict(zip(names, expected))
         self.assertNotEqual(byName["SOLVEPNP_SQPNP"], byName["SOLVEPNP_IPPE"])
         self.assertNotEqual(byName["SOLVEPNP_AP3P"], byName["SOLVEPNP_IPPE_SQUARE"])
@@ -177,8 +178,8 @@ class FlagsOfAnotherOpencvTest(unittest.TestCase):
 
 
 class BeginTest(unittest.TestCase):
-    """Tests of a guessed pose or another initial model. The search evaluates it before the first
-    sample."""
+    """Tests of initial models, for example a guessed pose. The search evaluates the initial model
+    before the first sample."""
 
     def guess(self, rvec, tvec, **kwargs):
         return FINDER.solvePnPRansac(FEW.X, FEW.x, FEW.K, FEW.d, rvec, tvec, True, 10, THRESHOLD, flags=usac.USACV20, **kwargs)
@@ -233,7 +234,8 @@ class BeginTest(unittest.TestCase):
         model, _, alone = pose(POSE, params)
         self.assertEqual(alone.priorChance, 0)
         params.setInitialModel(model, alone.covariance)
-        # The prior equals the result of the points, so the model must stay and its covariance be halved.
+        # The prior equals the result of the points alone. So the model must stay the same, and its
+        # covariance must be halved.
         again, _, report = pose(POSE, params)
         self.assertGreater(report.priorChance, 0.99)
         np.testing.assert_allclose(report.covariance, alone.covariance / 2, atol=0.02 * np.abs(alone.covariance).max())

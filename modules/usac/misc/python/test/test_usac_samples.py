@@ -7,7 +7,7 @@
 and any cv2, or with cv2.usacv20.
 
 OPENCV_SAMPLES_DATA_PATH  environment variable with the folder of these images (samples/data of
-OpenCV's source); without them the tests are skipped
+OpenCV's source); without these images the tests are skipped
 """
 
 import os
@@ -26,8 +26,8 @@ IMAGES = os.environ.get("OPENCV_SAMPLES_DATA_PATH", "")
 @once
 @needsCv2
 class SampleTest(unittest.TestCase):
-    """A sample must exit with code 0, which it does only if the error of its model is below a limit
-    that the sample sets."""
+    """A sample must exit with code 0. All samples except `walkthrough` do so only if the error of their
+    model is below a limit that the sample sets."""
 
     def setUp(self):
         if not os.path.isdir(SAMPLES):

@@ -18,7 +18,7 @@ import numpy as np
 
 from usac_common import ERRORS, IN_TREE, package, usac
 
-SLACK = 0.5  # seconds by which other processes on the machine may delay a run
+SLACK = 0.5  # maximum delay of a run by other processes on the machine, in seconds
 ENDLESS = dict(maxIterations=2**31 - 1, termination=0)
 
 
@@ -66,7 +66,7 @@ class StopTest(unittest.TestCase):
         self.assertEqual(iterations, sorted(iterations))
         self.assertGreater(iterations[-1], iterations[0])
         _, _, report = usac.estimateHomography(*hard(), usac.Params(maxIterations=100))
-        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # after the with block, the function must not be called anymore
+        self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # the function must not be called after the with block
         self.assertEqual(len(seen), 5)
 
     def test_flags_batches_and_objects(self):
@@ -200,8 +200,8 @@ class InterruptTest(unittest.TestCase):
             child.send_signal(signal.SIGINT)
             self.assertEqual(child.stdout.readline(), "interrupted\n")
             self.assertLess(time.monotonic() - start, 1)
-            # The first use of usacv20.error would import cv2. An interrupt must not need this class, so
-            # cv2 must be loaded only if cv2.usacv20 is tested.
+            # The first use of usacv20.error imports cv2. An interrupt must not use this class, so cv2
+            # must not be loaded, unless cv2.usacv20 is tested.
             self.assertEqual(child.stdout.readline(), "usable 2000 {}\n".format(IN_TREE))
             self.assertEqual(child.wait(), 0)
         finally:

@@ -3,7 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of estimations beside other threads, signals and child processes, and of memory leaks."""
+"""Tests of estimations together with other threads, signals and child processes, and of memory
+leaks."""
 
 import concurrent.futures
 import gc
@@ -23,8 +24,8 @@ CALLS = int(os.environ.get("USAC_TEST_CALLS", "2000"))
 
 
 def slow(seconds=0.4):
-    """Returns a function that makes an estimation of about this time, nearly all of it in the
-    search."""
+    """Returns a function that makes an estimation of about `seconds` seconds; nearly all of this time
+    is spent in the search."""
     params = usac.Params(termination=0, maxIterations=1000, threads=1, threshold=THRESHOLD)
     start = time.perf_counter()
     estimate("Essential", GENERAL, params)
@@ -42,7 +43,7 @@ class ThreadTest(unittest.TestCase):
         while thread.is_alive():
             time.sleep(0.001)
             steps += 1
-        self.assertGreater(steps, 20)  # one or two steps if the estimation held the interpreter's lock
+        self.assertGreater(steps, 20)  # if the estimation held the interpreter's lock, there would be one or two steps
 
     def test_many_at_once(self):
         params = usac.Params(threshold=THRESHOLD)
@@ -88,7 +89,8 @@ class ThreadTest(unittest.TestCase):
             k = 0
             while not done.is_set():
                 k += 1
-                # This assignment holds the interpreter's lock, unlike an assignment to a NumPy array.
+                # This assignment holds the interpreter's lock, unlike an assignment to a NumPy array. So
+                # other code that holds the lock never sees a mixture of both states.
                 written[:] = texts[k % 2]
 
         thread = threading.Thread(target=change)
@@ -98,12 +100,12 @@ class ThreadTest(unittest.TestCase):
         finally:
             done.set()
             thread.join()
-        if not IN_TREE:  # in cv2.usacv20, OpenCV reads the points without the lock and may see a mixture of both states
+        if not IN_TREE:  # in cv2.usacv20, OpenCV reads the points without the lock and can see a mixture of both states
             self.assertLessEqual(found, expected)
 
     def test_interrupt(self):
-        """The handler of a signal that arrives during an estimation must be called at the latest
-        when the estimation has ended."""
+        """If a signal arrives during an estimation, its handler must be called when the estimation has
+        ended or earlier."""
         run = slow()
         handler = signal.signal(signal.SIGALRM, lambda *args: (_ for _ in ()).throw(KeyboardInterrupt))
         try:
@@ -145,8 +147,8 @@ class MemoryTest(unittest.TestCase):
         for _ in range(calls):
             function()
         gc.collect()
-        # A fixed amount, and for each call a third of a mask (300 bytes). So a long test detects a
-        # leak of a mask in each call.
+        # The limit is a fixed amount, plus a third of the size of a mask (300 bytes) for each call. So a
+        # long test (see CALLS) detects that each call leaks a mask.
         self.assertLess(residentBytes() - before, 2**19 + 100 * calls)
 
     def test_estimations(self):

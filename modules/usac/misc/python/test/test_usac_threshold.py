@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of USACV20_AUTO, which estimates the threshold from the data."""
+"""Tests of USACV20_AUTO and of other options with which the threshold is estimated from the data."""
 
 import unittest
 

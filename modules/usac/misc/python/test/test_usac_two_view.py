@@ -4,7 +4,7 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Tests of estimateTwoViewGeometry and estimateTwoViewGeometries: configurations, many pairs in one
-call, wrong arguments, and the number of samples by TwoViewRules."""
+call, wrong arguments, and the number of samples that TwoViewRules determines."""
 
 import pickle
 import unittest
@@ -35,7 +35,7 @@ def scene(seed, kind="general", right=150, wrong=60):
 
 
 def values(geometry):
-    """Returns a result without its times, so that results can be compared exactly."""
+    """Returns the parts of a result that must be equal in each run, without the times."""
     return (geometry.configuration, geometry.inliers, geometry.iterations, geometry.reason, geometry.report.chance,
             bits(tuple(getattr(geometry, name) for name in ("mask", "F", "E", "H", "R", "t", "rotations"))))
 

@@ -48,8 +48,8 @@ class Uniform(usacv20.Sampler if not module.__name__.startswith("cv2.") else obj
 
 @package
 class TypedTest(unittest.TestCase):
-    """Calls as in a program with type annotations. mypy checks the types (test_this_file), and these
-    tests check the values."""
+    """Calls as in a program with type annotations. mypy checks the types (see test_this_file); the
+    tests of this class check the values."""
 
     def test_flags(self) -> None:
         a, b = points()
@@ -105,9 +105,9 @@ class TypedTest(unittest.TestCase):
         self.assertEqual(code, -211)
 
 
-# All runs have the same options, so that they share mypy's cache. Which `type: ignore` comments and
-# casts are needed depends on the version of NumPy's stubs, so warnings about superfluous ones are
-# off.
+# All runs of mypy have the same options, so that they share mypy's cache. Warnings about superfluous
+# `type: ignore` comments and casts are off, because some are needed only with certain versions of
+# NumPy's stubs.
 OPTIONS = """[mypy]
 strict = True
 warn_redundant_casts = False
@@ -150,7 +150,7 @@ class ToolTest(unittest.TestCase):
             import mypy.version  # noqa: F401
         except ImportError:
             self.skipTest("mypy was not found")
-        # mypy searches the site-packages folder itself
+        # mypy searches folders like site-packages itself and refuses them in MYPYPATH.
         path = os.path.dirname(os.path.dirname(str(usacv20.__file__)))
         self.path = os.pathsep.join(folder for folder in (path, SAMPLES, FOLDER) if not folder.endswith("-packages"))
 
@@ -158,8 +158,8 @@ class ToolTest(unittest.TestCase):
         self.passes("mypy", "-p", "usacv20")
 
     def test_stubs(self) -> None:
-        # For functions with overloads, Python's module inspect shows only one signature, so stubtest must
-        # skip them. test_usac_newcomers.py tests their signatures.
+        # For functions with overloads, Python's module inspect shows only one signature, so stubtest
+        # must skip these functions. test_usac_newcomers.py tests their signatures.
         with open(os.path.join(self.cache, "allowed.txt"), "w") as file:
             file.write(r"usacv20(\._\w+)?\.({})".format("|".join(FUNCTIONS)))
         self.passes("mypy.stubtest", "usacv20", "--allowlist", "allowed.txt")

@@ -62,9 +62,9 @@ class Kind(enum.Enum):
     """The true relation between the two images of a pair."""
 
     GENERAL = "general"
-    PLANAR = "planar"  # all common points lie in one plane
+    PLANAR = "planar"  # all right matches are of points in one plane
     ROTATION = "rotation"  # both images are taken from the same position
-    NONE = "none"  # no common points
+    NONE = "none"  # fewer than 30 common points; the matches are random
     WATERMARK = "watermark"  # no common points except a logo
 
 
@@ -86,7 +86,7 @@ class Recipe(NamedTuple):
     noise: float = 0.5  # standard deviation of each coordinate, pixels
     density: float = 1.0  # factor of the number of points; 1: about 370 keypoints in an image on average
     wrong: Tuple[float, float] = (0.3, 0.7)  # range of the fraction of wrong matches in pairs with overlap
-    lone: Tuple[float, float] = (0.1, 0.3)  # range of the number of matches in pairs without overlap, relative to the smaller number of keypoints
+    lone: Tuple[float, float] = (0.1, 0.3)  # in pairs without overlap: range of the number of matches / the smaller number of keypoints
     lonePairs: float = 1.0  # probability that a pair without overlap has matches at all
     copies: float = 0.3  # about this fraction of the wrong matches are of Label.COPY; fewer if few windows are visible
     # For each camera: its model, and whether its focal length is known. The images use the cameras in
@@ -255,8 +255,8 @@ class Collection:
         return np.asarray(-self.rotations[image].T @ self.translations[image])
 
     def relative(self, first: int, second: int) -> Tuple[Floats, Floats]:
-        """Returns R, t of the second camera relative to the first: x2 = R x1 + t for points in camera
-        coordinates."""
+        """Returns R, t of the second camera relative to the first: x2 = R x1 + t, where x1 and x2 are
+        a point in the coordinates of the two cameras."""
         R = self.rotations[second] @ self.rotations[first].T
         return R, self.translations[second] - R @ self.translations[first]
 
@@ -319,8 +319,8 @@ class Collection:
         return np.stack(numbers, axis=1)
 
     def _match(self, first: int, second: int) -> PairTruth:
-        """Returns one-to-one matches in random order: some of the common points and copies
-        (Label.COPY), or the logo, and random pairs of other keypoints."""
+        """Returns one-to-one matches in random order: some of the common points and copies (Label.COPY)
+        if there are enough common points, the logo for two images, and random pairs of keypoints."""
         rng, enough = self.rng, 30
         a, b = self.pointOf[first], self.pointOf[second]
         common = np.intersect1d(a[a >= 0], b[b >= 0])
@@ -346,7 +346,7 @@ class Collection:
         groups.append((np.stack([left[0][:wrong], left[1][:wrong]], axis=1), Label.RANDOM))
         matches = np.concatenate([group for group, _ in groups]).astype(np.uint32)
         labels = np.concatenate([np.full(len(group), int(label)) for group, label in groups])
-        labels[(a[matches[:, 0]] >= 0) & (a[matches[:, 0]] == b[matches[:, 1]])] = Label.RIGHT  # random matches may be right by chance
+        labels[(a[matches[:, 0]] >= 0) & (a[matches[:, 0]] == b[matches[:, 1]])] = Label.RIGHT  # a random match can be right by chance
         order = rng.permutation(len(matches))
         return self._truth(first, second, matches[order], labels[order])
 

@@ -147,8 +147,8 @@ class DatabaseCase(unittest.TestCase):
         return source.load(list(source.keys()))
 
     def refused(self, words, function, *args, **keywords):
-        """Asserts that a call raises a CollectionError whose message is one line and contains all of the
-        words."""
+        """Asserts that a call raises a CollectionError whose message is one line and contains all of
+        the words."""
         with self.assertRaises(CollectionError) as context:
             function(*args, **keywords)
         message = str(context.exception)

@@ -17,7 +17,7 @@ import numpy as np
 try:
     from usacv20.collection._lists import ListSource
     from usacv20.collection._pair import CollectionError, Fault
-except ImportError:  # cv2.usacv20 may be tested without the package; tests of the package are then skipped
+except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     pass
 try:
     import h5py
@@ -86,8 +86,8 @@ class Files(unittest.TestCase):
         return source
 
     def check(self, pair, seed, rows=slice(None), known=True, scores=True):
-        """Asserts that the pair has the given rows of matchesOf(seed), and the camera matrices K1 and K2
-        if `known` is true."""
+        """Asserts that the pair has the given rows of matchesOf(seed), and the camera matrices K1 and
+        K2 if `known` is true."""
         self.assertNotIsInstance(pair, Fault, pair)
         a, b, s = matchesOf(seed)
         for view, points in ((pair.first, a), (pair.second, b)):

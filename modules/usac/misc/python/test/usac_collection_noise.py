@@ -17,7 +17,7 @@ KINDS = ("general", "general", "general", "general", "planar", "rotation")
 class NoisyPair(object):
     """A pair with its ground truth.
 
-    A quarter of the wrong matches join a small square of image 1 and one of image 2. If the images
+    A quarter of the wrong matches join a small square in image 1 to one in image 2. If the images
     overlap, another quarter are copies of right matches whose points in image 2 are all shifted by
     the same offset (repeated structure). The others are random.
 
