@@ -60,8 +60,8 @@ class SourceTest(DatabaseCase):
                 self.assertTrue(view.focalKnown)
 
     def test_points_without_a_direction(self):
-        """The distorted radius of this lens has a maximum. Keypoints farther from the center correspond
-        to no direction. Matches of such keypoints and the scores of these matches must be left out."""
+        """The distorted radius of this lens has a maximum. Keypoints beyond this radius correspond to
+        no direction. Matches of such keypoints and the scores of these matches must be left out."""
         smallDatabase(self.path, distorted=True)
         before = self.load(scores=Column())
         change(self.path, "UPDATE cameras SET params = ?", np.array([600, 610, 320, 240, -0.9, 0, 0, 0], "<f8").tobytes())

@@ -106,7 +106,7 @@ class ThreadsTest(EngineCase):
 
     def test_bounded(self):
         """The number of pairs whose keys were read but whose results are not stored yet must not
-        depend on the total number of pairs. With two threads, it is at most four chunks of 5 pairs."""
+        depend on the total number of pairs. With two threads it is at most 20: four chunks of 5."""
         drawn = []
 
         class Counted(DatabaseSource):
@@ -258,8 +258,8 @@ class ProcessCase(EngineCase):
         self.fail("it stores nothing")
 
     def stopped(self, path, number, group, *options):
-        """Starts a run and stops it with the signal `number`. If `group` is true, child processes of the
-        run get the signal, too. Returns (exit code, stdout, stderr)."""
+        """Starts a run and stops it with the signal `number`. If `group` is true, child processes of
+        the run get the signal, too. Returns (exit code, stdout, stderr)."""
         process = self.start(path, *options)
         self.wait(path, process)
         (os.killpg if group else os.kill)(process.pid, number)

@@ -145,9 +145,9 @@ class RowTest(SinkCase):
         self.assertEqual(rows(self.path, "SELECT chance FROM usacv20_pairs"), [(None,)])
 
     def test_tables_that_differ(self):
-        """A missing table two_view_geometries must be created with the same columns as COLMAP's. Missing
-        or additional columns, as in other versions of COLMAP, must be accepted; only a missing column
-        config must be refused."""
+        """A missing table two_view_geometries must be created with the same columns as COLMAP's.
+        Missing or additional columns, as in other versions of COLMAP, must be accepted; only a missing
+        column config must be refused."""
         smallDatabase(self.path)
         made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
         change(self.path, "DROP TABLE " + TABLE)
@@ -225,8 +225,8 @@ class RunTest(SinkCase):
         self.assertFalse(self.sink().done(keys[0]))
 
     def test_rows_that_were_taken_away(self):
-        """If another program has removed the rows of some pairs, a resumed run must process these pairs
-        again."""
+        """If another program has removed the rows of some pairs, a resumed run must process these
+        pairs again."""
         self.sink().commit([found(1, 2), found(1, 3)])
         change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), pairId(1, 2))
         sink = self.sink(resume=True)

@@ -233,7 +233,7 @@ class ScoreTest(unittest.TestCase):
             wholeModel = True
 
             def accumulate(self, squaredErrors, squaredThreshold):
-                # errors of all 300 points, or the 16 made-up errors with which a Score is checked at first
+                # errors of all 300 points, or the 16 made-up errors of the check before the search
                 test.assertIn(len(squaredErrors), (16, 300))
                 return super().accumulate(squaredErrors, squaredThreshold)
 

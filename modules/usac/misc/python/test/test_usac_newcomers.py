@@ -184,8 +184,8 @@ class PointsTest(NewcomerCase):
         self.assertIsNotNone(usac.estimateRigid3D(space, space, usac.Params(threshold=0.01))[0])
 
     def test_sizes_of_features(self):
-        """A third column with values above 1 can be a homogeneous coordinate, so it must be accepted. If
-        the column looks like sizes of features instead, there must be a warning."""
+        """A third column with values above 1 can be a homogeneous coordinate, so it must be accepted.
+        If the column looks like sizes of features instead, there must be a warning."""
         rng = np.random.RandomState(2)
         n = 500
         a = rng.uniform(0, 640, (n, 2))
@@ -325,8 +325,8 @@ class PictureTest(NewcomerCase):
         return image1, image2, a, b, np.array([[1], [0], [1]], np.uint8)
 
     def check(self, picture, a, b, good):
-        """The dots of inliers must be green and the dots of outliers magenta. The line of an inlier must
-        be green at the tested point; an outlier must have no line."""
+        """The dots of inliers must be green and the dots of outliers magenta. The line of an inlier
+        must be green at the tested point; an outlier must have no line."""
         self.assertEqual((picture.shape, picture.dtype), ((500, 1240, 3), np.uint8))
         for p, q, inlier in zip(a, b + [640, 0], good):
             places = [p, q] + ([0.3 * p + 0.7 * q] if inlier else [])

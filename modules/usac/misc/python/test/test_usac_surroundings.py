@@ -147,8 +147,8 @@ class MemoryTest(unittest.TestCase):
         for _ in range(calls):
             function()
         gc.collect()
-        # The limit is a fixed amount, plus a third of the size of a mask (300 bytes) for each call. So a
-        # long test (see CALLS) detects that each call leaks a mask.
+        # The limit is a fixed amount, plus a third of the size of a mask (300 bytes) for each call. So
+        # a long test (see CALLS) detects that each call leaks a mask.
         self.assertLess(residentBytes() - before, 2**19 + 100 * calls)
 
     def test_estimations(self):

@@ -165,7 +165,7 @@ class PairTruth(NamedTuple):
 
 
 def frame(side: int) -> Tuple[Floats, Floats]:
-    """Returns (outward normal, direction to the right) of a side of the building."""
+    """Returns (outward normal, direction to the right seen from outside) of a side of the building."""
     angle = side * np.pi / 2
     return np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
 

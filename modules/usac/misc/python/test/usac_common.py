@@ -36,8 +36,8 @@ else:
 ERRORS = (usac.error,) if cv is None else (usac.error, cv.error)
 FINDER = cv if IN_TREE else usac  # the module whose FUNCTIONS are called with flags
 SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")  # see misc/sanitize.sh
-# Decorators that skip tests. `once` is for tests of tools and of the installation. They do not depend
-# on cv2 or a sanitizer, so they are skipped if a sanitizer or USAC_TEST_CV2=none is used.
+# Decorators that skip tests. `once` is for tests of tools and of the installation. Such tests do not
+# depend on cv2 or a sanitizer, so they are skipped if a sanitizer or USAC_TEST_CV2=none is used.
 once = unittest.skipIf(SANITIZED or os.environ.get("USAC_TEST_CV2") == "none", "not of the module")
 needsCv2 = unittest.skipIf(cv is None, "there is no cv2")
 inTree = unittest.skipUnless(IN_TREE, "of cv2.usacv20 only")
