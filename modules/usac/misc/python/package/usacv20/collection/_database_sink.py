@@ -278,7 +278,7 @@ def _blob(values: Any, size: int) -> Optional[bytes]:
         return None
     table = np.asarray(values, "<f8")
     if table.size != size:
-        raise ValueError("{} numbers, not {}".format(size, table.size))
+        raise ValueError("{} numbers are expected, not {}".format(size, table.size))
     return table.astype("<f8").tobytes()
 
 
