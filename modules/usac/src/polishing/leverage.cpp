@@ -226,7 +226,7 @@ bool Leverage::agreeing(const Model& model, const Points& fitted, double most, P
     result.count = 0;
     for (int i = 0; i < looked; ++i)  // sumOf() has computed `errors`
     {
-        if (most == DBL_MAX && errors[i] <= std::min(noise, limit))
+        if (most == DBL_MAX && errors[i] <= noise)
         {
             result.indices[result.count++] = i;
             continue;
