@@ -61,8 +61,8 @@ def _points(value: Any, name: str) -> npt.NDArray[np.float64]:
 def _drawnByCv2(cv2: Any, canvas: _Image, ends: npt.NDArray[np.float64], good: npt.NDArray[np.bool_],
                 joined: npt.NDArray[np.bool_]) -> _Image:
     shift = 4  # number of fractional bits of the coordinates, an argument of cv2.line and cv2.circle
-    fixed = np.rint(ends * (1 << shift)).astype(int)
-    for (x1, y1, x2, y2), isGood, isJoined in zip(fixed.tolist(), good, joined):
+    fixed: Any = np.rint(ends * (1 << shift)).astype(int).tolist()
+    for (x1, y1, x2, y2), isGood, isJoined in zip(fixed, good, joined):
         color = INLIER if isGood else OUTLIER
         if isJoined:
             cv2.line(canvas, (x1, y1), (x2, y2), color, 1, cv2.LINE_AA, shift)
