@@ -194,8 +194,7 @@ public:
     virtual ~Neighborhood();
     //! Number of layers, that is, of neighborhood sizes; layer 0 has the smallest neighborhoods.
     virtual int layers() const = 0;
-    //! Neighbors of a point in a layer, including the point itself. @return their number; `members`
-    //! points to them.
+    //! Sets `members` to the neighbors of a point in a layer, including it. @return their number.
     virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
     /** @brief Undirected edges of the graph, each listed once, at most a constant times N.
     @param context the run
