@@ -41,6 +41,23 @@ def temporary():
     return folder
 
 
+def alone():
+    """Waits until no other build of the same sources is running, because setuptools writes files beside the sources and each
+    build removes them at its end. Returns a file that holds the lock while it is open. Without fcntl (Windows) or locks in
+    the file system, there is no lock."""
+    file = open(os.path.join(HERE, "pyproject.toml"))
+    try:
+        import fcntl
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            print("usacv20: waiting for another build of the same sources", file=sys.stderr, flush=True)
+            fcntl.flock(file, fcntl.LOCK_EX)
+    except (ImportError, OSError):
+        pass
+    return file
+
+
 def remove_later(folders):
     """Removes what setuptools is going to leave beside the sources."""
     for folder in folders:
@@ -104,6 +121,7 @@ class Native(build_ext):
         raise SetupError("usacv20: {} has failed: {}".format(" ".join(command[:2]), wrong[0] if wrong else "no output"))
 
 
+lock = alone()
 remove_later(EGG_INFO)
 borrow_license()
 setup(

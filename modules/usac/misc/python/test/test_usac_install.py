@@ -65,6 +65,16 @@ class MissingTest(unittest.TestCase):
         self.assertEqual((run.returncode, run.stdout), (1, b""))
         self.assertEqual(run.stderr, b"usacv20: Python 3.8 or later is needed, this is 3.6\n")
 
+    def test_builds_at_the_same_time(self):
+        """Each build of the same sources must wait for the others and leave no files."""
+        before = sorted(os.listdir(ROOT))
+        runs = [subprocess.Popen([sys.executable, os.path.join(ROOT, "setup.py"), "-q", "egg_info"], cwd=ROOT, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT, universal_newlines=True) for _ in range(6)]
+        for run in runs:
+            output = run.communicate()[0]
+            self.assertEqual(run.returncode, 0, output)
+        self.assertEqual(sorted(os.listdir(ROOT)), before)
+
     def test_compiled_part_of_another_python(self):
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(os.path.dirname(usac.__file__), os.path.join(folder, "whole"))
