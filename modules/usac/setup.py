@@ -29,13 +29,13 @@ EGG_INFO = os.path.join(HERE, "misc", "python", "package", "usacv20.egg-info"), 
 
 
 def version():
-    """That of the C++ library."""
+    """Returns the version of the C++ library."""
     with open(os.path.join(HERE, "cmake", "usac_version.cmake")) as file:
         return re.search(r"set\(USAC_VERSION ([0-9.]+)\)", file.read()).group(1)
 
 
 def temporary():
-    """A folder for this build, so that nothing is left beside the sources."""
+    """Makes a folder for this build, which is removed when this script ends."""
     folder = tempfile.mkdtemp(prefix="usacv20-build-")
     atexit.register(shutil.rmtree, folder, True)
     return folder
@@ -59,14 +59,14 @@ def alone():
 
 
 def remove_later(folders):
-    """Removes what setuptools is going to leave beside the sources."""
+    """Removes those folders that do not exist yet when this script ends: setuptools leaves them beside the sources."""
     for folder in folders:
         if not os.path.exists(folder):
             atexit.register(shutil.rmtree, folder, True)
 
 
 def borrow_license():
-    """The license stands in the folder of the project, setuptools packs files of this one: a copy for as long as this runs."""
+    """Copies the license from the folder of the project to this one while this script runs: setuptools packs only files of this folder."""
     copy, text = os.path.join(HERE, "LICENSE"), os.path.join(HERE, "..", "..", "LICENSE")
     if not os.path.exists(copy) and os.path.exists(text):
         shutil.copyfile(text, copy)
@@ -74,7 +74,7 @@ def borrow_license():
 
 
 def pybind11():
-    """That of the system does, but that Debian 12's is older than NumPy 2, which pip takes where there is none yet."""
+    """Returns the required version of pybind11, if pip must install it: pip then also installs NumPy 2, which needs version 2.12."""
     try:
         import numpy  # noqa: F401
     except ImportError:  # in an environment that pip has made for this build
@@ -83,7 +83,7 @@ def pybind11():
 
 
 class Native(build_ext):
-    """The extension module by CMake. What is missing is said in one line."""
+    """Builds the extension module with CMake. If something is missing, the error message is a single line."""
 
     def build_extension(self, extension):
         build = os.environ.get("USACV20_BUILD_DIR") or os.path.join(temporary(), "native")
@@ -100,7 +100,7 @@ class Native(build_ext):
         self.copy_file(os.path.join(out, next(name for name in os.listdir(out) if name.startswith("_native."))), target)
 
     def pybind11(self):
-        """Where pip has put pybind11, if it has."""
+        """Returns the folder in which pip has installed pybind11, or an empty text."""
         found = subprocess.run([sys.executable, "-m", "pybind11", "--cmakedir"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         return found.stdout.decode().strip()
 

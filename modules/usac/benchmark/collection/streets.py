@@ -14,13 +14,14 @@ kinds. All windows of a kind have the same parts (in front of and behind the pla
 nearly the same descriptors; descriptors change with the viewing direction. Matches are mutual nearest
 neighbors of the descriptors that pass a ratio test of 0.8. So images without a common point have
 matches between different windows, and many of these matches agree with a motion that no camera has
-made. Scales and angles of keypoints follow from the surface, with the noise of photographs (0.13
-octaves and 3.5 degrees for the Gaussian part, measured with COLMAP's SIFT on eleven surveyed
-collections).
+made. Scales and angles of keypoints follow from the surface, with noise as in photographs: between
+the two keypoints of a right match they differ with standard deviations of 0.13 octaves and 3.5
+degrees (the Gaussian part, measured with COLMAP's SIFT on eleven surveyed collections).
 
 Columns, with sums over --seeds collections; only pairs with at least 15 matches count:
+layout         kind of the scene, see --layout
 chance         --significance, the largest false-alarm probability of an accepted pair
-loops          whether pairs that contradict a path of other pairs are refused (--no-loops: no)
+loops          yes: pairs that contradict a path of other pairs are refused; no: they are kept
 overlap, kept  number of pairs with overlap (at least 30 common points), and how many of these are kept
 without, kept  number of pairs without a common point, and how many of these are kept
 calibrated     how many of the latter are CALIBRATED, so that a mapper uses their wrong poses

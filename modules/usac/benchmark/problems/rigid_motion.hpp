@@ -9,8 +9,8 @@
 
 namespace benchmark {
 
-/** R, the rigid motion [R t] that maps points of space 1 to points of space 2; M, the same with a
-scale, [s R t].
+/** Problem 'R': the rigid motion [R | t] that maps points of space 1 to points of space 2. Problem
+'M': the same with a scale s, [s R | t].
 
 The rotation of an estimated affine map is the rotation closest to its 3x3 part. centerError() is
 the root mean square distance between the right points of space 1 moved by the estimated and by the

@@ -107,8 +107,8 @@ void checkCombinations(const Params& p)
 }
 
 //! Raises a cv::Exception if there are scores, but not one for each of the `count` correspondences
-//! (negative: unknown number), or if #SAMPLER_IMPORTANCE has a score that is not finite or is
-//! negative.
+//! (a negative `count`: unknown number), or if the sampler is #SAMPLER_IMPORTANCE and a score is
+//! not finite or is negative.
 void checkScores(const Params& p, int count)
 {
     if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)

@@ -83,7 +83,7 @@ private:
     Params params, coreParams;     //!< options of guess() and of findCore()
     Components parts, coreParts;   //!< components of guess() and of findCore()
     Ptr<ListedSampler> listed;     //!< sampler of findCore()
-    double widest;                 //!< threshold of the mask at the beginning of the run
+    double widest;                 //!< the caller's threshold, for the points of the mask
     InlierNoise latest;            //!< latest estimate of the noise of the best model
     int drawn, computed, uniform;  //!< results of samples(), models() and uniformSamples()
 };

@@ -28,7 +28,7 @@ public:
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report);
     Mat errors(InputArray model) const;
 
-    //! Converts a model of the caller to the coordinates of the mask. Raises cv::Exception if it is
+    //! Converts a model of the caller to the coordinates of `points`. Raises cv::Exception if it is
     //! not a model of the problem.
     //! @param forSearch output, the same model in the coordinates of the search; may be null
     Model read(InputArray given, Model* forSearch) const;

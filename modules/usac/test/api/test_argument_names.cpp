@@ -165,8 +165,8 @@ TEST(Usac_ArgumentNames, fits_and_focal_lengths)
 }
 
 //! Messages of components written by the caller can begin with any text. The part before the first
-//! ": " is translated to the caller's argument names only if it is a list of names separated by ",
-//! " or " and "; names that are not in the table, such as "reach", stay.
+//! ": " is translated to the caller's argument names only if it is a list of names separated by
+//! commas or by the word `and`. Names that are not in the table, such as "reach", stay.
 TEST(Usac_ArgumentNames, other_messages_stay)
 {
     const ArgumentName names[] = {{"points1", "from"}, {"threshold", "ransacReprojThreshold"}};

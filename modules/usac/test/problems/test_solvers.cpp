@@ -326,8 +326,8 @@ TEST(Usac_Solvers, fundamentalOfAPlane)
     EXPECT_EQ(result.samples, result.unsolved);
 }
 
-//! Four points are on a line l1 in image 1, the other three on a line l2 in image 2. The matrix l2
-//! l1^T of rank 1 satisfies all seven constraints, but must not be returned.
+//! Four points are on a line l1 in image 1, the other three on a line l2 in image 2. The matrix
+//! l2 l1^T of rank 1 satisfies all seven constraints, but must not be returned.
 TEST(Usac_Solvers, fundamentalOfALineInEachImage)
 {
     const Ptr<MinimalSolver> solver = createFundamental7Solver();

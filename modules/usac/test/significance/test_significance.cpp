@@ -83,8 +83,8 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
     {
         int calls = 0, below[3] = {0}, half = 0;
         const double levels[] = {0.1, 0.01, 0.001};
-        for (double threshold : {0.05, 0.3})  // radius of a ball with a fraction of 7e-5 or 1.4 %
-                                              // of the volume of the cube of side 2
+        for (double threshold : {0.05, 0.3})  // radius of a ball whose volume is 0.007 % or 1.4 %
+                                              // of that of the cube of side 2
             for (int size : sizes)
                 for (int p = 0; p < 3; ++p)
                     for (int run = 0; run < 40; ++run, ++calls)

@@ -127,8 +127,8 @@ TEST(Usac_Tdd, dropsWrongModels)
     }
 }
 
-//! The only outlier among 40 points must be tested in one of 40 tests of a single point, and always
-//! if all points are tested.
+//! The only outlier among 40 points is tested in one of 40 tests of a single point on average, and
+//! always if all points are tested.
 TEST(Usac_Tdd, asksAllPoints)
 {
     const Exact exact(HOMOGRAPHY, 39, 1);

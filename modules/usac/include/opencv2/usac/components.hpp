@@ -249,7 +249,7 @@ public:
     //! Number of samples for which solveMany() is fastest, at most #MAX_TOGETHER. Default: 1, so
     //! that no sample is solved needlessly when the run ends.
     virtual int together() const;
-    enum { MAX_TOGETHER = 8 /*!< most samples that a run solves at once */ };
+    enum { MAX_TOGETHER = 8 /*!< maximum number of samples that are solved at once */ };
 };
 
 //! Fits a model to many points.
@@ -275,7 +275,7 @@ struct ResidualKernels;
 class CV_EXPORTS Residual : public Component
 {
 public:
-    enum { MAX_COMPONENTS = 4 /*!< most components of an error */ };
+    enum { MAX_COMPONENTS = 4 /*!< maximum number of components of an error */ };
 
     virtual ~Residual();
     //! Writes the squared errors of the points begin .. end-1 to errors[0 .. end-begin-1]; NaN or

@@ -214,16 +214,16 @@ enum TerminationFlags {
 };
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
-//! checks that the problem has. Affine maps, absolute poses and 3-D motions raise cv::Exception for
-//! #DEGENERACY_DEGENSAC unless all bits are set, and therefore also for Params::usac2013.
+//! checks that the problem has. For affine maps, absolute poses and 3-D motions,
+//! #DEGENERACY_DEGENSAC without all other bits (as in Params::usac2013) raises cv::Exception.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
     //! F: if a plane dominates a sample, F is computed by plane and parallax @cite chum2005two. E:
     //! twice as many samples are drawn if most inliers are on a plane
     DEGENERACY_DEGENSAC = 2,
-    //! rejects samples of matches that share a point (up to noise, if there are many such matches),
-    //! and checks for models supported by such matches
+    //! rejects samples in which two matches share a point (up to noise, if there are many such
+    //! matches), and counts many occurrences of one match as a single inlier
     DEGENERACY_REPEATED = 4
 };
 
@@ -310,7 +310,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int residual;
     //! @ref QualityType. Default #QUALITY_MSAC.
     CV_PROP_RW int quality;
-    /** Search, local optimization and polishing use this multiple of `threshold`, the mask uses
+    /** Search, local optimization and polishing use this multiple of `threshold`; the mask uses
     `threshold` itself; 1..10. Meant for scores and fits that are marginalized over the noise scale.
     Default 1; magsac() 3, magsacPlusPlus() 2.4. */
     CV_PROP_RW double reach;

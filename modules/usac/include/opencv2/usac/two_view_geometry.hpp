@@ -45,8 +45,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     //! but less reliably. Default 0.25.
     CV_PROP_RW double inlierRatio;
     /** Inlier ratios of some image pairs of the same collection, each above 0 and at most 1.
-    Params::confidence is then the average probability of success over the correct pairs of this
-    collection, see #samples. Default none: the ratios are unknown. */
+    Params::confidence is then the probability that the model of a pair is found, averaged over
+    pairs with these ratios, see #samples. Default none: the ratios are unknown. */
     CV_PROP_RW std::vector<double> ratios;
     //! The pair is planar or panoramic if a homography explains more than this fraction of the
     //! inliers; 0..1. Default 0.8.

@@ -5,7 +5,7 @@
 
 """Replaces cmake, apt, apt-get and sudo when commands of the documents run.
 
-cmake: the sources of the scratch checkout are replaced with those of the project, and the folder
+cmake: runs the real cmake, with the scratch checkout (-S) replaced by the project, and the folder
 `build` with the existing build.
 apt install: installs nothing. Packages must be installed already. Package files must be installable,
 which is tested by a simulation.

@@ -64,6 +64,7 @@ from ._opencv import patch_cv2, unpatch_cv2
 from ._params import Params
 from ._pose import solvePnPRansac
 from ._problems import *  # noqa: F403
+from ._progress import progress
 from ._relative_pose import RelativePose, estimateRelativePose
 from ._report import Report
 from ._two_view import TwoViewGeometry, TwoViewPair, TwoViewRules, estimateTwoViewGeometries, estimateTwoViewGeometry
@@ -77,7 +78,6 @@ from ._enumerations import (
     ThresholdType as ThresholdType, TwoViewConfiguration as TwoViewConfiguration,
     UsacV20Method as UsacV20Method, VerificationType as VerificationType)
 from ._params import UsacParams as UsacParams
-from ._progress import progress as progress
 from ._version import __version__
 
 __all__ = [

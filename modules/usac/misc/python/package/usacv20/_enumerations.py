@@ -166,8 +166,8 @@ class DegeneracyFlags(enum.IntFlag):
     # F: if a plane dominates a sample, F is computed by plane and parallax. E: twice as many samples are drawn if most inliers
     # are on a plane
     DEGENERACY_DEGENSAC = 2
-    # rejects samples of matches that share a point (up to noise, if there are many such matches), and checks for models
-    # supported by such matches
+    # rejects samples in which two matches share a point (up to noise, if there are many such matches), and counts many
+    # occurrences of one match as a single inlier
     DEGENERACY_REPEATED = 4
 
 
