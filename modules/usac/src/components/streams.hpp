@@ -21,7 +21,7 @@ enum Stream {
     STREAM_RESTARTS,      //!< restarts of the final polishing
     STREAM_FIT,           //!< samples from which a fit without a search (Usac::fit) starts
     STREAM_LEVERAGE       //!< correction of models that points of high leverage distort: triples of
-                     //!< points, to find a plane, and samples for new models
+                          //!< points, to find a plane, and samples for new models
 };
 
 //! Stream number for Rng. Each purpose has 2^40 streams; `number` is the index of the stream among
