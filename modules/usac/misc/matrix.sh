@@ -17,7 +17,7 @@
 #                                     as Debug with -Og (without slow_tests). Rows other than
 #                                     cxx17 and cxx20 use C++11, except sid (C++17)
 #   arm64                  run_tests.sh --cpp for 64-bit ARM of bookworm: cross-compiled, run by
-#                          qemu, without slow_tests
+#                          qemu, without slow_tests and statistics
 #   mingw                  the library's sources are compiled for Windows by mingw-w64, with the
 #                          headers of this system's OpenCV; each file counts as a test
 #
@@ -156,7 +156,7 @@ set(CMAKE_SHARED_LINKER_FLAGS_INIT "\${CMAKE_EXE_LINKER_FLAGS_INIT}")
 END
     USAC_BUILD_DIR="$roots/system" USAC_CPP_OPTIONS="-DCMAKE_TOOLCHAIN_FILE=$roots/arm64.cmake -DOpenCV_DIR=$root/$libraries/cmake/opencv4" \
         USAC_CPP_RUNNER="qemu-aarch64-static -L $root -E LD_LIBRARY_PATH=$root/$libraries:$root/$libraries/blas:$root/$libraries/lapack" \
-        USAC_CPP_FILTER="-$slow_tests" sh "$module/misc/run_tests.sh" --cpp
+        USAC_CPP_FILTER="-$slow_tests:$statistics" sh "$module/misc/run_tests.sh" --cpp
 }
 
 # The module must compile without POSIX functions (threads, files, memory). Nothing is linked,
