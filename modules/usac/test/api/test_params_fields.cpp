@@ -19,8 +19,8 @@ namespace {
 
 std::string readHeader()
 {
-    const std::string path = std::string(USAC_TEST_DATA_DIR) +
-                             "/../modules/usac/include/opencv2/usac/params.hpp";
+    std::string path = USAC_TEST_DATA_DIR;
+    path += "/../modules/usac/include/opencv2/usac/params.hpp";
     std::ifstream in(path.c_str());
     return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 }

@@ -16,7 +16,7 @@
 namespace opencv_test {
 
 //! Size of both images in pixels.
-enum { SCENE_WIDTH = 640, SCENE_HEIGHT = 480 };
+const int SCENE_WIDTH = 640, SCENE_HEIGHT = 480;
 
 //! Where the wrong matches are.
 enum OutlierModel {

@@ -11,7 +11,7 @@
 namespace opencv_test {
 
 //! Size of the image in pixels.
-enum { POSE_WIDTH = 640, POSE_HEIGHT = 480 };
+const int POSE_WIDTH = 640, POSE_HEIGHT = 480;
 
 //! Positions of the object points of a PoseScene. All visible points have depths of about 4 to 9.
 enum PoseShape {
