@@ -150,8 +150,8 @@ private:
         at += end - begin;
     }
 
-    //! Unknown escape sequences, which include \uXXXX, are kept as written; the strings in these
-    //! files need none.
+    //! Unknown escape sequences, which include \u and four digits, are kept as written; the strings
+    //! in these files need none.
     std::string string()
     {
         std::string result;

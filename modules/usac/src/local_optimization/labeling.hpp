@@ -60,13 +60,13 @@ private:
 
     // The following members are valid only during cut(), except for the memory of `graph`.
     float lambda;
-    float factor;         //!< K_p = exp(factor error_p^2)
-    float* errors;        //!< squared error of each point
-    float* K;             //!< K_p of points that have no label yet and of their neighbors
-    float* unary;         //!< cost as an inlier minus cost as an outlier, of the same points
-    int* node;            //!< node of each point in the graph, or its label (negative)
-    int* pointOfNode;     //!< point of each node
-    int size, nodeCount;  //!< numbers of points and of nodes
+    float factor;   //!< K_p = exp(factor error_p^2)
+    float* errors;  //!< squared error of each point
+    float* K;       //!< K_p of points without a label and of their neighbors; -1: not needed so far
+    float* unary;   //!< cost as an inlier minus cost as an outlier, of the same points
+    int* node;      //!< node of each point in the graph, or its label (negative)
+    int* pointOfNode;              //!< point of each node
+    int size, nodeCount;           //!< numbers of points and of nodes
     detail::GCGraph<float> graph;  //!< a member, so that its memory is reused
 
     int degree;  //!< at least the largest number of edges of a point; -1: not yet known

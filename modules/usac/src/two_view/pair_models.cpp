@@ -209,10 +209,10 @@ void PairModels::improveEssential()
 
 void PairModels::searchHomography()
 {
-    const PairModel* const explained = base();
+    const PairModel& explained = E ? E : F;  // base() compares H with E, even if F is chosen
     if (explained)
     {
-        homographyOfInliers(*explained);
+        homographyOfInliers(explained);
         return;
     }
     Params given = options(samples(OF_H.sampleSize));

@@ -49,8 +49,8 @@ struct Answer
 };
 
 //! For every flag, compares the answer of the form with an int with that of the typed form (the
-//! flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of
-//! OpenCV are left out.
+//! flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of OpenCV are left
+//! out.
 template <class AtRunTime, class Typed, class Calib3d>
 void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed,
                const Calib3d& calib3d)
@@ -172,8 +172,7 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
 }
 
 //! calib3d's USAC is not deterministic for E. Therefore the test checks only that its models differ
-//! from those of the flags of this module and from those of calib3d's RANSAC and
-//! LMedS.
+//! from those of the flags of this module and from those of calib3d's RANSAC and LMedS.
 TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
 {
     const Scene s = makeScene(ESSENTIAL);

@@ -27,8 +27,8 @@ Params preset(int number)
         Params::mlesac,    Params::prosac,       Params::loRansac, Params::floRansac,
         Params::gcRansac,  Params::usac2013,     Params::magsac,   Params::magsacPlusPlus,
         Params::automatic, Params::trustedScores};
-    const int old = number % 16;  // kept inputs with smaller numbers keep their presets
-    return presets[number < 192 ? old : 16 + number % 2]();
+    // numbers below 192 never select the last two presets, which are newer than the stored inputs
+    return presets[number < 192 ? number % 16 : 16 + number % 2]();
 }
 
 //! Reduces a valid value (from `low` to `high`) that exceeds `most` to less than `low` + `most`. An
