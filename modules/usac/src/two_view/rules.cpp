@@ -150,6 +150,20 @@ void TwoViewRules::check() const
                       ("ratios: numbers above 0 and up to 1 are expected, not %g", ratios[i]));
 }
 
+void TwoViewRules::check(const Params& params) const
+{
+    params.check();
+    check();
+    if (!params.initialModel.empty())
+        CV_Error_(Error::StsBadArg,
+                  ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
+                   (int)params.initialModel.size()));
+    if (!params.sigmas.empty())
+        CV_Error_(Error::StsBadArg, ("sigmas: none are expected, as two-view geometry compares "
+                                     "errors in pixels, not %d numbers",
+                                     (int)params.sigmas.size()));
+}
+
 double TwoViewRules::samples(const Params& params, int sampleSize, int matches) const
 {
     const double lost = 1 - std::min(params.confidence, 1 - 1e-15);

@@ -147,20 +147,6 @@ TwoViewGeometry geometryOf(const TwoViewPair& pair, const Params& params, const 
     return found;
 }
 
-void check(const Params& params, const TwoViewRules& rules)
-{
-    params.check();
-    rules.check();
-    if (!params.initialModel.empty())
-        CV_Error_(Error::StsBadArg,
-                  ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
-                   (int)params.initialModel.size()));
-    if (!params.sigmas.empty())
-        CV_Error_(Error::StsBadArg, ("sigmas: none are expected, as two-view geometry compares "
-                                     "errors in pixels, not %d numbers",
-                                     (int)params.sigmas.size()));
-}
-
 }  // namespace
 
 TwoViewPair::TwoViewPair() {}
@@ -178,7 +164,7 @@ TwoViewGeometry::TwoViewGeometry()
 TwoViewGeometry estimateTwoViewGeometry(const TwoViewPair& pair, const Params& params,
                                         const TwoViewRules& rules)
 {
-    check(params, rules);
+    rules.check(params);
     return geometryOf(pair, params, rules);
 }
 
@@ -195,7 +181,7 @@ std::vector<TwoViewGeometry> estimateTwoViewGeometries(const std::vector<TwoView
                                                        const Params& params,
                                                        const TwoViewRules& rules, int threads)
 {
-    check(params, rules);
+    rules.check(params);
     std::vector<TwoViewGeometry> results(pairs.size());
     const auto estimate = [&](int i) {
         const String mistake = mistakeOf([&] { results[i] = geometryOf(pairs[i], params, rules); });

@@ -77,6 +77,9 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     CV_WRAP double reached(const Params& params, int sampleSize, int matches) const;
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;
+    //! As check(); `params` is checked too, and must have no `initialModel` and no `sigmas`, which
+    //! two-view geometry cannot use.
+    CV_WRAP void check(const Params& params) const;
 };
 
 //! The input of #estimateTwoViewGeometry: the matches of two images and, if known, their cameras.

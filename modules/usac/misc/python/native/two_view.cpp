@@ -102,7 +102,7 @@ void addTwoView(py::module_& module)
              py::arg("matches"))
         .def("reached", &TwoViewRules::reached, py::arg("params"), py::arg("sampleSize"),
              py::arg("matches"))
-        .def("check", &TwoViewRules::check);
+        .def("check", [](const TwoViewRules& rules) { rules.check(); });
     module.def("estimateTwoViewGeometry", &one, py::arg("pair"), py::arg("params"),
                py::arg("rules"));
     module.def("estimateTwoViewGeometries", &many, py::arg("pairs"), py::arg("params"),

@@ -133,8 +133,9 @@ class TwoViewTest(unittest.TestCase):
             usac.estimateTwoViewGeometry(a, b, imageSize1=640)
         with self.assertRaisesRegex(ERRORS, "initialModel"):
             usac.estimateTwoViewGeometry(a, b, params=usac.Params(initialModel=np.eye(3)))
-        with self.assertRaisesRegex(ERRORS, "sigmas"):
-            usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b)], usac.Params(sigmas=np.ones(len(a))), returnExceptions=True)
+        for name, value in (("initialModel", np.eye(3)), ("sigmas", np.ones(len(a)))):
+            with self.assertRaisesRegex(ERRORS, name):  # of the call, not of each pair
+                usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b)], usac.Params(**{name: value}), returnExceptions=True)
         pairs = [usac.TwoViewPair(a, b), usac.TwoViewPair(a, b[1:]), usac.TwoViewPair("no", b)]
         found = usac.estimateTwoViewGeometries(pairs, returnExceptions=True)
         self.assertIs(found[0].configuration, usac.TWO_VIEW_UNCALIBRATED)

@@ -88,8 +88,7 @@ class Native:
 
     def estimateTwoViewGeometries(self, pairs: List[Tuple[Any, ...]], params: Any, rules: Any,
                                   threads: int) -> List[Tuple[Any, ...]]:
-        params.check()
-        rules.check()
+        rules.check(params)
 
         def failed(report: Any, reason: str, error: str) -> Tuple[Any, ...]:
             return 0, None, 0, None, None, None, None, None, None, report, 0, 0.0, reason, error
