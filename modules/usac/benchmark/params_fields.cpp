@@ -35,6 +35,7 @@ const std::vector<Enumerators>& enumerators()
         {"ordering", {"AUTO", "DENSITY", "INPUT_ORDER", "NONE"}, false},
         {"scoreOrder", {"LOWER_IS_BETTER", "HIGHER_IS_BETTER"}, false},
         {"neighborhood", {"GRID", "KNN", "RADIUS"}, false},
+        {"thresholdType", {"GIVEN", "ESTIMATED"}, false},
         {"residual", {"STANDARD", "SYMMETRIC"}, false},
         {"quality", {"INLIERS", "MSAC", "MLESAC", "LMEDS", "MAGSAC", "MAGSAC_PLUS_PLUS"}, false},
         {"verification", {"NONE", "SPRT", "TDD"}, false},

@@ -27,7 +27,7 @@ class CovarianceTest(ProgramTest):
         return {line[0]: dict(zip(lines[0][2:], map(float, line[2:]))) for line in lines[2:]}
 
     def test_calibration(self):
-        rows = self.table("--problems=H,P", "--scenes=200")
+        rows = self.table("--problems=H,T,P", "--scenes=200")
         for row in rows.values():
             self.assertEqual(row["scenes"], 200)
             self.assertNotIn("without sigmas", row)
@@ -35,8 +35,8 @@ class CovarianceTest(ProgramTest):
             self.assertAlmostEqual(row["noise"], 1, delta=0.05)
 
     def test_noise_of_each_match(self):
-        rows = self.table("--problems=H,A,P,R", "--scenes=100", "--spread=5")
-        self.assertEqual(set(rows), set("HAPR"))
+        rows = self.table("--problems=H,A,T,P,R", "--scenes=100", "--spread=5")
+        self.assertEqual(set(rows), set("HATPR"))
         for row in rows.values():
             self.assertLess(row["error"], 1.1)
             self.assertGreater(row["without sigmas"], 1.5)

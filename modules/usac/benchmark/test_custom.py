@@ -173,7 +173,7 @@ class CustomTest(FolderTest):
         with open(PARAMS) as lines:
             header = re.sub(r"//.*", "", lines.read())
         for field, enumeration in (("sampler", "SamplerType"), ("ordering", "OrderingType"), ("scoreOrder", "ScoreOrder"),
-                                   ("neighborhood", "NeighborhoodType"), ("residual", "ResidualType"), ("quality", "QualityType"),
+                                   ("neighborhood", "NeighborhoodType"), ("thresholdType", "ThresholdType"), ("residual", "ResidualType"), ("quality", "QualityType"),
                                    ("verification", "VerificationType"), ("localOptimization", "LocalOptimizationType"),
                                    ("termination", "TerminationFlags"), ("degeneracy", "DegeneracyFlags"), ("polishing", "PolishingType")):
             body = re.search(r"enum %s \{(.*?)\}" % enumeration, header, re.DOTALL).group(1)

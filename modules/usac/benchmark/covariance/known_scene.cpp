@@ -23,6 +23,12 @@ bool twoViews(ProblemType problem)
     return problem != ABSOLUTE_POSE && problem != RIGID_3D && problem != SIMILARITY_3D;
 }
 
+//! True if models are 2 x 3 matrices that map image 1 to image 2.
+bool affine(ProblemType problem)
+{
+    return problem == AFFINITY || problem == SIMILARITY || problem == TRANSLATION_2D;
+}
+
 template <class Point>
 Mat rowsOf(const std::vector<Point>& points, const std::vector<uchar>& chosen)
 {
@@ -36,13 +42,11 @@ Mat rowsOf(const std::vector<Point>& points, const std::vector<uchar>& chosen)
 const std::vector<uchar> ALL;
 
 //! Standard deviation of the points' noise for which each component of the error has the standard
-//! deviation that SceneCell::noise states. For homographies, affinities and similarities both
-//! images have noise, and a nearly rigid map transfers that of image 1 to image 2, so the variances
-//! add up.
+//! deviation that SceneCell::noise states. For homographies and affine maps both images have noise,
+//! and a nearly rigid map transfers that of image 1 to image 2, so the variances add up.
 double noiseOf(const SceneCell& cell)
 {
-    const bool both = cell.problem == HOMOGRAPHY || cell.problem == AFFINITY ||
-                      cell.problem == SIMILARITY;
+    const bool both = cell.problem == HOMOGRAPHY || affine(cell.problem);
     return cell.noise * cell.threshold * (both ? std::sqrt(0.5) : 1);
 }
 
@@ -79,7 +83,7 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
         spreadNoise(rowsOf(scene.clean1, ALL), rowsOf(scene.clean2, ALL));
         K = Mat(scene.K, true);
         truth = Mat(scene.model, true);
-        if (cell.problem == AFFINITY || cell.problem == SIMILARITY)
+        if (affine(cell.problem))
             truth = truth.rowRange(0, 2).clone();
         return;
     }
