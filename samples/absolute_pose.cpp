@@ -139,8 +139,8 @@ struct Input
     Camera camera;
 };
 
-//! Estimates the pose like a typical program. `Flag` is the type of the flag, which is one of
-//! OpenCV or of this module.
+//! Estimates the pose like a typical program. `Flag` is the type of the flags of OpenCV or of the
+//! flags of this module.
 template <class Flag>
 tools::Result estimate(const char* name, Flag flag, const Input& in, const tools::Settings& s)
 {

@@ -4,8 +4,8 @@
 
 // A user-defined problem: the affine map between two images, from samples of three matches. Such a
 // problem can use all parts of the module: samplers, verification, graph cut, polishing,
-// termination criteria, threads, the report. The matches come from a text file with a row "x1 y1 x2
-// y2" for each match, such as test_data/graf.txt.
+// termination criteria, threads, the report. The matches come from a text file with a row
+// "x1 y1 x2 y2" for each match, such as test_data/graf.txt.
 
 #include <iostream>
 #include "affine_problem.hpp"

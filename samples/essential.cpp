@@ -68,8 +68,8 @@ Stereo calibrate(const std::string& list, cv::Size board)
     return s;
 }
 
-//! Estimates the essential matrix like a typical program. `Method` is the type of the flag, which
-//! is one of OpenCV or of this module.
+//! Estimates the essential matrix like a typical program. `Method` is the type of the flags of
+//! OpenCV or of the flags of this module.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const Stereo& stereo, const tools::Settings& s)

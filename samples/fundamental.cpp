@@ -40,8 +40,8 @@ double meanDistance(const cv::Matx33d& F, const tools::Matches& truth)
     return sum / truth.points1.size();
 }
 
-//! Estimates the fundamental matrix like a typical program. `Method` is the type of the flag, which
-//! is one of OpenCV or of this module.
+//! Estimates the fundamental matrix like a typical program. `Method` is the type of the flags of
+//! OpenCV or of the flags of this module.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const tools::Settings& s)

@@ -36,8 +36,8 @@ cv::Mat readTruth(const std::string& name)
     return truth;
 }
 
-//! Estimates the homography like a typical program. `Method` is the type of the flag, which is one
-//! of OpenCV or of this module.
+//! Estimates the homography like a typical program. `Method` is the type of the flags of OpenCV or
+//! of the flags of this module.
 template <class Method>
 tools::Result estimate(const char* name, Method method, const tools::Matches& matches,
                        const tools::Settings& s)

@@ -3,11 +3,11 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Builds the module against the OpenCV of the system and runs its samples on OpenCV's own image
-# pairs. They compare errors against the known truth, inliers, iterations and milliseconds with
-# those of cv::RANSAC and cv::USAC_DEFAULT, and write pictures. Then it installs the Python package
-# in a virtual environment and runs its samples. Installs what it needs on Debian (as root or with
-# sudo).
+# Builds the module against the OpenCV of the system and runs five of its samples on OpenCV's own
+# images. Most samples compare the module with OpenCV's own methods (errors if the truth is known,
+# inliers, iterations and milliseconds) and write a picture. Then this script installs the Python
+# package in a virtual environment and runs its samples. On Debian, it first installs the packages
+# that it needs (as root or with sudo).
 #
 #   USAC_BUILD_DIR            folder for all files that this script writes; default
 #                             ${TMPDIR:-/tmp}/opencv_usac_quickstart

@@ -5,8 +5,8 @@
 // Stabilizes a sequence: estimates the similarity from each frame to the next with
 // cv::usacv20::estimateAffinePartial2D, replaces the shaky path of the camera by a smooth path, and
 // moves each frame onto the smooth path. The frames are the images of a folder. Without a folder,
-// they are windows of an image along a shaky path, with an independently moving patch in front, and
-// the true motions are known.
+// the frames are windows of an image along a shaky path, with an independently moving patch in
+// front, and the true motions are known.
 
 #include "tools.hpp"
 

@@ -160,7 +160,8 @@ inline void printTable(const Matches& matches, const std::vector<Result>& result
     std::cout << std::endl;
 }
 
-//! Exit code of a sample: 0 if there is a model and its error, if known, is at most the limit.
+//! Exit code of a sample: 0 if there is a model and its error, if known, is at most the limit;
+//! otherwise 1.
 inline int exitCode(const Result& result, double limit)
 {
     if (!result.model.empty() && result.error <= limit)

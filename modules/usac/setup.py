@@ -4,8 +4,9 @@
 
 """Builds the Python package usacv20: `pip install modules/usac`.
 
-CMake compiles the extension module (misc/python/native). Options for it are in the environment variable CMAKE_ARGS, the number
-of its jobs in CMAKE_BUILD_PARALLEL_LEVEL, its build folder, if it is to be kept, in USACV20_BUILD_DIR."""
+CMake compiles the extension module (misc/python/native). Environment variables: CMAKE_ARGS: options
+for CMake; CMAKE_BUILD_PARALLEL_LEVEL: number of jobs; USACV20_BUILD_DIR: build folder, which is
+then kept."""
 
 import atexit
 import os
@@ -42,9 +43,10 @@ def temporary():
 
 
 def alone():
-    """Waits until no other build of the same sources is running, because setuptools writes files beside the sources and each
-    build removes them at its end. Returns a file that holds the lock while it is open. Without fcntl (Windows) or locks in
-    the file system, there is no lock."""
+    """Waits until no other build of the same sources is running, because setuptools writes files
+    next to the sources, and each build removes these files at its end. Returns a file that holds
+    the lock while it is open. Without fcntl (Windows) or locks in the file system, there is no
+    lock."""
     file = open(os.path.join(HERE, "pyproject.toml"))
     try:
         import fcntl
@@ -59,14 +61,16 @@ def alone():
 
 
 def remove_later(folders):
-    """Removes those folders that do not exist yet when this script ends: setuptools leaves them beside the sources."""
+    """When this script ends, removes those of the folders that do not exist now: setuptools leaves
+    them next to the sources."""
     for folder in folders:
         if not os.path.exists(folder):
             atexit.register(shutil.rmtree, folder, True)
 
 
 def borrow_license():
-    """Copies the license from the folder of the project to this one while this script runs: setuptools packs only files of this folder."""
+    """Copies the license from the project's folder to the folder of this script, because setuptools
+    packs only files of this folder. The copy is removed when the script ends."""
     copy, text = os.path.join(HERE, "LICENSE"), os.path.join(HERE, "..", "..", "LICENSE")
     if not os.path.exists(copy) and os.path.exists(text):
         shutil.copyfile(text, copy)
@@ -74,7 +78,8 @@ def borrow_license():
 
 
 def pybind11():
-    """Returns the required version of pybind11, if pip must install it: pip then also installs NumPy 2, which needs version 2.12."""
+    """Returns the requirement for pybind11 if pip must install it for this build, otherwise an empty
+    list. If pip installs pybind11, it also installs NumPy 2, which needs pybind11 2.12."""
     try:
         import numpy  # noqa: F401
     except ImportError:  # in an environment that pip has made for this build
@@ -100,7 +105,8 @@ class Native(build_ext):
         self.copy_file(os.path.join(out, next(name for name in os.listdir(out) if name.startswith("_native."))), target)
 
     def pybind11(self):
-        """Returns the folder in which pip has installed pybind11, or an empty text."""
+        """Returns the folder of the CMake files of pybind11 if it is installed for this Python,
+        otherwise an empty text."""
         found = subprocess.run([sys.executable, "-m", "pybind11", "--cmakedir"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         return found.stdout.decode().strip()
 

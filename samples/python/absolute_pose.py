@@ -35,8 +35,9 @@ def corners_of(shape: Tuple[int, ...]) -> Array:
 
 
 def read_camera(args: argparse.Namespace, shape: Tuple[int, ...]) -> Tuple[Array, Optional[Array]]:
-    """Returns camera matrix and distortion from a file of OpenCV's calibration sample; without a
-    file, a typical focal length and no distortion."""
+    """Returns the camera matrix and the distortion from a file of OpenCV's calibration sample.
+    Without a file, the focal length is that of the option --focal or a typical one, and there is no
+    distortion."""
     if args.camera:
         storage = cv2.FileStorage(tools.find_file(args.camera), cv2.FILE_STORAGE_READ)
         return storage.getNode("camera_matrix").mat(), storage.getNode("distortion_coefficients").mat()
@@ -122,7 +123,7 @@ def estimate_with(name: str, places: Array, pixels: Array, ratios: Array, camera
 
 def draw(board: Image, image: Image, points: Array, pixels: Array, result: tools.Result,
          camera: Tuple[Array, Optional[Array]]) -> Image:
-    """Draws matches, axes and outline of the object."""
+    """Draws the matches, and the axes and the outline of the object."""
     assert result.model is not None
     canvas = tools.draw_inliers(board, image, points, pixels, result.mask, 30)
     right = np.ascontiguousarray(canvas[:image.shape[0], board.shape[1]:])

@@ -55,7 +55,7 @@ def main() -> int:
             result.errorText = "%.3f px" % error
         results.append(result)
 
-    # The same estimation again, for the report, which a call with a flag does not return.
+    # Repeats the estimation to get the report, which a call with a flag does not return.
     ours = results[-1]
     _, _, report = usacv20.estimateFundamental(points1, points2, tools.usacv20_params(args, args.iterations))
     ours.iterations = report.iterations

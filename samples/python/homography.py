@@ -71,7 +71,8 @@ def main() -> int:
             result.errorText = "%.2f px" % error
         results.append(result)
 
-    # The same estimation again, for the report, which a call with a flag does not return.
+    # Repeats the estimation to get the report and the covariance, which a call with a flag does not
+    # return.
     ours = results[-1]
     _, _, report = usacv20.estimateHomography(points1, points2, tools.usacv20_params(args, args.iterations).replace(covariance=1))
     ours.iterations = report.iterations

@@ -10,7 +10,7 @@ This script consists of cells: run it as a whole, or cell by cell in an editor t
 It needs the package (pip install modules/usac) or an OpenCV that was built with the module, and cv2
 and matplotlib (Debian: python3-opencv, python3-matplotlib). All pictures are written to one file."""
 
-# %% Two images, by default of OpenCV's sample images, and the matches of their features.
+# %% Two images, by default two of OpenCV's sample images, and the matches of their features.
 import cv2
 import matplotlib
 import numpy as np

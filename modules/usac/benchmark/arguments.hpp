@@ -32,7 +32,7 @@ class Arguments
 {
 public:
     //! Raises std::runtime_error for an argument that is not an option of `parser` or that has no
-    //! value; only --help needs no value.
+    //! value; only the options that ask for help (--help, -h and so on) need no value.
     Arguments(int argc, char** argv, const cv::CommandLineParser& parser);
 
     //! All values of an option, which can be repeated. A value that lists several names separated

@@ -10,7 +10,7 @@ pair uses all pairs. The error of a method on a pair is the median over its runs
 least half of the runs fail. The table goes to the standard output, in Markdown. For each list it has:
 
 - the ratio of the errors of the first method to those of another method, as a geometric mean over the
-  pairs on which both errors are finite, with its 95 % interval (bootstrap over these pairs);
+  pairs on which both errors are finite and above 0, with its 95 % interval (bootstrap over these pairs);
 - the numbers of pairs on which the first method is better and worse: its error differs by more than
   2 %, or is finite for only one of the two methods;
 - the number of pairs on which the first method is worse although its model has the lower cost. A

@@ -17,8 +17,8 @@ namespace benchmark {
     usac.components().sampler = cv::makePtr<MySampler>();
 
 The function is called for each run, within the measured time. It must make new components each
-time, since components keep data about the points. These must always behave in the same way, since
-the timed run and a second run, which makes the report, must give the same model. */
+time, since components keep data about the points. The components must always behave in the same
+way, since the timed run and a second run, which makes the report, must give the same model. */
 typedef std::function<void(cv::usacv20::Usac& usac)> ComponentChange;
 
 /** An estimator of this module with user-defined components. `+scores` and `{field=value}` in the

@@ -41,9 +41,9 @@ class NoPair(Exception):
 def detect(image, features):
     """Returns the points (N x 2, pixels) and RootSIFT descriptors of at most `features` features.
     RootSIFT descriptors are square roots of L1-normalized SIFT descriptors. OpenCV doubles the image
-    for the finest scale. Without its option for precise upscaling, which older versions lack, this
-    shifts all points by a quarter of a pixel. The shift is undone here, so that the center of the
-    first pixel is at (0, 0)."""
+    for the finest scale. Without the option enable_precise_upscale, which older versions lack, the
+    doubling shifts all points by a quarter of a pixel. The shift is undone here, so that the center
+    of the first pixel is at (0, 0)."""
     precise = "enable_precise_upscale" in cv2.SIFT_create.__doc__
     sift = cv2.SIFT_create(features, enable_precise_upscale=True) if precise else cv2.SIFT_create(features)
     keypoints, descriptors = sift.detectAndCompute(image, None)
@@ -67,7 +67,8 @@ def _features_of(file, features):
 
 def match(features1, features2, ratio, most):
     """Returns the matched points of both images and the scores, in the order of the features of image
-    1. Matches with a score below `ratio` are kept; if `most` is not 0, at most `most`, the best."""
+    1. Only matches with a score below `ratio` are kept; if `most` is not 0, only the `most` best of
+    these."""
     (points1, descriptors1), (points2, descriptors2) = features1, features2
     if len(descriptors2) < 2 or not len(descriptors1):
         return np.empty((0, 2)), np.empty((0, 2)), np.empty(0)

@@ -6,8 +6,8 @@
 for each data set.
 
 Each function takes a folder and returns a list of Truth. It raises DataError if a file is missing or
-does not have the expected form. Coordinates are not changed; (0, 0) is regarded as the center of the
-first pixel, because then the annotated points of homogr agree best with matched features."""
+does not have the expected form. Image coordinates are not changed; (0, 0) is regarded as the center of
+the first pixel, because then the annotated points of homogr agree best with matched features."""
 
 import bisect
 import glob
@@ -287,8 +287,8 @@ def _fm_bench(folder):
 
 
 def one_dsfm(folder):
-    """A scene of 1DSfM of Wilson and Snavely, e.g. Piccadilly: the pairs with a two-view geometry whose cameras are both in
-    the reference reconstruction.
+    """A scene of 1DSfM of Wilson and Snavely, e.g. Piccadilly: the pairs that have a two-view geometry, and whose cameras
+    are both in the reference reconstruction.
 
     <folder>/gt_bundle.out: reconstruction, Bundler's format v0.3; a focal length of 0 means no camera
     <folder>/list.txt: the image of each camera, the first word of each line; relative to <folder> or to <folder>/images

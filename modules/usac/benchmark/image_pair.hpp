@@ -53,8 +53,8 @@ struct ImagePair
 
     //! Number of correspondences.
     int size() const { return (int)(points2.size() + spacePoints2.size()); }
-    //! Returns the points in another order, with the camera matrices and the distortion, without
-    //! the scores and the ground truth.
+    //! Returns the points in another order (point i of the result is point order[i]), with the
+    //! camera matrices and the distortion, without the scores and the ground truth.
     ImagePair reordered(const std::vector<int>& order) const;
 };
 

@@ -151,7 +151,7 @@ private:
     }
 
     //! Unknown escape sequences, which include \u and four digits, are kept as written; the strings
-    //! in these files need none.
+    //! in the benchmark's files need none.
     std::string string()
     {
         std::string result;

@@ -13,9 +13,9 @@ namespace benchmark {
 
 /** A value of a JSON document (RFC 8259).
 
-It is used because cv::FileStorage refuses documents with `null`, which the description of a pair
-contains wherever something is unknown. An accessor raises std::runtime_error if the value is of
-another type. */
+This class is used because cv::FileStorage refuses documents with `null`, which the description of a
+pair contains wherever something is unknown. number(), string(), array() and operator[] raise
+std::runtime_error if the value is of another type. */
 class Json
 {
 public:

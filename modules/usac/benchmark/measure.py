@@ -6,7 +6,7 @@
 """Makes the files of doc/measurements and the figures that README.md and doc/ quote from them.
 
     measure.py --build=BUILD --data=DATA [NAME ...]
-                runs measurements (default: those that README.md quotes)
+                runs measurements (default: `lists`, which README.md quotes)
     measure.py --logs=USAC_BUILD_DIR
                 takes counts of tests, coverage and times from the logs of run_tests.sh and sanitize.sh
     measure.py --build=BUILD --structured [SECTION ...]
@@ -19,7 +19,7 @@
                 collections_tables, after the output of a command has been copied there by hand
     measure.py --check
                 fails if a quotation differs from the measurement, if a file was changed by hand,
-                or if README.md quotes a measurement older than the last change of results
+                or if `lists` is older than the last change of results
 
 BUILD is a build folder of this project; it is brought up to date first.
 DATA is a folder of data as for usac_benchmark --data."""
@@ -91,7 +91,7 @@ def git(*arguments):
 
 
 class Run:
-    """The surroundings of a measurement: programs, data and a scratch folder. The object also records
+    """The environment of a measurement: programs, data and a scratch folder. The object also records
     the commands and the number of repeats for the stamp."""
 
     def __init__(self, build, data, repeats, scratch):
@@ -121,7 +121,8 @@ class Run:
 
     def call(self, program, *arguments, shown=True):
         """Runs a program; returns its standard output. If `shown`, the stamp gets the command, without
-        output files, and with the words DATA and SCENES instead of the folders."""
+        options that name output files or programs, and with the words DATA and SCENES instead of the
+        folders of data and scenes."""
         words = [program if program.endswith(".py") else os.path.join(self.build, "bin", program)] + list(arguments)
         if program.endswith(".py"):
             words = [sys.executable, os.path.join(ROOT, "modules", "usac", "benchmark", program)] + list(arguments)
@@ -339,7 +340,7 @@ KINDS = collections.OrderedDict((
     ("constants_tables", Kind("Half and double of the chosen numbers; choices between variants", None, Rows(), False)),
     ("structured_tables", Kind("Structured scenes", None, Rows(), False)),
     ("collections_tables", Kind("Collections of images", None, Rows(), False))))
-COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # files with tables and the commands whose outputs they are
+COPIED = tuple(name for name in KINDS if name.endswith("_tables"))  # files with tables and the commands that print these tables
 PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_scale", "usac_structured", "usac_synthetic", "usac_tracking")
 
 

@@ -27,12 +27,12 @@ iterations of the final refinement. S: `cv::estimateAffinePartial2D` with the sa
 accepts only RANSAC and LMEDS.
 
 P: `cv::solvePnPRansac(objectPoints, points2, K2, distortion, rvec, tvec, false, maxIters,
-threshold, confidence, inliers, flag)`; PNP_ITERATIVE means its flag SOLVEPNP_ITERATIVE and so on.
+threshold, confidence, inliers, flag)`; PNP_ITERATIVE means the flag SOLVEPNP_ITERATIVE and so on.
 The measured time includes the conversion of the rotation vector to a matrix and of the indices of
 the inliers to a mask, which takes a few microseconds.
 
 R and M: calib3d has no flags for these problems, but functions for affine maps of space, see
-RigidMotion::Rival. T: no flag is called.
+RigidMotion::Rival. T: calib3d has neither.
 
 These functions use fixed seeds; every repeat gives the same result (USAC_PARALLEL: nearly). */
 class OpenCVMethod : public Method

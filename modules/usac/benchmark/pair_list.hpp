@@ -37,7 +37,7 @@ Raises std::runtime_error if the file cannot be read, or if there is no letter o
 PairList readPairList(const std::string& file, char letter);
 
 //! The files `<folder>/lists/*.H.list` and so on, in the order of problemLetters(). @param letter
-//! only lists of this problem; '\0' for all problems.
+//! the problem of the lists; '\0' for the lists of all problems.
 std::vector<std::string> findLists(const std::string& folder, char letter);
 
 }  // namespace benchmark

@@ -112,7 +112,8 @@ def _sizes(size):
 
 def read_rows_of_numbers(file, counts, expected):
     """Returns the numbers of each nonempty line of a text file. Raises PairError with file and line
-    if a line has a number of values that is not among `counts`."""
+    if a line has something other than numbers, or if `counts` does not contain its count of
+    numbers."""
     rows = []
     with open(file) as lines:
         for number, line in enumerate(lines, 1):
@@ -156,8 +157,8 @@ def read_scored_rows(path, count, expected):
 
 
 def read_description(file):
-    """Returns the object in a JSON file. Raises PairError with file and line if the file has another
-    form."""
+    """Returns the object in a JSON file. Raises PairError with file and line if the file is not valid
+    JSON or contains something other than an object."""
     with open(file) as text:
         try:
             description = json.load(text)

@@ -26,8 +26,8 @@ struct Enumerators
     bool flags;  //!< true: the values are 1, 2, 4, 8, ...; false: 0, 1, 2, ...
 };
 
-//! For each field of Params that has an enumeration, the names of the enumerators in the order of
-//! their values, without the prefix that they share.
+//! For each field of Params that has an enumeration, except `thresholdType`, the names of the
+//! enumerators in the order of their values, without the prefix that they share.
 const std::vector<Enumerators>& enumerators()
 {
     static const std::vector<Enumerators> all = {

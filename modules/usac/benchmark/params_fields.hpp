@@ -15,8 +15,8 @@ namespace benchmark {
 struct Field
 {
     //! Raises std::runtime_error unless the text has the form name=value. The value is a number or,
-    //! for a field of Params with an enumeration, one or several of its enumerators:
-    //! "sampler=prosac", "termination=sprt|standard".
+    //! for a field of Params with an enumeration (except `thresholdType`), an enumerator without
+    //! the prefix: "sampler=prosac". Fields of flags accept several: "termination=sprt|standard".
     explicit Field(const std::string& assignment);
 
     //! The value; raises std::runtime_error if it is not an integer.
@@ -31,9 +31,9 @@ struct Field
 //! Splits "sampler=1,localIterations=3" into its assignments.
 std::vector<Field> parseFields(const std::string& assignments);
 
-/** Sets numeric fields by name: "sampler=prosac,localIterations=3". An unknown name, or a value
-that is not a number (or enumerator) as the field needs it, raises std::runtime_error. Ranges of
-values are not checked. */
+/** Sets numeric fields by name: "sampler=prosac,localIterations=3". Raises std::runtime_error for
+an unknown name, for a value that is neither a number nor an enumerator of the field, and for a
+number that is not an integer if the field needs one. Ranges of values are not checked. */
 void setFields(cv::usacv20::Params& params, const std::string& assignments);
 
 }  // namespace benchmark

@@ -41,7 +41,7 @@ def read_scale(file, methods=()):
 
 def split_failed(points, x, y):
     """Returns two lists of (x, y): for the curve, the points whose y is finite and above 0; for the
-    crosses, those of these points at which at least half of the runs failed."""
+    crosses, the points of the curve at which at least half of the runs failed."""
     finite = [(p[x], p[y], p["failures_percent"] >= 50) for p in points if math.isfinite(p[y]) and p[y] > 0]
     return [p[:2] for p in finite], [p[:2] for p in finite if p[2]]
 

@@ -22,8 +22,9 @@ makes a model from points. A custom factory is needed for other classes derived 
 example to prepare runs outside of the measured time. */
 typedef std::function<cv::Ptr<Method>(const MethodName& name)> MethodFactory;
 
-/** Makes a method known to createMethod, and thus to `--methods` and `--help` of the program. All
-methods must be registered before runBenchmark is called, from a single thread.
+/** Registers a method, so that createMethod can make it from its name, `--methods` of the program
+accepts this name, and `--help` lists it. All methods must be registered before runBenchmark is
+called, from a single thread.
 
 @param name "custom:" and letters, digits, '_', '-' or '.'
 @param factory makes a new method each time the name is used

@@ -43,7 +43,7 @@ double mean(const std::vector<double>& values)
     return values.empty() ? NOT_KNOWN : sum / values.size();
 }
 
-//! The values of one figure of one method over all lists where it is known.
+//! The values of one figure of one method on all lists on which the figure is known.
 std::vector<double> collect(const std::vector<std::vector<Summary>>& lists, size_t method,
                             double Summary::*figure)
 {

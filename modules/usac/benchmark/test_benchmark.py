@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of pairs, lists, pictures and comparisons pair by pair, on tiny files that the tests write, and
-helpers for the other tests in this folder.
+"""Tests of pairs.py (pairs and lists), plot.py (pictures) and compare.py (comparisons pair by pair) on
+tiny files that the tests write, and helpers for the other tests in this folder.
 
 The environment variable USAC_BENCHMARK is the path of the C++ program usac_benchmark. If it is set, a
 test checks that the program reads the files that pairs.py writes. Tests of plot.py are skipped if
@@ -34,7 +34,7 @@ SIZE = (640, 480)
 
 
 def rotation(axis, degrees):
-    """Returns a rotation matrix, by Rodrigues' formula."""
+    """Returns a rotation matrix, computed with Rodrigues' formula."""
     x, y, z = np.asarray(axis, float) / np.linalg.norm(axis)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     angle = np.radians(degrees)

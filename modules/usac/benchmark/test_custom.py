@@ -33,8 +33,8 @@ def program(name):
 
 
 def read_test_data(name, size, noise=0.0):
-    """Reads a data set of test_data/ as a pair. Noise of the standard deviation `noise`, in pixels, is
-    added, and coordinates are rounded to eighths of a pixel, which every program reads without
+    """Reads a data set of test_data/ as a pair. Noise with the standard deviation `noise`, in pixels,
+    is added, and coordinates are rounded to eighths of a pixel, which every program reads without
     rounding errors."""
     rows = np.loadtxt(os.path.join(TEST_DATA, name + ".txt"))
     rows[:, :4] = np.round(8 * (rows[:, :4] + np.random.RandomState(2).normal(0, noise, (len(rows), 4)))) / 8

@@ -182,7 +182,7 @@ class ReadersTest(FolderTest):
         errors = geometry.transfer_error(H, np.array([[1.0, 0], [1, 0], [3, -100]]), np.array([[3.0, 0], [0, 4], [0, 0]]))
         np.testing.assert_allclose(errors, [0, 5, np.inf])
         # The camera moves along x, so epipolar lines are rows of the image. The rows 3 and 7 differ by
-        # 4 pixels, so both points must move by 2 pixels, together 4 / sqrt(2).
+        # 4 pixels, so each point must move by 2 pixels: a distance of 4 / sqrt(2) in four dimensions.
         F = np.array([[0.0, 0, 0], [0, 0, -1], [0, 1, 0]])
         np.testing.assert_allclose(geometry.sampson_distance(F, np.array([[5.0, 3]]), np.array([[9.0, 7]])), 4 / np.sqrt(2))
 

@@ -3,8 +3,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of measure.py and its modules, which write the figures in documents: blocks, stamps, digests of
-stored hashes, tables, and logs of the test scripts.
+"""Tests of measure.py and of the modules with which it writes figures into documents. They test blocks,
+stamps, digests of stored hashes, tables, and the reading of logs of the test scripts.
 
 The environment variable USAC_BENCHMARK is the path of the program usac_benchmark. If this program is in
 a build folder, a test makes a measurement with it."""

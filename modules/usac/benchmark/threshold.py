@@ -35,7 +35,7 @@ GIVEN, LARGEST = (0.25, 0.5, 1, 2, 4), (3, 10)
 
 
 def find_lists(folders, files):
-    """Returns {problem: [file, ...]} in the order of RIGHT."""
+    """Returns the files with lists of pairs as {problem: [file, ...]}, in the order of RIGHT."""
     found = list(files)
     for folder in folders:
         found += sorted(glob.glob(os.path.join(folder, "lists", "*.[HFEASPRMT].list")))

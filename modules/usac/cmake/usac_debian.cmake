@@ -4,8 +4,8 @@
 
 # Debian packages of the stand-alone build, made by `cpack -G DEB` in its build tree: the library, the development files, with
 # BUILD_PYTHON the Python package, and with BUILD_SAMPLES the programs of the benchmark. CMAKE_INSTALL_PREFIX=/usr puts the files
-# where Debian expects them. The packages depend on those of the libraries that the build was linked with, which dpkg-shlibdeps
-# (package dpkg-dev) finds.
+# where Debian expects them. dpkg-shlibdeps (package dpkg-dev) finds out on which packages of shared libraries the packages of the
+# library and of the benchmark depend.
 
 set(CPACK_PACKAGE_NAME opencv-usac)
 set(CPACK_PACKAGE_CONTACT "The opencv_usac developers <opencv-usac@localhost>")
@@ -51,7 +51,8 @@ if(BUILD_SAMPLES)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_NAME usac-benchmark)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}")  # for dpkg-shlibdeps: the library's package is not installed
+  # dpkg-shlibdeps finds the library here, because the library's package is not installed.
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}")
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION})")
   set(CPACK_COMPONENT_BENCHMARK_DESCRIPTION "USACv20 robust estimation for OpenCV, benchmark programs
  usac_benchmark and its kin: estimators on lists of image pairs and on scenes.")

@@ -2,8 +2,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# cmake --build build --target usac_docs: makes pages from the public headers, tutorials and documents, build/doc/html/index.html;
-# warnings are errors. The target exists only with doxygen, and with bibtex (texlive-binaries) and perl, which doxygen calls for citations.
+# cmake --build build --target usac_docs: makes HTML pages from the public headers, tutorials and documents. The first page is
+# build/doc/html/index.html. Warnings are errors. The target exists only if doxygen is installed, and bibtex (texlive-binaries) and
+# perl, which doxygen calls for citations.
 
 find_package(Doxygen QUIET)
 find_program(USAC_BIBTEX bibtex)
@@ -23,7 +24,7 @@ endforeach()
 configure_file(modules/usac/cmake/Doxyfile.in "${PROJECT_BINARY_DIR}/Doxyfile" @ONLY)
 
 # Old pages are removed first, because doxygen does not remove those of deleted symbols. Doxygen calls bibtex in the folder of its
-# own bibliography style; without the settings of a TeX installation, bibtex must be told to search there.
+# own bibliography style; without the settings of a TeX installation, bibtex must be told to search this folder.
 add_custom_target(usac_docs
   COMMAND "${CMAKE_COMMAND}" -E remove_directory "${PROJECT_BINARY_DIR}/doc/html"
   COMMAND "${CMAKE_COMMAND}" -E make_directory "${PROJECT_BINARY_DIR}/doc"

@@ -34,7 +34,7 @@ if(USAC_COMPILER_MAPS_PATHS)
   set(USAC_PATH_FLAGS "-fmacro-prefix-map=${USAC_PROJECT_DIR}/=")
 endif()
 
-# Sets the variable `result` to true if the compiler targets x86-64 and accepts the flags of an instruction set.
+# Sets the variable that `result` names to true if the compiler targets x86-64 and accepts the flags of an instruction set.
 function(usac_check_instruction_set result macro intrinsic flags)
   set(CMAKE_REQUIRED_FLAGS "${flags}")
   set(CMAKE_REQUIRED_QUIET ON)
@@ -108,7 +108,7 @@ function(usac_library_options target)
   usac_unite(${target})
 endfunction()
 
-# Sets `property` for the files that are compiled for an instruction set. They neither use the precompiled headers, which the
+# Sets `property` for the files that are compiled for an instruction set. These files neither use the precompiled headers, which the
 # compiler rejects with other options, nor are they compiled together with other files.
 function(usac_alone target property)
   get_target_property(sources ${target} SOURCES)

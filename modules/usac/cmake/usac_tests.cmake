@@ -2,9 +2,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# The C++ tests against an installed OpenCV. Inside OpenCV, the tests are built with its module `ts`, here with GoogleTest of the
-# system. The tests use components that the library does not export, so they are linked with the library's object files instead of
-# the library. The tests' own files, whose speed does not matter, are compiled with little optimization in half the time.
+# The C++ tests against an installed OpenCV. Inside OpenCV, the tests are built with OpenCV's module `ts`; here they are built with
+# the system's GoogleTest. The tests use components that the library does not export, so they are linked with the library's object
+# files instead of the library. The speed of the tests' own files does not matter, so these files are compiled with little
+# optimization, which takes half the time.
 #
 # Targets: opencv_test_usac; usac_fuzz (libFuzzer, needs clang) and usac_replay (the fuzzer's inputs without libFuzzer). misc/sanitize.sh
 # passes the flags of its tools in CMAKE_CXX_FLAGS_RELEASE (for all files) or USAC_SOURCE_FLAGS (for the library's files), and in

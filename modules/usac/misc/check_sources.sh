@@ -73,8 +73,8 @@ report "links and scripts of workflows that are not there"
     [ -d "$src/$dir" ] || echo "modules/usac/test/$dir"
 done > "$mistakes"
 report "folders of the tests that $src does not have"
-# Apart from its own files, a folder is allowed to include only files of folders on the lines above
-# it, not of other folders on its line.
+# Apart from its own files, a folder is allowed to include only files of folders on lines of $layers
+# above its own line.
 layers='numeric
 control
 components

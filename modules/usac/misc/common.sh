@@ -43,8 +43,8 @@ install_packages() # further packages
 }
 
 # Fetches OpenCV's source package from the repository that provides libopencv-dev. If $suite is not
-# empty, this suite of the repository is used. The package lists and settings of the system are not
-# changed.
+# empty, this suite of the repository is used. The settings of the system are not changed, and its
+# package lists are updated only if they lack libopencv-dev.
 fetch_opencv()
 {
     apt=$work/apt
@@ -96,7 +96,7 @@ processor_seconds()
 }
 
 # Runs a command, shows its output, and adds the numbers of passed and failed tests that the
-# patterns find in the output. A command that fails without a failed test, or that succeeds without any
+# patterns find in the output. A command that reports no failed test, but fails or reports no passed
 # test, counts as one failed test.
 run() # name, pattern of passed, pattern of failed, command
 {

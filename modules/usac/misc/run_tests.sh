@@ -3,10 +3,10 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-# Runs all tests of the module. With the module inside the newest OpenCV 4 that has a Debian source
-# package: the C++ tests, a short run of the performance tests, the Python tests (with the cv2 of this
-# build), a program that uses this OpenCV, and OpenCV's own tests with this module's flags instead of
-# OpenCV's. With the OpenCV of the system: the C++ tests with AddressSanitizer and
+# Runs all tests of the module. With the module inside the OpenCV of a Debian source package (see
+# OPENCV_SUITE): the C++ tests, a short run of the performance tests, the Python tests (with the cv2
+# of this build), a program that uses this OpenCV, and OpenCV's own tests with this module's flags
+# instead of OpenCV's. With the OpenCV of the system: the C++ tests with AddressSanitizer and
 # UndefinedBehaviorSanitizer, the Python package with and without the system's cv2, programs that use
 # the installed library, and the tests of the benchmark. Installs what it needs on Debian (as root or
 # with sudo). Each part prints its time; the last line is "<N> passed, <M> failed".
@@ -15,12 +15,13 @@
 #
 #   opencv       only OpenCV's own tests with this module's flags; the list of allowed differences
 #                is for OpenCV 4.6 and 4.10
-#   --installed  without OpenCV's source: sources, library, C++ tests, Python package and consumer
-#                with the OpenCV of the system (libopencv-dev). A second build of the library inside
-#                another project is left out, unless USAC_CONSUMER_QUICK is set to an empty text in
-#                the environment
-#   --cpp        like --installed, but only sources, library and C++ tests, compiled and run according
-#                to the variables USAC_CPP_*
+#   --installed  without OpenCV's source: checks of the module's sources, library, C++ tests, Python
+#                package and consumer (programs that use the installed library), all with the OpenCV
+#                of the system (libopencv-dev). A second build of the library inside another
+#                project is left out, unless USAC_CONSUMER_QUICK is set to an empty text in the
+#                environment
+#   --cpp        like --installed, but only checks of the sources, library and C++ tests, compiled and
+#                run according to the variables USAC_CPP_*
 #
 #   OPENCV_SOURCE_DIR  OpenCV's source; default: that of Debian's source package, which is fetched
 #                      once
@@ -68,11 +69,11 @@ build_python_package()
     /usr/bin/python3 -m venv --system-site-packages "$folder/venv" &&
     python=$folder/venv/bin/python3 &&
     "$folder/venv/bin/pip" install --no-index "$folder"/dist/usacv20-*.whl &&
-    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # the build leaves no files there
+    [ -z "$(find "$module" -name '*.egg-info' -o -path "$module/build" -o -path "$module/LICENSE")" ]  # the build must leave no files there
 }
 
 # Runs the Python tests on the package, with the system's cv2 or without cv2.
-package_tests() # with: the system's cv2, or none: no cv2
+package_tests() # `with` (the system's cv2) or `none` (no cv2)
 {
     cd "$module/misc/python/test" &&
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="${site:-}" USAC_TEST_MODULE=usacv20 USAC_TEST_CV2="$1" \
@@ -90,8 +91,8 @@ python_package_tests()
     return $rc
 }
 
-# Tests the benchmark's programs, readers of data sets and plots; without matplotlib and scipy some
-# tests are skipped.
+# Tests the programs of the benchmark, its readers of data sets and its plots; without matplotlib
+# and scipy some tests are skipped.
 benchmark_tests()
 {
     cd "$project/modules/usac/benchmark" &&

@@ -23,7 +23,7 @@
 #   coverage    lines and branches of src/ that the tests reach, and a list of lines that no test
 #               reaches
 #
-# "The tests" are all except slow_tests and those with the tag verylong.
+# "The tests" are all except slow_tests (common.sh) and those with the tag verylong.
 #
 # For each tool, the library is built with the unmodified OpenCV (libopencv-dev) and GoogleTest of the
 # system.

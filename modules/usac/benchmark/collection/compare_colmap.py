@@ -23,8 +23,8 @@ unknown  as COLMAP guesses them, with prior_focal_length 0
 given    as the database has them
 
 Columns about the verification:
-CPU s         user and system time of the whole process in seconds: median of --repeats runs (the runs
-              of the verifications alternate)
+CPU s         median over --repeats runs of the user plus system time of the whole process, in seconds;
+              each repeat runs every verification once
 (range)       smallest and largest of these times
 pairs         number of verified pairs
 
@@ -36,8 +36,10 @@ AUC 1, 3, 5   area under the cumulative curve of the errors of the relative pose
 (range)       largest minus smallest AUC 1
 
 With --pairs, a list follows of the pairs for which COLMAP and the first other verification find
-different configurations. For each pair it has the numbers of inliers, and in brackets how many of these
-agree with the true cameras (at most --limit pixels from the epipolar lines in both images).
+different configurations. For each such pair, the list has the number of matches and the number of
+inliers of each of the two verifications. The number in brackets after each of these numbers says how
+many of the matches or inliers agree with the true cameras (both points are at most --limit pixels from
+the epipolar lines).
 
 Needs colmap (Debian 12 has 3.8, sid 4.2.1), NumPy and the package usacv20."""
 
@@ -172,8 +174,8 @@ def compare(options: argparse.Namespace, source: str, mode: str, cameras: Dict[s
 
 
 def epipolarErrors(points: Tuple[Floats, Floats], first: TrueCamera, second: TrueCamera) -> Floats:
-    """Returns for each match the larger of two distances in pixels: in each image, that of its point
-    from the true epipolar line of its point in the other image."""
+    """Returns the error of each match in pixels: the distance of its point from the true epipolar line
+    of the other point, in the image where this distance is larger."""
     R, t = uc.between((first.R, first.t), (second.R, second.t))
     cross = np.array([[0, -t[2], t[1]], [t[2], 0, -t[0]], [-t[1], t[0], 0]])
     F = np.linalg.inv(second.K).T @ cross @ R @ np.linalg.inv(first.K)

@@ -13,9 +13,11 @@ counted: measures c, the number of samples that a sample of USACV20 counts as wh
 computed (countedAs() of src/two_view/rules.cpp). c exceeds 1 because models are also found from samples
 with outliers. Pairs are estimated with several limits of the number of samples. If I of N matches are
 right, a fraction p = C(I, m) / C(N, m) of the samples of m matches has only right ones, and n samples
-are assumed to miss the model with probability (1 - p)^(c n). For each range of I, the table has the
-number of pairs, the c of maximum likelihood, in brackets the range of c whose log-likelihood is less
-than 2 below the maximum, and the number of missed pairs for each limit. There are three kinds of pairs:
+are assumed to miss the model with probability (1 - p)^(c n). I is the number of right matches among the
+inliers, with the limit that finds the most. For each model (E, F) and each range of I with at least ten
+pairs, the table has the number of pairs, the c of maximum likelihood, in brackets the range of c whose
+log-likelihood is less than 2 below the maximum, and the number of missed pairs for each limit. A pair
+is missed if its result is wrong or has fewer than I / 2 right inliers. There are three kinds of pairs:
 
 - collections: pairs of synthetic collections (rings of cameras, streets and courts) with all matches;
 - scattered: a quarter of the matches is right; right and wrong matches are anywhere in both images;
@@ -24,8 +26,9 @@ than 2 below the maximum, and the number of missed pairs for each limit. There a
 
 cost: measures CPU milliseconds of pairs without and with overlap, with --threshold auto. Lost pairs are
 counted, too: those that are found only with up to four times as many samples (confidence 1 - 10^-12
-instead of 0.999) and without the inlier ratios of the collection. A pair counts as found if at least
-half of its inliers are right matches."""
+instead of 0.999) and without the inlier ratios of the collection. The last column counts the opposite:
+pairs that are found only with the usual number of samples. A pair counts as found if at least half of
+its inliers are right matches."""
 
 from __future__ import annotations
 
@@ -176,9 +179,9 @@ def photographs(seeds: int, path: str, cameras: str) -> Iterator[Matches]:
 
 def found(pairs: Sequence[Matches], m: int, limit: int) -> Tuple[npt.NDArray[np.int64], Mask]:
     """Estimates E (m = 5) or F (m = 7) of the pairs with at most `limit` samples of m matches. Returns
-    two arrays over the pairs, which are sorted by their thresholds: the number of right matches among
-    the inliers, and whether the result is right (at least 15 inliers, of which at least half are
-    right)."""
+    two arrays with an entry for each pair, in the order of the pairs' thresholds: the number of right
+    matches among the inliers, and whether the result is right (at least 15 inliers, of which at least
+    half are right)."""
     right, good = [], []
     for threshold in sorted({pair.threshold for pair in pairs}):
         params = Params(threshold=threshold, confidence=0.9999, maxIterations=limit, significance=1e-4)

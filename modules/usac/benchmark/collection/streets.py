@@ -88,7 +88,9 @@ class Options(NamedTuple):
     # How different windows of a kind look: standard deviation of the descriptors of the same part in
     # different windows, divided by that of the descriptors of unrelated points.
     alike: float = 0.45
-    shared: float = 0.5  # fraction of this variance that is common to windows at the same place of different facades of a kind
+    # Fraction of the variance of these differences that is common to windows at the same place of
+    # different facades of a kind.
+    shared: float = 0.5
     unique: int = 60  # number of points that do not belong to a window, for each ten meters of facade
     known: bool = True  # the focal length is known
     seed: int = 0
@@ -155,7 +157,7 @@ def cameras(rng: np.random.RandomState, options: Options) -> List[Tuple[Floats, 
 
 class Image(NamedTuple):
     keypoints: Floats  # N x 4: x, y, scale in pixels, angle in radians
-    points: npt.NDArray[np.int64]  # N, index of the point in the scene; -1: a keypoint of no point (clutter)
+    points: npt.NDArray[np.int64]  # N, index of the point in the scene; -1: clutter, a keypoint without a point of the scene
     descriptors: Floats
     visible: npt.NDArray[np.int64]  # indices of the scene's points that could be detected
 
@@ -193,7 +195,8 @@ def photograph(rng: np.random.RandomState, points: Points, camera: Tuple[Floats,
 
 
 def match(first: Image, second: Image) -> npt.NDArray[np.uint32]:
-    """Returns the indices of mutual nearest neighbors that pass a ratio test in both directions."""
+    """Returns the indices of mutual nearest neighbors that pass a ratio test in both directions, and
+    whose descriptors differ by an angle of less than 0.7 radians."""
     a, b = (side.descriptors / np.linalg.norm(side.descriptors, axis=1, keepdims=True) for side in (first, second))
     angles = np.arccos(np.clip(a @ b.T, -1, 1))
     forth, back = angles.argmin(1), angles.argmin(0)

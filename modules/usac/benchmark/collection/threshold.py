@@ -48,7 +48,7 @@ def printHead(*cells):
 
 
 def noise(args):
-    """Estimated noise over the true one."""
+    """Estimated noise, divided by the true noise."""
     printHead("size", "noise, px", "without overlap", "focal lengths", "ratio", "threshold", "pairs used / with overlap / all",
               "CPU ms a pair")
     for size in SIZES:
@@ -64,7 +64,7 @@ def noise(args):
 
 
 def sample(args):
-    """How far estimates of so many pairs with overlap are from the noise: root of the mean square, and the worst."""
+    """Deviation of the estimated noise from the true noise, by the number of pairs with overlap: root mean square, and the worst."""
     printHead("pairs with overlap", "estimates", "rms, %", "within 10 %", "worst, %", "none")
     scenes = noisyPairs(args.seed, 480, 0)
     for count in (1, 2, 3, 5, 10, 20, 40):
@@ -96,7 +96,7 @@ def poseError(scene, result):
 
 
 def poses(args):
-    """Verification of pairs with known focal lengths: the threshold found, multiples of it, fixed ones."""
+    """Verification of pairs with known focal lengths: with the estimated threshold, its half and double, and a fixed one."""
     printHead("size", "noise, px", "threshold", "AUC at 1 / 3 / 5 degrees", "precision", "recall", "pairs without overlap kept")
     for size in SIZES:
         for sigma in SIGMAS:
@@ -130,7 +130,7 @@ def deviation(args, **options):
 
 
 def constants(args):
-    """Deviation of the noise from the true one.
+    """Deviation of the estimated noise from the true noise, with half and double of each constant.
 
     Each of CONSTANTS is halved and doubled in turn; instead of CONFIDENCE, 1 - CONFIDENCE is doubled
     and halved."""

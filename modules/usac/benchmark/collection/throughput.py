@@ -41,8 +41,8 @@ def rotation(rng):
 
 
 def images(count, rng):
-    """Yields the number, name and keypoints (pixels) of each image. Keypoint i of all images is the
-    same point of the scene."""
+    """Yields the number, name and keypoints (pixels) of each image. In every image, keypoint i shows
+    point i of the scene."""
     X = rng.uniform([-3, -2.2, 7], [3, 2.2, 12], (KEYPOINTS, 3))
     for number in range(count):
         x = (X + rng.uniform(-1, 1, 3)) @ rotation(rng).T

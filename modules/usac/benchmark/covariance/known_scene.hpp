@@ -16,7 +16,7 @@ struct SceneCell
 {
     cv::usacv20::ProblemType problem;
     std::string shape;  //!< H, A, S: plane; F, E: general, forward, plane50; E also plane95; P, R,
-                        //!< M: cloud, plane (letters: see problemLetters())
+                        //!< M: cloud or plane (letters: see problemLetters())
     int size;           //!< number of matches
     double ratio;       //!< inlier ratio
     double noise;  //!< standard deviation of each component of the error, divided by the threshold
@@ -44,8 +44,8 @@ public:
     //! Root mean square distance of the noise-free true matches from the model, in thresholds of
     //! the cell. A large value shows that the estimated model is wrong.
     double error() const { return error(model); }
-    //! error() if the estimator does not get Params::sigmas. Its threshold is then multiplied by
-    //! SceneCell::spread, to fit the larger noise. Infinite if there is no model.
+    //! error() if the estimator does not get Params::sigmas. The estimator's threshold is then
+    //! multiplied by SceneCell::spread, to fit the larger noise. Infinite if there is no model.
     double errorWithoutSigmas(const cv::usacv20::Params& options, double widening) const;
     //! error() of the least-squares fit to the right matches with weights from their true noise.
     double errorOfFit() const;

@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // The benchmark with user-defined methods in addition to those of usac_benchmark: two methods in
-// which a component is replaced, and an estimator of its own.
+// which one component is replaced, and one method that does not use the module at all.
 //
 //     usac_custom_benchmark --data=<folder>
 //     --methods=USACV20,custom:spread,custom:tukey,custom:ransac > tables.md

@@ -38,7 +38,8 @@ void sameSampler(cv::usacv20::Usac& usac)
 
 void noSampler(cv::usacv20::Usac& usac) { usac.components().sampler.reset(); }
 
-//! Encodes some of its settings and data in the number of iterations. The model is the identity.
+//! Returns the identity, and encodes some of the task's settings and data in the number of
+//! iterations.
 Estimate echo(const Task& task)
 {
     const Settings& s = task.settings;

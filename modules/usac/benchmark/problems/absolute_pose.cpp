@@ -12,8 +12,9 @@ namespace benchmark {
 
 namespace {
 
-//! P, the pose [R t] of a camera from object points and their images, x ~ R X + t. centerError() is
-//! the distance of the camera centers in percent of the median depth of the scene.
+//! Problem P: the pose [R | t] of a camera from object points and their images, x ~ R X + t.
+//! centerError() is the distance between the estimated and the true camera center, in percent of
+//! the median depth of the scene (ImagePair::depth).
 class AbsolutePose : public MotionKind
 {
 public:

@@ -10,7 +10,8 @@ namespace benchmark {
 
 namespace {
 
-//! A, an affine map from image 1 to image 2. The default settings are those of calib3d's function.
+//! Problem A: an affine map from image 1 to image 2. The default settings are those of calib3d's
+//! function.
 class Affinity : public PlaneMap
 {
 public:

@@ -46,8 +46,8 @@ Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
     return result;
 }
 
-//! Number of correspondences with positive depths a, b. From a R x1 + t = b x2 it follows that (R
-//! x1 x x2) a = x2 x t and (R x1 x x2) b = R x1 x t.
+//! Number of correspondences with positive depths a, b. From a R x1 + t = b x2 it follows that
+//! a cross(R x1, x2) = cross(x2, t) and b cross(R x1, x2) = cross(R x1, t).
 int countInFront(const Rays& rays, const cv::Matx33d& R, const cv::Vec3d& t)
 {
     int count = 0;

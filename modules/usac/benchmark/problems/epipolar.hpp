@@ -22,7 +22,8 @@ public:
     double poseError(const ImagePair& pair, const Estimate& estimate) const CV_OVERRIDE;
 
 protected:
-    //! The fundamental matrix, and the essential matrix, that belongs to a model of the problem.
+    //! The fundamental matrix (toEssential: the essential matrix) of the epipolar geometry that a
+    //! model of the problem describes.
     virtual cv::Matx33d toFundamental(const ImagePair& pair, const cv::Matx33d& model) const = 0;
     virtual cv::Matx33d toEssential(const ImagePair& pair, const cv::Matx33d& model) const = 0;
 };

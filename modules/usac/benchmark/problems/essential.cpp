@@ -45,7 +45,7 @@ cv::Mat toCamera(const std::vector<cv::Point2f>& points, const cv::Matx33d& K,
     return result;
 }
 
-//! E, the essential matrix; the pair must have both camera matrices.
+//! Problem E: the essential matrix; the pair must have both camera matrices.
 class Essential : public Epipolar
 {
 public:

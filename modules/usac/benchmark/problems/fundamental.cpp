@@ -10,7 +10,7 @@ namespace benchmark {
 
 namespace {
 
-//! F, the fundamental matrix.
+//! Problem F: the fundamental matrix.
 class Fundamental : public Epipolar
 {
 public:

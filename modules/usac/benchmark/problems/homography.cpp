@@ -10,7 +10,7 @@ namespace benchmark {
 
 namespace {
 
-//! H, the homography from image 1 to image 2.
+//! Problem H: the homography from image 1 to image 2.
 class Homography : public PlaneMap
 {
 public:

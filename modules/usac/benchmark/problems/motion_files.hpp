@@ -15,7 +15,7 @@ namespace benchmark {
 void readSpacePoints(const std::string& file, ImagePair& pair);
 
 /** Reads the true motion between two spaces. The points must have been read before. Raises
-std::runtime_error with file and line.
+std::runtime_error with file and line if something is missing or wrong.
 @param letter letter of the problem, which the file must allow
 @param scaled false: a scale other than 1 is an error */
 void readMotionTruth(const TruthReader& in, char letter, bool scaled, ImagePair& pair);

@@ -19,7 +19,7 @@ class ProblemKind
 {
 public:
     //! @param letter letter of the problem in lists and tables
-    //! @param modelSize size of a model
+    //! @param modelSize columns and rows of a model
     //! @param threshold, maxIterations defaults of the command line
     ProblemKind(ProblemType type, char letter, const cv::Size& modelSize, double threshold,
                 int maxIterations);

@@ -10,8 +10,8 @@ namespace benchmark {
 
 namespace {
 
-//! S, a rotation, uniform scale and translation from image 1 to image 2. The default settings are
-//! those of calib3d's function.
+//! Problem S: a rotation, uniform scale and translation from image 1 to image 2. The default
+//! settings are those of calib3d's function.
 class Similarity : public PlaneMap
 {
 public:

@@ -16,7 +16,7 @@ namespace benchmark {
 //! finite.
 bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix);
 
-//! Converts the 3x4 model [A t] to double. @return false if the shape is wrong or a value is not
+//! Converts the 3x4 model [A | t] to double. @return false if the shape is wrong or a value is not
 //! finite.
 bool toMotion(const cv::Mat& model, cv::Matx33d& A, cv::Vec3d& t);
 

@@ -8,8 +8,8 @@ namespace benchmark {
 
 namespace {
 
-//! T, a translation from image 1 to image 2. OpenCV 4 has no function for this problem, so the
-//! default settings are those of S.
+//! Problem T: a translation from image 1 to image 2. OpenCV 4 has no function for this problem, so
+//! the default settings are those of problem S.
 class Translation : public PlaneMap
 {
 public:

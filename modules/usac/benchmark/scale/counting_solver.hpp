@@ -11,7 +11,7 @@
 namespace benchmark {
 
 /** Wraps a minimal solver and records its samples and the first models. It is not thread-safe.
-together() is 1, so that only samples are solved that the run reaches. */
+together() keeps its default of 1, so that only samples that the run uses are solved. */
 class CountingSolver : public cv::usacv20::MinimalSolver
 {
 public:

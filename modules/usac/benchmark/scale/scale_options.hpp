@@ -18,8 +18,8 @@ struct ScaleOptions
 {
     std::vector<ProblemType> problems;
     std::vector<std::string> methods;
-    std::vector<int> sizes;            //!< sweep over the number of matches, ascending
-    std::vector<double> inliers;       //!< sweep over the inlier ratio, descending
+    std::vector<int> sizes;            //!< numbers of matches of the sweep over sizes, ascending
+    std::vector<double> inliers;       //!< inlier ratios of the sweep over inliers, descending
     std::vector<double> boundInliers;  //!< inlier ratios for which the lower bound is measured
     int size;                          //!< number of matches, except in the sweep over sizes
     double part;                       //!< inlier ratio in the sweep over sizes

@@ -11,7 +11,7 @@
 namespace benchmark {
 
 //! Converts a synthetic scene to a pair of the benchmark. The true points of the pair are the
-//! noise-free right matches; it has the cameras and the pose, but no homography.
+//! noise-free right matches. The pair has the cameras and the pose, but no homography.
 ImagePair toImagePair(const opencv_test::Scene& scene);
 
 }  // namespace benchmark

@@ -12,10 +12,10 @@
 
 namespace benchmark {
 
-/** Compares the time of a run's search (Report::searchMs: all except reading the points, local
-optimization and polishing) with a lower bound: the time of the minimal solver for the samples that
-it solved, plus the time of the kernel (the computation of errors) for the points that the models
-were tested with, each without the rest of the search.
+/** Compares the time of a run's search (Report::searchMs: the hypothesize-and-verify loop without
+local optimization) with a lower bound: the time of the minimal solver for the samples that it
+solved, plus the time of the kernel (the computation of errors) for the points that the models were
+tested with, each without the rest of the search.
 
 The solver is timed on the samples of the run; the kernel, on models of the run with all points. A
 run with counting components determines the numbers of samples and points; the same run without

@@ -22,8 +22,8 @@ const double LOST = 2;
 //! A model that loses at most this fraction of the true model's inliers is not a search failure: it
 //! counts as the true model with a less accurate refinement.
 const double FEW = 0.01;
-//! Limits of a right result. WRONG_ERROR is a multiple of the threshold or, if this is larger, of
-//! the noise's standard deviation; WRONG_POSE (for E) is in degrees.
+//! Limits of a right result. WRONG_ERROR is in units of the threshold or of the noise's standard
+//! deviation, whichever is larger; WRONG_POSE (for E) is in degrees.
 const double WRONG_ERROR = 3, WRONG_POSE = 5;
 
 }  // namespace

@@ -71,12 +71,12 @@ shiftN, movingN and placeN, it describes N percent of all matches; the other wro
     copies      generic; every match, right or wrong, occurs five times
     second      true matches of another model, 90 % as many as right matches, in image 1 in a
                 square of side 160 pixels
-    partSecond  like second, but 70 % as many; the other wrong matches are generic
+    partSecond  like second, but 70 % as many (at most all wrong matches); the others are generic
     shiftN      shifted by the same vector of 30 to 100 pixels
     movingN     on a plane with another motion
     placeN      to one point of image 2, with Gaussian noise of 0.4 pixels
     clusters    each point in one of five squares of side 20 pixels of its image
-    center      both points near the middle of their image
+    center      both points with a Cauchy distribution about the middle of their image
     window      in image 2 up to 60 pixels per coordinate from the position in image 1
     border      both points on the border of their image
 

@@ -24,8 +24,8 @@ struct StructuredOptions
     std::vector<double> ratios;
     std::vector<double> noises;  //!< ratios of noise to threshold for mode=accuracy
     bool ratiosGiven, brief;
-    bool startsTrue;  //!< true: a missed model counts as a search failure only if a search that
-                      //!< starts from the true model returns that model
+    bool startsTrue;  //!< true: if a method of this module misses the true model, this counts as a
+                      //!< search failure only if a search from the true model returns this model
     double noise, threshold, confidence;
     int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
     std::string csv;  //!< output file; empty: none

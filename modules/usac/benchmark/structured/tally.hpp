@@ -43,8 +43,8 @@ public:
     enum { COLUMNS = 10 };  //!< number of columns in a Markdown table
     static std::string markdownHeader();
     std::string markdown() const;
-    //! A table entry: failures() and, after a plus sign, the percentage of calls that failed when
-    //! they reached the limit of iterations.
+    //! A table entry: failures() and, after a plus sign, the percentage of calls that reached the
+    //! limit of iterations and failed (left out if there are no such calls).
     std::string brief() const;
     static std::string csvHeader();
     std::string csv() const;

@@ -24,7 +24,7 @@ public:
 
     /** The model that minimizes the squared transfer errors (H) or Sampson distances (F, E) of the
     noisy points. The Levenberg-Marquardt method, with numeric derivatives, starts from this model
-    and iterates until it converges. No code of the module is used, since its solvers are measured.
+    and iterates until it converges. No code of the module is used, since the module is measured.
     @param rows the rows of the scene to use */
     TrueModel leastSquares(const std::vector<int>& rows) const;
 
@@ -45,7 +45,7 @@ private:
     //! otherwise one distance.
     void residuals(const std::vector<int>& rows, std::vector<double>& values) const;
     //! A = J^T J plus a term that fixes the radial direction, b = -J^T r, for the residuals r and
-    //! their derivatives J by a step.
+    //! their derivatives J with respect to a step.
     void normalEquations(const std::vector<int>& rows, cv::Mat& A, cv::Mat& b) const;
 
     const opencv_test::Scene* scene;

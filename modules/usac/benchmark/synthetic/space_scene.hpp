@@ -27,10 +27,11 @@ struct SpaceOptions
     bool flat;         //!< true: points of space 1 on a plane; false: in a cube
     double thickness;  //!< if flat: standard deviation of the distances from the plane, as a
                        //!< fraction of the cloud's width
-    /** OUTLIERS_UNIFORM: a point of the cloud with a random point of the cube around the moved
-    cloud. OUTLIERS_CLUSTERED: from a cube whose side is an eighth of the width to another such
-    cube. OUTLIERS_SECOND_MODEL: matches of another motion in a cube whose side is a quarter of the
-    width, at most half as many as right matches; the other wrong matches are uniform. */
+    /** The wrong matches. OUTLIERS_UNIFORM: each joins a point of the cloud and a random point of
+    the cube around the moved cloud. OUTLIERS_CLUSTERED: all lead from one cube, whose side is an
+    eighth of the cloud's width, to another such cube. OUTLIERS_SECOND_MODEL: points in a cube whose
+    side is a quarter of the width follow another motion, at most half as many as there are right
+    matches; the other wrong matches are uniform. */
     opencv_test::OutlierModel outlierModel;
     double scoreInformation;  //!< probability that a right match has a better score than a wrong
                               //!< one

@@ -120,9 +120,9 @@ private:
                x.y < HEIGHT - MARGIN;
     }
 
-    //! Makes a point of the object, whose true image is in the square `patch`, and its image after
-    //! another motion of the object. @return false if none of 1000 points is visible after this
-    //! motion
+    //! Makes an object point whose true image is in the square `patch`, and the image of this point
+    //! after another motion of the object. @return false if none of 1000 points is visible after
+    //! this motion
     bool second(RNG& rng, Vec3d& X, Point2d& x) const
     {
         const Vec3d middle(0, 0, MIDDLE);

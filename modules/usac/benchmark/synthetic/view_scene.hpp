@@ -28,11 +28,12 @@ struct ViewOptions
     double thickness;   //!< if on a plane: standard deviation of the distances from the plane, as a
                         //!< fraction of the plane's distance from the camera
     double distortion;  //!< first radial coefficient of the lens distortion
-    /** OUTLIERS_UNIFORM: an object point with a random point of the image. OUTLIERS_CLUSTERED:
-    object points whose true images are in a square of 80 pixels, with points of another such
-    square. OUTLIERS_SECOND_MODEL: object points whose true images are in a square of 160 pixels,
-    with their images under another pose, at most half as many as right matches; the other wrong
-    matches are uniform. Lens distortion is ignored for these squares. */
+    /** The wrong matches. OUTLIERS_UNIFORM: each joins an object point and a random point of the
+    image. OUTLIERS_CLUSTERED: each joins an object point whose true image is in a square of side 80
+    pixels and a point of another such square. OUTLIERS_SECOND_MODEL: each joins an object point
+    whose true image is in a square of side 160 pixels and its image under another pose; there are
+    at most half as many of these as right matches, and the other wrong matches are uniform. Lens
+    distortion is ignored for these squares. */
     opencv_test::OutlierModel outlierModel;
     double scoreInformation;  //!< probability that a right match has a better score than a wrong
                               //!< one

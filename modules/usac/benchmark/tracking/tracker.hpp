@@ -16,10 +16,10 @@ namespace benchmark {
 enum Beginning {
     BEGIN_ANEW,       //!< not at all
     BEGIN_WITH_LAST,  //!< as the initial model of each frame
-    /** As BEGIN_WITH_LAST. If the result is no model, or one with less than half as many inliers as
-    that of the previous frame, the frame is estimated again without an initial model and with the
-    problem's default limit of iterations. If the previous frame has no model, only this second
-    estimate is made. */
+    /** As BEGIN_WITH_LAST. If this gives no model, or a model with less than half the number of
+    inliers of the previous frame's model, the frame is estimated again without an initial model and
+    with the problem's default limit of iterations. If the previous frame has no model, only this
+    second estimate is made. */
     BEGIN_WITH_LAST_OR_AGAIN
 };
 

@@ -30,12 +30,13 @@ Three levels of use:
 
     Classes that a program can replace or extend (components, problems, residuals,
     parameterizations), and the data types that they use. A minor version can change these classes
-    if the algorithms need it; the functions, usacv20::Params and usacv20::Report stay compatible.
+    if the algorithms require a change; the functions, usacv20::Params and usacv20::Report stay
+    compatible.
 @}
 */
 
-/** @namespace cv OpenCV's namespace. This module adds cv::UsacV20Method and overloads of OpenCV's
-functions that take its flags. */
+/** @namespace cv OpenCV's namespace. This module adds the enumeration cv::UsacV20Method, and
+overloads of OpenCV's functions that accept its flags. */
 
 /** @namespace cv::usacv20
 Everything else in this module, see @ref usacv20. */

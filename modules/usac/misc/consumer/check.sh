@@ -144,12 +144,12 @@ uninstalled()
 
 # Builds the library inside another CMake project, by add_subdirectory and by FetchContent, each
 # configured from scratch. There is no build type, so nothing is optimized; the build checks for
-# warnings of C++20 (GCC also warns of what C++23 changes). The second project has the same options
+# warnings of C++20 (GCC also warns about changes in C++23). The second project has the same options
 # and reuses the library of the first project, so nothing is compiled twice.
 parent() # name, option of CMake
 {
     rm -rf "$work/parent/CMakeCache.txt" "$work/parent/prefix" "$work/parent/parent"
-    rm -rf "$work/parent/_deps"  # a build by FetchContent itself, possibly with another generator
+    rm -rf "$work/parent/_deps"  # FetchContent's own CMake project, possibly configured with another generator
     cmake -S "$here/parent" -B "$work/parent" "$2" -DUSAC_WERROR=ON -DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON &&
     { [ -z "${USAC_CONSUMER_QUICK:-}" ] || return 0; } &&
     cmake --build "$work/parent" -j "$(nproc)" &&

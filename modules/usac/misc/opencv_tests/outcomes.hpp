@@ -10,8 +10,8 @@
 #include <vector>
 #include "opencv2/ts.hpp"
 
-/** Runs all tests once with each flag of the module, compares the outcomes with the list of
-expected differences, and counts.
+/** Sets another flag of the module in each repetition of all tests, compares the outcomes with the
+list of expected differences, and counts the passed and failed tests.
 
 Only tests that call one of the redirected functions (exchange.hpp) count, and the tests of the list
 itself (test_outcomes.cpp). A test that fails with a flag for which the list expects a failure

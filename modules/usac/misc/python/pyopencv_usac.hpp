@@ -44,7 +44,7 @@ static PyObject* pyopencv_usacv20_Report_fields(PyObject* self)
 }
 
 // OpenCV's macros, which are used after this file, register pyopencv_<class>_repr as __repr__. Here
-// this name is replaced with that of the function above.
+// these two names are replaced with those of the functions above.
 #define pyopencv_usacv20_Params_repr pyopencv_usacv20_Params_fields
 #define pyopencv_usacv20_Report_repr pyopencv_usacv20_Report_fields
 

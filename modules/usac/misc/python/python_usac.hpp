@@ -5,7 +5,8 @@
 #ifndef OPENCV_USACV20_PYTHON_USAC_HPP
 #define OPENCV_USACV20_PYTHON_USAC_HPP
 
-// Only the generator of Python bindings reads this file.
+// Only OpenCV's own Python module uses this file: the generator of bindings reads the file, and the
+// generated code includes it.
 
 #include <atomic>
 #include <map>
@@ -41,7 +42,8 @@ class CV_EXPORTS_W RunControl
 public:
     CV_WRAP RunControl() : stopped(false) {}
 
-    //! From now on, this object observes the runs of the calling thread, until it calls leave().
+    //! From now on, this object observes the runs of the calling thread, until that
+    //! thread calls leave().
     CV_WRAP void enter()
     {
         std::unique_ptr<ProgressScope> scope(new ProgressScope([this](const Report& report) {
@@ -110,10 +112,10 @@ private:
     std::vector<Estimate> results;
 };
 
-// The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in place of the flag. In
-// C++ they exist only in the namespace cv. The same functions in cv::usacv20 would make calls
-// ambiguous after `using namespace cv`, because an argument of the class Params adds the namespace
-// cv::usacv20 to the lookup.
+// The functions of find.hpp, find_affine.hpp and find_pose.hpp with Params in place of the flag,
+// for Python only. In C++ they exist only in the namespace cv. The same functions in cv::usacv20
+// would make calls ambiguous after `using namespace cv`, because an argument of the class Params
+// adds the namespace cv::usacv20 to the lookup.
 
 //! @overload
 CV_EXPORTS_W inline Mat findHomography(InputArray srcPoints, InputArray dstPoints, OutputArray mask,

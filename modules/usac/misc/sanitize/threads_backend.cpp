@@ -11,10 +11,10 @@
 
 /* ThreadSanitizer sees only the synchronization in code that is compiled with it. OpenCV's thread
 pool is not, so each parallel loop would be reported as a race. This backend of parallel_for_
-replaces the pool before any test: every loop starts and joins its threads in instrumented code. No
-suppressions are needed, and the loop bodies of the module are fully checked. The assignment of
-tasks to threads is fixed: a queue would add synchronization, which could hide races, and the first
-thread would run all fast tasks. */
+replaces the pool before the first test: every loop starts and joins its threads in instrumented
+code. No suppressions are needed, and the loop bodies of the module are fully checked. The
+assignment of tasks to threads is fixed: a queue would add synchronization, which could hide races,
+and the first thread would run all fast tasks. */
 
 namespace {
 

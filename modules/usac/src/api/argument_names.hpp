@@ -29,7 +29,7 @@ const ArgumentName ANY_PROBLEM[] = {{"objectPoints", "points1"},
                                     {"distCoeffs", "distCoeffs1"}};
 
 //! Throws `mistake` with the argument names before the colon, as in "points1 and points2: lists of
-//! ...", replaced by those of the caller. Returns without throwing if no name differs, or if the
+//! ...", replaced with those of the caller. Returns without throwing if no name differs, or if the
 //! text before the colon is not a list of names.
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 

@@ -30,8 +30,8 @@ Mat toMat(const Numbers& numbers)
     return result;
 }
 
-//! Reads a matrix of the caller with `rows` x `cols` numbers of any depth. If it has another shape,
-//! the result is empty.
+//! Reads a matrix of the caller with `rows` x `cols` numbers of any depth. The result is empty if
+//! the matrix has another shape or several channels.
 Mat readMatrix(InputArray given, int rows, int cols)
 {
     const Mat matrix = given.getMat();
@@ -74,7 +74,8 @@ public:
     const Model& model() const { return normal; }
     const Problem& kind() const { return *problem; }
 
-    //! Derivatives of all entries of model() with respect to the parameters.
+    //! Derivatives of all entries of model() with respect to the parameters to which
+    //! Report::covariance refers, see Parameterization::smooth.
     Numbers tangent() const
     {
         Numbers result(normal.size(), dimension());

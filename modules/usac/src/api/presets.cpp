@@ -198,7 +198,8 @@ Params Params::fromMethod(int method) { return fromMethod(methodFromInt(method))
 
 namespace {
 
-//! Selects LMedS and turns off the other options that cannot be combined with it.
+//! Selects LMedS with the verification, local optimization and termination of Params::lmeds(). Of
+//! the degeneracy checks, only #DEGENERACY_ORIENTATION remains.
 void useLmeds(Params& params)
 {
     const Params lmeds = Params::lmeds();

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 /** @brief Raises a cv::Exception with the name of a problem if it is invalid: it must create a
 residual and a minimal solver, points must have one to three coordinates (in the second array: zero
-to three), errors must have one to three dimensions and no more than a point, a sample must
+to three), errors must have one to three dimensions, but not more than a point has, a sample must
 determine a model, and Problem::sampleCost must be positive.
 @param residual @ref ResidualType of the run */
 void checkProblem(const Problem& problem, int residual);

@@ -24,7 +24,7 @@ uint64 hashOf(const Vec<double, DIMENSIONS>& cell)
 }
 
 /** Marks the inliers whose cell contains an earlier inlier, with a hash table and linear probing.
-Cell indices are doubles, because with small cells they may exceed the range of int. */
+Cell indices are doubles, because with small cells they can exceed the range of int. */
 template <int DIMENSIONS>
 void markInCells(const double* const* columns, const int* order, const uchar* mask, int count,
                  double side, uchar* repeated, Arena& arena)

@@ -19,12 +19,11 @@ constexpr double REPETITION_WORK = 75;
 Array 1 is divided into cells of side `threshold1` and array 2 into cells of side `threshold2`. The
 cells that contain inliers are counted in each array, and the smaller of the two numbers is
 returned, so that neither repeated matches nor many points matched to a single point add support to
-a model.
+a model. Takes O(count) time.
 @param columns columns of array 1, then of array 2
 @param coordinates number of coordinates per point in each array
 @param mask marks the inliers among the `count` points
-@param threshold1, threshold2 sides of the cells; 0: only equal points count as one. Takes O(count).
-*/
+@param threshold1, threshold2 sides of the cells; 0: only equal points count as one */
 int independentInliers(const double* const* columns, const int* coordinates, const uchar* mask,
                        int count, double threshold1, double threshold2, Arena& arena);
 

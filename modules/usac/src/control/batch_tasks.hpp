@@ -17,7 +17,7 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Lets the ProgressScopes of the thread that calls estimateBatch cancel the work of all
+/** @brief Lets the ProgressScopes of the thread that starts a batch cancel the work of all
 threads of the batch.
 
 Only the calling thread calls the progress functions: during its own estimations, between them, and

@@ -10,7 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-// Results without a time limit do not depend on these constants, see doc/constants.md.
+// Without a time limit and a ProgressScope, results do not depend on these constants, see
+// doc/constants.md.
 
 //! Milliseconds between two calls of the progress functions, about a third of a frame of a 60-Hz
 //! display.

@@ -18,8 +18,8 @@ class ProblemData
 public:
     /** Maximum number of points in the search. If there are more points, the search uses a random
     subset of this size. A subset of this size yields the inlier ratio with a standard deviation of
-    at most 0.3 percentage points, and thus distinguishes models whose ratios differ by more than
-    that. The number is a multiple of 16. */
+    at most 0.3 percentage points, and thus distinguishes models whose ratios differ by clearly
+    more than that. The number is a multiple of 16. */
     enum { SEARCHED = 1 << 15 };
 
     //! Holds no points.
@@ -51,7 +51,7 @@ public:
     //! Sets the thresholds of search and mask to `factor` times their values before the run. The
     //! search threshold has a lower bound.
     void scaleThreshold(double factor);
-    //! Restores the thresholds and the reach after a run, which may have changed them.
+    //! Restores the thresholds and the reach after a run, which can have changed them.
     void restoreThreshold();
     //! The reach, that is, the ratio of the search threshold to the mask threshold. Its initial
     //! value is Params::reach.
@@ -98,13 +98,13 @@ private:
     double givenThreshold[3];  //!< view.threshold, inputThreshold and pixelThreshold before the run
     double givenReach, currentReach;
     double inputThreshold;         //!< threshold of the mask in the coordinates of `input`
-    double pixelThreshold;         //!< this threshold in the unit of Params::threshold
+    double pixelThreshold;         //!< threshold of the mask in the unit of Params::threshold
     double pixels;                 //!< number of units of Params::threshold per unit of `input`
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
     double* seen[3];               //!< original image points (array 2), all rows; null: not stored
-    const double* seenDoubles[3];  //!< these points, shuffled and normalized, for imagePoints()
+    const double* seenDoubles[3];  //!< `seen`, shuffled and normalized, for imagePoints()
     const float* seenFloats[3];
 
     ProblemData(const ProblemData&);

@@ -24,7 +24,7 @@ constexpr int SAMPLE = 31;
 constexpr double FAR_OUT = 20, SPOILT = 100;
 
 //! Computes the median of the values (`center`) and the median of the nonzero distances of the
-//! values from it (`deviation`, 0 if all values are equal).
+//! values from `center` (`deviation`, 0 if all values are equal).
 void medianFrame(const double* values, int count, double& center, double& deviation, Arena& arena)
 {
     Arena::Scope scope(arena);

@@ -16,11 +16,11 @@ large or if all solutions are close together. */
 typedef double EssentialBasis[4][9];
 
 /** Changes the basis to one that suits points that a rotation R alone (nearly) explains; R is
-estimated from the points. For such points, E = [t]x R is nearly a solution for every t. X, Y and W
-span the part of the space that is closest to these matrices, and Z is the remaining direction,
-scaled so that z is neither large nor small. With the basis of mix() (five_points.inl.hpp), all
-solutions lie close to one plane, on which the constraints on E nearly hold everywhere, so that
-digits are lost.
+estimated from the points. For such points, E = [t]x R is nearly a solution for every t. Within
+the space that the basis spans, X, Y and W span the part that is closest to these matrices, and Z is
+the remaining direction, scaled so that z is neither large nor small. With the basis of mix()
+(five_points.inl.hpp), all solutions lie close to one plane, on which the constraints on E nearly
+hold everywhere, so that digits are lost.
 @param points the correspondences
 @param sample indices of the five points
 @param basis input: any basis; output: an orthogonal basis; X, Y and W are unit vectors, and the

@@ -152,7 +152,7 @@ struct Inexact
     double x[MOST], y[MOST], z[MOST];
 };
 
-/** Corrects solutions by the Gauss-Newton method for the ten constraints in x, y and z. This
+/** Corrects solutions with the Gauss-Newton method for the ten constraints in x, y and z. This
 restores the digits that the elimination loses if its pivots are small.
 @param all X, Y, Z and W of each sample
 @param solutions the solutions to correct
@@ -241,7 +241,7 @@ struct FivePoints
 
 private:
     //! Computes the basis and B. @return the lanes in which the five epipolar constraints are
-    //! independent and no pivot counts as 0, a bit for each
+    //! independent and no pivot counts as 0, a bit for each lane
     int build()
     {
         Pack A[9][5];

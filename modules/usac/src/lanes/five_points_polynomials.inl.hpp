@@ -13,7 +13,7 @@ namespace {
 Linear[4]:     x y z 1
 Quadratic[10]: x2 xy xz x y2 yz y z2 z 1
 Cubic[20]:     x3 y3 x2y xy2 x2z x2 y2z y2 xyz xy | xz2 xz x yz2 yz y z3 z2 z 1, in the order of
-@cite nister2004efficient */
+@cite nister2004efficient. eliminate() eliminates the ten monomials to the left of the bar. */
 
 //! Sets a coefficient to the value if FIRST, else adds the value to it.
 template <bool FIRST>
@@ -77,8 +77,8 @@ typedef Pack FiveBasis[4][9];
 //! The coefficients of ten cubic polynomials.
 typedef Pack TenCubics[10][20];
 
-//! Computes the coefficients of the ten cubic constraints on E = x X + y Y + z Z + W: E E^T E -
-//! trace(E E^T) E / 2 = 0 and det E = 0.
+//! Computes the coefficients of the ten cubic constraints on E = x X + y Y + z Z + W:
+//! E E^T E - trace(E E^T) E / 2 = 0 and det E = 0.
 void constraints(const FiveBasis& basis, TenCubics& C)
 {
     Pack E[9][4], S[3][3][10];  // S: E E^T - trace(E E^T) I / 2, symmetric

@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* No include guard: each source file that is compiled for an instruction set includes this file
-once. It must not instantiate inline functions with external linkage: the linker keeps only one copy
-of such a function, perhaps one with instructions that the processor does not have. */
+once. This file must not instantiate inline functions with external linkage: the linker keeps only
+one copy of such a function, perhaps one with instructions that the processor does not have. */
 
 #include <cfloat>
 #include <climits>

@@ -114,7 +114,7 @@ private:
 
     Pack a[DEGREE], b[DEGREE], s[DEGREE];
     Pack last[DEGREE];  //!< coefficients of the last element of the sequence
-    bool early;         //!< true if the last element is not a constant in some lane
+    bool early;         //!< true if, in some lane, the last element is not a constant
 };
 
 //! Number of intervals of equal length between #LOWEST and #HIGHEST (about -1 and 1, see
@@ -193,7 +193,7 @@ struct Isolation
         }
     }
 
-    //! Adds brackets of the roots in (LOWEST, HIGHEST] for all lanes of `wanted`, a bit for each.
+    //! Adds brackets of the roots in (LOWEST, HIGHEST] for all lanes whose bit is set in `wanted`.
     void isolate(int part, int wanted)
     {
         Pack from[CELLS + 1], at[CELLS + 1];

@@ -4,10 +4,11 @@
 
 /* The seven-point solver @cite hartley2003multiple for several samples at once. The epipolar
 constraints are satisfied by all F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t).
-Repeated points lower the rank of the constraints, so that the sample is degenerate. If each point
-is on a line l1 in image 1 or on a line l2 in image 2, for example if five points are collinear, one
-solution is l2 l1^T, which has rank 1 and is not a fundamental matrix. No include guard:
-lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
+Repeated matches lower the rank of the constraints, so that the sample is degenerate. If each match
+has its point in image 1 on a line l1 or its point in image 2 on a line l2, for example if five
+points of an image are collinear, one solution is l2 l1^T, which has rank 1 and is not a fundamental
+matrix. No include guard: lanes/lane_kernels.inl.hpp includes this file once for each instruction
+set. */
 
 namespace cv {
 namespace usacv20 {

@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! A model that may be chosen instead of the best model, see Alternatives.
+//! A model that can be chosen instead of the best model, see Alternatives.
 struct Alternative
 {
     Candidate candidate;
@@ -22,7 +22,7 @@ struct Alternative
 /** @brief Optimized models whose cost is hardly higher than that of the best model, but whose
 inliers are partly different.
 
-With repeated structure or planes, a wrong model may explain a few more matches than the right
+With repeated structure or planes, a wrong model can explain a few more matches than the right
 model, and no search can recognize it as wrong by its cost. But if the order of the matches is
 known, the inliers of the right model come earlier in the order: the descriptor of a repeated corner
 has two nearly equally close neighbors, so that matches of repeated corners have bad scores.
@@ -42,7 +42,7 @@ public:
     bool active() const { return kept != 0; }
     //! Stores the model if it is one of the models described above. To be called only if active().
     void offer(const Context& context, const Candidate& candidate, bool sampled);
-    //! False if chosen() returns null whatever the order is.
+    //! False if there are fewer than two models, so that chosen() returns null for any order.
     bool contested() const { return count > 1; }
     //! The model to choose instead of the model of lowest cost; null: there is no such model.
     //! @param order the points, best point first
@@ -54,7 +54,7 @@ private:
     enum { MOST = 8 };  //!< maximum number of models that are stored
 
     //! orderLogLikelihood() of all points for the inliers of `model`, extrapolated from the first
-    //! points (at most LOOKED, see alternatives.cpp), which are a random subset.
+    //! points of the run (at most LOOKED, see alternatives.cpp), which are a random subset.
     double orderOf(const Context& context, const Model& model, const int* order) const;
 
     Alternative* kept;  //!< stored models, by descending gain; null: inactive

@@ -32,8 +32,8 @@ constexpr int WIDEST = 3;
 //! The first iteration takes place only if the cost is below this fraction of the cost of the best
 //! model so far.
 constexpr double WORTHWHILE = 0.97;
-//! Error, in thresholds, up to which a point without edges is labeled as an inlier. At this error,
-//! K (see Labeling) is 1 / 2.
+//! For Params::spatialWeight = 0: error, in thresholds, up to which a point is labeled as an
+//! inlier, as Labeling does for a point without edges. At this error, K (see Labeling) is 1 / 2.
 const double LABELED = std::sqrt(2 * CV_LOG2);
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.

@@ -33,8 +33,8 @@ public:
     //! in at most `iterations` steps.
     //! @return false if these members do not determine a model
     bool fit(const Context& context, int first, Model& model, int iterations = 10) const;
-    //! The same, but the fit replaces the model only if the quality of the fit is better. @return
-    //! true if the model was replaced
+    //! Like fit(), but replaces `model` and `quality` only if the quality of the fit is better than
+    //! `quality`. @return true if the model was replaced
     bool improve(const Context& context, int first, Model& model, Quality& quality,
                  int iterations = 10) const;
 

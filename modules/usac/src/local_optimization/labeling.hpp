@@ -35,7 +35,7 @@ public:
           nodeCount(0), degree(-1)
     {}
 
-    //! To be called when a run begins, because its points may have other edges than those of the
+    //! To be called when a run begins, because its points can have other edges than those of the
     //! previous run.
     void start() { degree = -1; }
     //! Computes the labeling and writes the indices of the inliers to `inliers`, which has room for
@@ -46,14 +46,14 @@ public:
 private:
     enum { INLIER = -1, OUTLIER = -2 };
 
-    //! Largest number of edges of a point.
+    //! An upper bound of the number of edges of a point.
     int findDegree(const Context& context);
     float weight(float squaredError) const;
-    //! Labels the points whose label the edges cannot change according to the errors alone. Lists
-    //! the other points in `pointOfNode`.
+    //! Labels the points whose errors alone show that the edges cannot change the label. Lists the
+    //! other points in `pointOfNode` and marks them in `wanted`.
     void labelByError(const Context& context, const Model& model, uchar* wanted);
-    //! Labels the points whose label the edges cannot change according to the weights of their
-    //! neighbors. The other points become nodes.
+    //! Labels the points for which the weights of their neighbors show that the edges cannot change
+    //! the label. The other points become nodes.
     void labelByNeighbors(Arena& arena, const Vec2i* edges, int count);
     //! Labels the nodes with a minimum cut.
     void labelByCut(Arena& arena, const Vec2i* edges, int count);
@@ -63,13 +63,14 @@ private:
     float factor;   //!< K_p = exp(factor error_p^2)
     float* errors;  //!< squared error of each point
     float* K;       //!< K_p of points without a label and of their neighbors; -1: not needed so far
-    float* unary;   //!< cost as an inlier minus cost as an outlier, of the same points
+    float* unary;   //!< cost as an inlier minus cost as an outlier, of points without a label
     int* node;      //!< node of each point in the graph, or its label (negative)
     int* pointOfNode;              //!< point of each node
     int size, nodeCount;           //!< numbers of points and of nodes
     detail::GCGraph<float> graph;  //!< a member, so that its memory is reused
 
-    int degree;  //!< at least the largest number of edges of a point; -1: not yet known
+    int degree;  //!< upper bound of the number of edges of a point (0 if the run must end before
+                 //!< the edges are found); -1: not yet known
 };
 
 }  // namespace usacv20

@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Marks which of the first points are inliers of a model, with one bit per point. The points are
-//! in random order, so that the first points represent all points.
+//! Marks which of the first #MOST points are inliers of a model, with one bit per point. The points
+//! are in random order, so that the first points represent all points.
 class InlierBits
 {
 public:
@@ -49,8 +49,8 @@ struct Candidate
     Quality quality;
 };
 
-//! A model that is worse than the best model so far, but may be better than the best model after
-//! local optimization.
+//! A model that is worse than the best model so far, but that local optimization might make better
+//! than the best model.
 struct RunnerUp
 {
     Candidate candidate;
@@ -66,7 +66,7 @@ are optimized at once. Of the other models, those with the most inliers that the
 explain are optimized when the search is about to end. (The best model explains the points within
 Ransac::EXPLAINED thresholds.) A choice by cost might select only variants of one wrong model:
 points with a common shift, or on an independently moving plane, fit a whole family of F. If an
-optimized F of this family is the best model, all other F of the family have a lower cost than
+optimized F of this family is the best model, the other F of the family can have a lower cost than
 models of all-inlier samples that are not yet optimized. take() returns each model once. */
 class RunnersUp
 {

@@ -92,7 +92,7 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 
 namespace {
 
-/** Local optimization by SigmaConsensus: the marginalized fit is repeated at most
+/** Local optimization with SigmaConsensus: the marginalized fit is repeated at most
 Params::localIterations times, and each fit starts from the result of the previous fit. A better fit
 replaces the model; the first fit that is not better is the last one. */
 class SigmaConsensusOptimizer : public LocalOptimizer

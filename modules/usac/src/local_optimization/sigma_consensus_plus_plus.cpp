@@ -14,7 +14,7 @@ namespace {
 
 //! Maximum number of points of a fit. See doc/constants.md.
 constexpr int MAX_FIT = 500;
-//! Optimization ends after this many fits in a row that are not better.
+//! Optimization ends after this many fits in a row that are not better than the best model so far.
 constexpr int FAILURES = 2;
 
 /** @brief The local optimization of MAGSAC++ @cite barath2020magsac: iteratively re-weighted least

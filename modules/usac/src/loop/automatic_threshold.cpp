@@ -61,8 +61,8 @@ public:
     }
 };
 
-//! The options of the guess. The seed differs, so that the samples of the guess are not those of
-//! the search.
+//! The options of the guess. The seed differs from that of the search, so that the samples of the
+//! guess are not those of the search.
 Params paramsOfGuess(const Params& params)
 {
     Params result = params;

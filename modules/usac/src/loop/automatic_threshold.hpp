@@ -29,7 +29,7 @@ The threshold that the caller has given is the widest threshold that is consider
    with this model and at most this threshold.
 3. The search begins with the model and the threshold of steps 1 and 2. If most points are inliers
    of the best model, the criteria of the search also count the uniform samples of step 1. Otherwise
-   these samples do not count, because a model of wrong matches that agree with each other may have
+   these samples do not count, because a model of wrong matches that agree with each other can have
    more inliers at the wide threshold than the right model. The threshold of the search is wider
    than the estimated threshold of the mask by two standard deviations of the estimate, because with
    few inliers, models that fit some of the inliers by chance would make the threshold too narrow.
@@ -83,7 +83,7 @@ private:
     Params params, coreParams;     //!< options of guess() and of findCore()
     Components parts, coreParts;   //!< components of guess() and of findCore()
     Ptr<ListedSampler> listed;     //!< sampler of findCore()
-    double widest;                 //!< the caller's threshold, for the points of the mask
+    double widest;                 //!< the widest threshold, in the coordinates of the points
     InlierNoise latest;            //!< latest estimate of the noise of the best model
     int drawn, computed, uniform;  //!< results of samples(), models() and uniformSamples()
 };

@@ -19,7 +19,7 @@ class GivenModels
 public:
     /** @param context points, components (already started) and options
     @param data the points; give() sets their threshold
-    @param imageResidual result of Problem::createImageResidual; may be empty
+    @param imageResidual result of Problem::createImageResidual; can be empty
     @param imageFit the least-squares solver for `imageResidual`; empty: the solver of `context` */
     GivenModels(const Context& context, ProblemData& data, const Ptr<Residual>& imageResidual,
                 const Ptr<NonMinimalSolver>& imageFit);
@@ -30,10 +30,10 @@ public:
 
     //! Converts a model of the caller to the coordinates of `points`. Raises cv::Exception if it is
     //! not a model of the problem.
-    //! @param forSearch output, the same model in the coordinates of the search; may be null
+    //! @param forSearch output, the same model in the coordinates of the search; can be null
     Model read(InputArray given, Model* forSearch) const;
-    //! Returns State::best in the form of Usac::run if Report::stop is #STOP_NO_SEARCH, otherwise
-    //! an empty matrix. Also fills the mask and the report.
+    //! Returns State::best in the form in which Usac::run returns models if Report::stop is
+    //! #STOP_NO_SEARCH, otherwise an empty matrix. Also fills the mask and the report.
     Mat give(State& state, OutputArray mask, Report* report);
 
 private:

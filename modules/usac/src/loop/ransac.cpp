@@ -143,9 +143,9 @@ bool Ransac::run(int pause)
     return ended;
 }
 
-//! State::sampleQuality, with which models of samples are compared, is not set. Otherwise hardly
-//! any model of a sample would be optimized, because hardly any has as good a score as an optimized
-//! model; and the initial model might be that of another motion.
+//! State::sampleQuality, with which models of samples are compared, is not set here. Otherwise
+//! hardly any model of a sample would be optimized, because hardly any has as good a score as an
+//! optimized model; and the initial model might be that of another motion.
 void Ransac::begin(const Model& initial, int drawn)
 {
     Model model = initial;
@@ -228,7 +228,7 @@ void Ransac::reserve(int wanted, int rows)
         errorRows = context.arena.take<float>((size_t)rows * context.points.size);
 }
 
-//! Called by several threads at the same time, each with another `h`; writes only to `h`.
+//! Called by several threads at the same time, each with a different `h`; writes only to `h`.
 void Ransac::solve(const Sample* drawn, int count, Hypotheses* h) const
 {
     const int* valid[MinimalSolver::MAX_TOGETHER];
@@ -252,8 +252,8 @@ void Ransac::solve(const Sample* drawn, int count, Hypotheses* h) const
         h[i].computed = h[i].rejectedSample ? 0 : found[k++];
 }
 
-//! Called by several threads at the same time, each with another `h` and `row`; writes only to
-//! these.
+//! Called by several threads at the same time, each with a different `h` and `row`; writes only to
+//! `h` and `row`.
 void Ransac::hypothesize(int index, Hypotheses& h, float* row) const
 {
     const int* sample = samples[index].val;
@@ -483,7 +483,7 @@ void Ransac::account(const Hypotheses& h)
     report.rejectedModels += h.rejected;
     report.refusedModels += h.refused;
     report.droppedModels += h.dropped;
-    // The best model may have changed since a thread scored these models. Whether the verifier or
+    // The best model might have changed since a thread scored these models. Whether the verifier or
     // the cost excludes them is therefore decided anew; otherwise the report would depend on the
     // number of threads.
     for (int k = 0; k < h.stopped; ++k)

@@ -21,7 +21,7 @@ struct Hypotheses
     Quality qualities[MAX_MODELS];
     bool rejectedSample;  //!< a degeneracy check has rejected the sample
     bool repeated;        //!< the sample was rejected because it contains a match twice; its points
-                          //!< may still all be inliers
+                          //!< can still all be inliers
     //! Numbers of models, for the report: all models of the sample, and the models excluded by a
     //! check, by Verifier::preTest and by their cost.
     int computed, rejected, refused, dropped;
@@ -30,7 +30,7 @@ struct Hypotheses
     int firstInliers, firstTested;
     int stopped;               //!< number of models that the verifier rejected during scoring
     double costs[MAX_MODELS];  //!< costs of these rejected models before the last block of points
-                               //!< that was evaluated
+                               //!< that was evaluated; 0 for a score of whole models
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
@@ -87,7 +87,7 @@ private:
     //! yet, first calls solve() for it and the samples after it, `ahead` samples in total. To be
     //! called for one sample after the other, in order.
     const Hypotheses& hypothesizeNext(int index);
-    //! Calls solve() and hypothesize() for all samples of the batch, by several threads.
+    //! Calls solve() and hypothesize() for all samples of the batch, in several threads.
     void hypothesizeBatch();
     void hypothesizePart(int first, int count);
     //! Allocates memory for the hypotheses of `wanted` samples and, if the score needs all errors
@@ -127,7 +127,8 @@ private:
     //! A rival has at least this many inliers that the best model does not explain. Only the points
     //! of InlierBits are counted.
     double rivalInliers() const;
-    //! Stores the model as a runner-up if it is a rival. @return false if it is not a rival
+    //! Stores the model as a runner-up if it is a rival, with more inliers that the best model does
+    //! not explain than a sample has points. @return false if the model is not such a rival
     bool addRival(const Sample& sample, const Model& model);
     //! Return true if all degeneracy checks accept the sample (validSample()) or the model
     //! (validModel()).
@@ -139,8 +140,8 @@ private:
     bool recover(const int* sample, Model& model, Quality& quality);
     void account(const Hypotheses& hypotheses);
     void updateTermination();
-    //! Calls Termination::adapt of all criteria. @return true if the required number of samples may
-    //! have changed
+    //! Calls Termination::adapt of all criteria. @return true if the required number of samples
+    //! might have changed
     bool adaptTerminations();
     int samplesThatCount() const;
     void require(double wanted, bool all, int reason);

@@ -39,12 +39,12 @@ bool Ransac::terminate()
 
 /* If more than half of the points outside the sample of the best model are inliers of this model, a
 model with more inliers must share some of these inliers. Then all samples count, whatever points
-the sampler prefers, unless the model may be degenerate. Forgotten samples (forgetSamples()) and
+the sampler prefers, unless the model can be degenerate. Forgotten samples (forgetSamples()) and
 samples that contain a match twice do not count. */
 int Ransac::samplesThatCount() const
 {
     const bool planar = state.degenerate ||
-                        state.successProbability < 1;  // a wrong model may share nearly all inliers
+                        state.successProbability < 1;  // a wrong model can share nearly all inliers
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - forgotten - state.repeatedSamples : state.countedSamples;
 }

@@ -11,8 +11,8 @@
 /* Draws samples of the points that the best model does not explain, when the search is about to
 end.
 
-Wrong matches may be consistent with each other: matches of repeated windows have a common shift, a
-moving object has its own motion. Their model may have enough inliers to end the search before the
+Wrong matches can be consistent with each other: matches of repeated windows have a common shift, a
+moving object has its own motion. Their model can have enough inliers to end the search before the
 model of the correct matches is found. Finding the model of the correct matches takes a good sample,
 and many all-inlier samples are not good: with noise, half of the all-inlier samples for H and most
 of those for F and E yield models that SPRT rejects. But if two models share few of their inliers,
@@ -22,12 +22,12 @@ inliers of a first model and another 35 % are inliers of a second model. Then (4
 the samples of seven points that the second model does not explain are all-inlier samples of the
 first model, instead of (45 / 100)^7 = 0.4 % of the samples of all points.
 
-For each best model, a few such samples are drawn if there are enough points for a rival. There may
-be a rival, a second model with about as many inliers as the best model, if the model of such a
-sample, or a runner-up, has many inliers that the best model does not explain: at least RIVAL times
-as many as the best model has inliers. Then more samples are drawn: as many as are needed to find,
-with the required confidence, a model that has as many inliers as the best model and shares at most
-a third of these inliers; but at most a third of the number of other samples drawn so far. If
+For each best model, a few such samples are drawn if there are enough points for a rival. There
+might be a rival, a second model with about as many inliers as the best model, if the model of such
+a sample, or a runner-up, has many inliers that the best model does not explain: at least RIVAL
+times as many as the best model has inliers. Then more samples are drawn: as many as are needed to
+find, with the required confidence, a model that has as many inliers as the best model and shares at
+most a third of these inliers; but at most a third of the number of other samples drawn so far. If
 ConfirmedOrderTermination is about to end the search, a group of wrong matches might come first in
 the order of the points; that criterion then sets the minimum number of these samples
 (State::unexplainedSamples). All these samples count as iterations, but not for

@@ -21,7 +21,7 @@ is less than two thirds of the suitable threshold. It shrinks if the search thre
 doc/constants.md. */
 constexpr double REACH = 5;
 
-/** Points of another motion, or of a second plane, may look like wide noise. But real wide noise
+/** Points of another motion, or of a second plane, can look like wide noise. But real wide noise
 has errors everywhere within the threshold. Therefore the reach does not grow if the errors within
 the threshold alone indicate small noise, and this noise has at least this fraction of the inliers
 found for the wide noise. See doc/constants.md. */

@@ -199,9 +199,9 @@ private:
     /** Searches with a reach (see reach.hpp) that grows if the errors of the best model show wide
     noise. The noise is estimated when the search ends, and once after half of
     Params::maxIterations, because with a reach that is far too small, models have few inliers, and
-    no criterion ends the search. The noise is not estimated earlier, because the best model may
-    then still be a wrong model with larger errors, for example between two planes. At the end the
-    reach can also shrink again, because poor models show more noise than there is. */
+    no criterion ends the search. The noise is not estimated earlier, because the best model
+    might then still be a wrong model with larger errors, for example between two planes. At the end
+    the reach can also shrink again, because poor models show more noise than there is. */
     void searchWithReach(const Context& context, State& state, Ransac& ransac)
     {
         for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
@@ -250,7 +250,7 @@ private:
         return learned.chance <= limit || (unset && !test.decisive(DECISIVE, limit));
     }
 
-    /** Polishes the best model. Polishing minimizes a loss other than the score, and may end
+    /** Polishes the best model. Polishing minimizes a loss other than the score, and can end
     between two models: if the score is clearly worse afterward, the model of the search is kept.
     With few inliers or a wide threshold, fits from other initial models are tried (Restarts). A
     model that is distorted by wrong matches of high leverage is corrected (Leverage).
@@ -325,8 +325,8 @@ private:
     //! If Params::covariance is 1, computes Report::covariance of a polished model and, unless the
     //! threshold was estimated, Report::sigma. To be called after polishAsSeen(), which sets
     //! imageParts.
-    //! @param prior the initial model, or null. If there is one, Report::priorChance is set; if it
-    //! agrees with `model`, the weighted mean of both replaces `model`
+    //! @param prior the initial model, or null. If there is a prior, Report::priorChance is set; if
+    //! the prior agrees with `model`, the weighted mean of both replaces `model`
     //! @return score of the model
     Quality tellCertainty(const Context& context, Model& model, Report& learned,
                           const Model* prior = 0) const
@@ -409,7 +409,7 @@ private:
                     result.release();
             }
         }
-        learned.degenerate = state.degenerate;  // polishing may have found a plane
+        learned.degenerate = state.degenerate;  // polishing might have found a plane
         tellStop(context, learned);
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)
             learned.stop = STOP_NO_MODEL;
@@ -454,7 +454,7 @@ private:
                                         //!< residual
     Ptr<Residual> fitted;               //!< the residual that made.nonMinimalSolver minimizes
     Ptr<Residual> rated;                //!< the residual that imageResidual was created for
-    Ptr<Residual> imageResidual;        //!< Problem::createImageResidual(rated); may be empty
+    Ptr<Residual> imageResidual;        //!< Problem::createImageResidual(rated); can be empty
     Ptr<NonMinimalSolver> imageFit;     //!< the least-squares solver for imageResidual
     Components imageParts;              //!< components for polishing with original image points
     bool keepsImage;                    //!< the original image points are stored, too

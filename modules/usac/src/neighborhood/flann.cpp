@@ -76,8 +76,9 @@ struct Reach
 };
 
 /** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in
-pixels, found with an exact kd-tree of cv::flann. If the two arrays have no common unit
-(Problem::commonUnit, as for an absolute pose), only the coordinates of the second array are used.
+pixels (3-D motions: in the caller's unit), found with an exact kd-tree of cv::flann. If the two
+arrays have no common unit (Problem::commonUnit, as for an absolute pose), only the coordinates of
+the second array are used.
 
 Each of the #LAYERS layers is twice as wide as the previous one: for k nearest neighbors, the layers
 have k, 2 k, 4 k and 8 k neighbors; for a radius r, they have the points within r, 2 r, 4 r and 8 r.
@@ -88,7 +89,8 @@ point to at most #TREE_LINKS nearest neighbors in the finest layer: with more ed
 would give the labels of neighbors more weight than the error of the point itself.
 
 The tree is built at its first use in O(N log N). The neighbors of a point are searched in O(log N)
-at the first query for this point, and not before, because samplers use only some points. */
+when they are first requested, and again for a wider layer. They are not searched in advance,
+because samplers use only some points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
@@ -218,7 +220,7 @@ private:
                              found);
         tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
         std::sort(found.begin(), found.end());
-        size_t self = 0;  // index of the point itself; not always 0 if other points are equal to it
+        size_t self = 0;  // index of the point itself; above 0 if equal points come before it
         while (self + 1 < found.size() && found[self].second != point)
             ++self;
         found[self] = Found(0.f, point);

@@ -28,7 +28,7 @@ it into 8, 4 and 2. The bits of the four cell numbers are interleaved (Morton's 
 the points of a cell of any layer are contiguous in the list of points sorted by code, and one list
 serves all layers. With fewer axes there are more layers, because each axis gets more of the 16
 bits. Points outside the range Correspondences::lower to upper belong to the outermost cells. The
-grid takes O(N) memory and time (radix sort), a query takes O(log N). Edges link each point to the
+grid takes O(N) memory and time (radix sort); a query takes O(log N). Edges link each point to the
 next #CELL_LINKS points in its cell of the second layer. */
 class GridNeighborhood : public Neighborhood
 {

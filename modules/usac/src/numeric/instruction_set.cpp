@@ -11,8 +11,8 @@ namespace usacv20 {
 InstructionSet fastestInstructions()
 {
 #ifdef USACV20_HAVE_AVX512
-    // all are checked, because the environment variable OPENCV_CPU_DISABLE can name the group
-    // AVX512_SKX or single features
+    // all features are checked, because the environment variable OPENCV_CPU_DISABLE can name the
+    // group AVX512_SKX or single features
     if (checkHardwareSupport(CV_CPU_AVX512_SKX) && checkHardwareSupport(CV_CPU_AVX_512F) &&
         checkHardwareSupport(CV_CPU_AVX_512BW) && checkHardwareSupport(CV_CPU_AVX_512DQ) &&
         checkHardwareSupport(CV_CPU_AVX_512VL))

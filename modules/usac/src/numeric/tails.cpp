@@ -30,7 +30,7 @@ double logOfSmallFactorial(double n)
     return std::log(factorial);
 }
 
-//! The same difference for n > 0.
+//! Like stirlingSeries(), but for any n > 0.
 double stirlingError(double n)
 {
     if (n > LARGE)

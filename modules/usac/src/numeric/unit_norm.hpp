@@ -21,8 +21,8 @@ inline double frobeniusNorm(const Matx33d& m)
 //! A matrix other than zero, scaled to unit Frobenius norm.
 inline Matx33d ofUnitNorm(const Matx33d& m) { return m * (1 / frobeniusNorm(m)); }
 
-//! Scales a model to unit Frobenius norm. @return false, and does not change the model, if its norm
-//! is zero or not finite
+//! Scales a model to unit Frobenius norm. @return false if its norm is zero or not finite; the
+//! model is then unchanged
 inline bool toUnitNorm(Matx33d& model)
 {
     const double size = frobeniusNorm(model);

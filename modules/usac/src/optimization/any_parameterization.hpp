@@ -96,7 +96,7 @@ private:
 
 /** @brief The derivatives of the entries of a model with respect to the parameters of
 Report::covariance. They are the result of Parameterization::tangent, unless this basis of the
-tangent space depends on singular vectors, which rounding errors may rotate
+tangent space depends on singular vectors, which rounding errors can rotate
 (Parameterization::smooth is false). The basis is then replaced with an orthonormal basis that
 depends only on the tangent space: the columns of the factor of the pivoted Cholesky decomposition
 of the matrix that projects onto this space.

@@ -55,7 +55,7 @@ struct CholeskyColumns<N, N>
 Eigen::LLT, whose loops are made for large matrices.
 @param A the matrix; overwritten
 @param x b, replaced by x
-@return false if A is not positive definite or not finite; rounding errors may hide that A is
+@return false if A is not positive definite or not finite; rounding errors can hide that A is
 singular */
 template <int N>
 bool solvePositiveDefinite(Eigen::Matrix<double, N, N>& A, Eigen::Matrix<double, N, 1>& x)

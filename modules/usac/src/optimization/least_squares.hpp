@@ -30,7 +30,7 @@ no linear estimate; it therefore works on planar scenes, where the eight-point m
 takes about 40 (H) or 100 (F, E) operations per point and iteration, and twice as many for the
 symmetric errors.
 
-The first step is not damped, because a polisher may request only one step in each call of fit().
+The first step is not damped, because a polisher can request only one step in each call of fit().
 With damping, weakly determined parameters (the epipole under forward motion) would hardly change in
 any of these calls. */
 template <class Parameterization, class Around = AroundModel<Parameterization>>

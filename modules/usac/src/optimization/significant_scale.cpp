@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! The bins of the squared errors, in units of the squared threshold, are [2^e, 1.5 * 2^e) and [1.5
-//! * 2^e, 2^(e+1)) for e = LOWEST, LOWEST + 1, ...; the first bin also has all smaller errors.
+//! The bins of the squared errors, in units of the squared threshold, are [2^e, 1.5 * 2^e) and
+//! [1.5 * 2^e, 2^(e+1)) for e = LOWEST, LOWEST + 1, ...; the first bin also has all smaller errors.
 constexpr int LOWEST = -4, BINS = 128;
 //! Median error within the estimated radius r, in standard deviations of the noise, for one to
 //! three degrees of freedom; see the comment of the class. The estimated sigma is inversely

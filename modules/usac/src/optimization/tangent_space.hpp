@@ -33,8 +33,8 @@ inline Eigen::Matrix3d turnedAbout(const Eigen::Vector3d& axis, const Eigen::Mat
     return turned;
 }
 
-//! Converts normal equations in the entries of the model to equations in the parameters: A = B^T
-//! JtJ B and b = B^T Jtr. B is `basis`, the derivatives of the entries with respect to the
+//! Converts normal equations in the entries of the model to equations in the parameters:
+//! A = B^T JtJ B and b = B^T Jtr. B is `basis`, the derivatives of the entries with respect to the
 //! parameters.
 template <int DIMENSION, int SIZE>
 void projectOnTangents(const NormalEquationsOf<SIZE>& sums,

@@ -20,7 +20,7 @@ namespace {
 //! Fraction of the inliers to which the first fit is made: the inliers with the lowest leverage.
 constexpr double BULK = 0.85;
 //! If no inlier has at least this leverage, the model is not changed. The leverage of a point is at
-//! most 1; a point with a high leverage may determine a parameter alone.
+//! most 1; a point with a high leverage can determine a parameter alone.
 constexpr double HIGH = 0.4;
 //! A point is included again if its error is at most DEVIATIONS times the standard deviation that
 //! the fit predicts for this error. In the first of two rounds, its error must also be within the
@@ -36,8 +36,8 @@ also be at least TURNED sqrt(n) for n points: another epipole changes the direct
 errors are measured, and the difference of two sums of n squares has a standard deviation of at most
 2 sqrt(n) noise variances. The evidence of the lost inliers against the fit (surpriseOf()) must be
 at most gain / FREE_AGAINST, because only inliers off the plane determine the epipole. With GAIN
-alone, an F whose right matches are nearly all on a plane may lose the right matches off the plane.
-If parameters are undetermined, an ambiguous model (E) is not changed, because fits may end between
+alone, an F whose right matches are nearly all on a plane can lose the right matches off the plane.
+If parameters are undetermined, an ambiguous model (E) is not changed, because fits can end between
 the two possible models. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! Lower bound of the standard deviation of the noise, in thresholds: the accuracy of errors in

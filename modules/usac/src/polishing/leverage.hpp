@@ -18,7 +18,7 @@ then grow, but stay far below a threshold that is wide for the noise. Such a mod
 than the true model under every score, under the loss of every polisher, and even under the
 likelihood of the true noise, so that no search can prefer the true model by its cost. But the wrong
 matches alone determine these parameters. Therefore the wrong matches have a high leverage (the
-fraction of its own error that a point removes from a fit), and without the wrong matches, the other
+fraction of a point's own error that the fit absorbs), and without the wrong matches, the other
 inliers have another optimum with clearly lower errors.
 
 Therefore the inliers with the highest leverage are left out. Fits to the remaining inliers start
@@ -29,8 +29,8 @@ conditions:
 - The errors of the included points that are inliers of the original model decrease by more than
 chance explains.
 - The inliers that are lost are not evidence against the fit: among all models through two wrong
-matches, the best one has as many additional inliers by chance, and that is not less probable than
-the decrease of the errors.
+matches, the best one has as many additional inliers by chance, and the chance of so many additional
+inliers is not lower than the chance of the decrease of the errors.
 
 If most right matches are on a plane, the right matches off the plane have a high leverage, too. But
 these are more than the wrong matches that fit one epipole by chance. If most inliers are on a
@@ -73,8 +73,8 @@ private:
     //! if the lost inliers are not evidence against the fit.
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
     //! Evidence of lost inliers against a fit: minus the logarithm of Chernoff's bound (see
-    //! SignificantScale) of the probability that `lost` of the points that are not inliers of the
-    //! fit are inliers of the model by chance.
+    //! SignificantScale) of the probability that `lost` or more of the points that are not
+    //! inliers of the fit are inliers of the model by chance.
     double surpriseOf(int lost) const;
     //! The value of surpriseOf() that the best of all models through two outliers reaches by
     //! chance.

@@ -14,10 +14,10 @@ namespace usacv20 {
 few or the threshold is wide.
 
 The sum of squared errors has local minima. A search that has rated thousands of models has found
-the best minimum. A search that ends after its first sample may have missed the best minimum, for
+the best minimum. A search that ends after its first sample might have missed the best minimum, for
 example because there are only ten points, whose errors are below a wide threshold under any model.
 Orientation checks make this worse if they reject right models: for an H whose horizon lies between
-the points, they reject all samples except those on one side of the horizon, which may all lead to
+the points, they reject all samples except those on one side of the horizon, which might all lead to
 one wrong minimum.
 
 Least squares over the inliers (at most #MOST) starts from the models of random samples of inliers,

@@ -20,15 +20,15 @@ first fold are treated as not seen by the camera. */
 class Distortion
 {
 public:
-    //! @param coefficients a matrix, of any depth, of the first coefficients of the list above, as
-    //! returned by readDistortion(); an empty matrix means that there is no distortion
+    //! @param coefficients a matrix (of any depth) with the first coefficients of the list above,
+    //! as returned by readDistortion(); an empty matrix means that there is no distortion
     explicit Distortion(const Mat& coefficients);
 
     bool none() const { return identity; }
     /** @brief Distorts a point.
     @param p the point
     @param d output, distorted point
-    @param derivative output, derivative of `d` with respect to `p`; may be null
+    @param derivative output, derivative of `d` with respect to `p`; can be null
     @return false if the camera does not see `p`, or if `p` is NaN */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
     //! Finds a point `p` that distort() maps to `d`, with an error of at most 1e-11 (1 + |d|),

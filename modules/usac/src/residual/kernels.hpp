@@ -31,11 +31,13 @@ struct IndicesTo<0, K...>
 typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end,
                             float* errors);
 
-//! Number of points in one call of a SumsKernel; missing points have the weight 0.
+//! Number of points in one call of a SumsKernel. If there are fewer points, the others have the
+//! weight 0.
 constexpr int SUMS_CHUNK = 32;
 //! Number of partial sums of each sum; the caller of the kernels adds the partial sums at the end.
 constexpr int SUMS_LANES = 8;
-//! Maximum number of sums of a kernel: the lower triangle of a matrix of #MAX_MODEL_SIZE + 1 rows.
+//! Maximum number of sums of a kernel: the number of entries in the lower triangle of a matrix with
+//! #MAX_MODEL_SIZE + 1 rows.
 constexpr int MAX_SUMS = (MAX_MODEL_SIZE + 1) * (MAX_MODEL_SIZE + 2) / 2;
 //! Maximum number of entries of the derivative of an error, see Residual::linearize().
 constexpr int MAX_DERIVATIVE = (int)Residual::MAX_COMPONENTS * (int)MAX_MODEL_SIZE;
@@ -54,12 +56,12 @@ struct ResidualKernels
 {
     ErrorKernel errors;   //!< squared errors
     FusedKernel msac;     //!< MSAC score
-    FusedKernel inliers;  //!< score that counts the points that are not inliers
+    FusedKernel inliers;  //!< score whose cost is the number of points that are not inliers
     SumsKernel sums;      //!< all sums for the normal equations
     SumsKernel cost;      //!< only the sum of the weighted squared errors
     int count;            //!< number of sums that the kernel `sums` computes
-    /** Writes the normal equations of the Gauss-Newton method in the N = Model::size() entries of a
-    model, for the weighted errors r with the Jacobian J.
+    /** Computes the normal equations of the Gauss-Newton method in the N = Model::size() entries of
+    a model, for the weighted errors r with the Jacobian J.
     @param total the `count` sums
     @param JtJ output, J^T J, N x N, symmetric
     @param Jtr output, J^T r, N numbers

@@ -41,7 +41,7 @@ void PointChunks::gather(const Correspondences& points, const int* indices, cons
                 chunk[column][k] = points.exact[column][i];
             chunk[width][k] = weights ? weights[first + k] : 1;
         }
-        for (int row = 0; row <= width; ++row)  // pads with copies of the last point
+        for (int row = 0; row <= width; ++row)  // pads with copies of the last point, of weight 0
             std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK,
                       row < width ? chunk[row][here - 1] : 0.);
     }

@@ -17,8 +17,8 @@ They are copied only once for all steps of the fit. */
 class PointChunks
 {
 public:
-    //! @param indices, count indices of the points, and their number, at least 1
-    //! @param weights one for each index; null: all are 1
+    //! @param indices, count indices of the points, and the number of indices, at least 1
+    //! @param weights a weight for each index; null: all weights are 1
     //! @param arena provides the memory for more than a few points; null: the heap is used
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
@@ -27,8 +27,8 @@ public:
     //! (see Correspondences::numbers), squared, are part of the weights.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
-    //! Gets a point, Correspondences::numbers() numbers, and its weight without the factor of the
-    //! error. @return false if `index` is beyond the last point
+    //! Gets the Correspondences::numbers() numbers of a point, and its weight without the factor of
+    //! the error. @return false if `index` is beyond the last point
     bool get(int index, double* datum, double& weight) const;
 
 private:
@@ -44,8 +44,8 @@ private:
     const int stride;  //!< rows of a chunk
     Arena own;         //!< used if the caller has no arena
     Arena::Scope scope;
-    Row* rows;  //!< each chunk: columns and weights; if errors have factors, two more rows: the
-                //!< factors and the weights without them
+    Row* rows;  //!< each chunk: the columns and the weights; if errors have factors, two more
+                //!< rows: the factors, and the weights without the factors
     Row few[LOCAL_ROWS];  //!< memory of `rows` if there are only a few points
 
     PointChunks(const PointChunks&);

@@ -28,8 +28,8 @@ inline void addProducts(const double* USAC_RESTRICT a, const double* USAC_RESTRI
         lanes[k] = sum[k];
 }
 
-//! Adds the products of the rows a[0] b[0], a[0] b[1], a[1] b[0] and a[1] b[1] to the lanes of four
-//! sums, and reads each value only once.
+//! The same for four sums: those of the products of the rows a[0] b[0], a[0] b[1], a[1] b[0] and
+//! a[1] b[1]. Each value is read only once.
 inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
                         const double (*USAC_RESTRICT b)[SUMS_CHUNK], double* USAC_RESTRICT lanes00,
                         double* USAC_RESTRICT lanes01, double* USAC_RESTRICT lanes10,
@@ -64,7 +64,7 @@ inline void addProducts(const double (*USAC_RESTRICT a)[SUMS_CHUNK],
 }
 
 //! Receives the error of point i and its derivative from a formula (formula_residual.hpp). For each
-//! component of the error, NUMBERS rows of a chunk have the derivatives and the next row the error.
+//! component of the error, NUMBERS rows contain the derivatives, and the next row the error.
 template <int NUMBERS>
 struct ChunkRows
 {
@@ -79,8 +79,8 @@ struct ChunkRows
 };
 
 /** The sums of any formula. For each component of the error, the NUMBERS derivatives are followed
-by the error; the lower triangle of the matrix of the products of these NUMBERS + 1 numbers is
-summed, row by row. The last row of the triangle consists of gradient and cost. */
+by the error. The products of any two of these NUMBERS + 1 numbers form a symmetric matrix; its
+lower triangle is summed, row by row. The last row of the triangle is the gradient and the cost. */
 template <class Error>
 struct GeneralSums
 {
@@ -185,8 +185,8 @@ struct ProjectionSums
         addProducts(cost, p[POINT - 1], sums[COUNT - 1]);  // the last homogeneous coordinate is 1
     }
 
-    //! Row and column of the n-th entry of the upper triangle. With them, project() needs no nested
-    //! loops, which compilers would not vectorize.
+    //! Row and column of the n-th entry of the upper triangle. With these functions, project()
+    //! needs no nested loops, which compilers would not vectorize.
     static inline int rowOf(int n)
     {
         return n < POINT ? 0 : n < 2 * POINT - 1 ? 1 : n < 3 * POINT - 3 ? 2 : 3;

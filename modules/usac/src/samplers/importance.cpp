@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of attempts to draw a point that is not yet in the sample. If all fail, a pass
-//! over all weights finds the point.
+//! Maximum number of attempts to draw a point that is not yet in the sample. If all attempts fail,
+//! a pass over all weights finds the point.
 constexpr int MOST_DRAWS = 64;
 
 /** @brief Draws points with probabilities proportional to their weights w_i (Params::scores).
@@ -19,9 +19,9 @@ constexpr int MOST_DRAWS = 64;
 A point is drawn with probability w_i / sum(w); if it is already in the sample, the draw is
 repeated. A point i that is not in the sample is thus the next one with probability w_i / s, where s
 is the sum of the weights of all points that are not in the sample. Samples that are uniform because
-of Params::orderedEvery can also contain points of weight 0. Other samples contain them only if at
-most m points (m is the sample size) have a positive weight: these points are in each sample, with
-uniformly drawn points of weight 0.
+of Params::orderedEvery can also contain points of weight 0. Other samples contain such points only
+if fewer than m points (m is the sample size) have a positive weight: each sample then consists of
+these points and of uniformly drawn points of weight 0.
 
 The sampler uses Walker's alias method @cite walker1977efficient in the form of Vose @cite
 vose1991linear: the n points of positive weight have columns of equal probability. A column belongs
@@ -113,8 +113,8 @@ private:
         return drawOther(rng, sample, count);
     }
 
-    //! The same as draw(), but from the cumulative weights of all points that are not in the
-    //! sample.
+    //! The same as draw(), but in one attempt: from the cumulative weights of all points that are
+    //! not in the sample.
     int drawOther(Rng& rng, const int* sample, int count) const
     {
         double sum = 0;

@@ -15,10 +15,10 @@ constexpr int MOST_CENTERS = 100;
 
 /** @brief NAPSAC: a random point and some of its neighbors @cite nasuto2002napsac.
 
-The first point of a sample is drawn uniformly from all points, the others uniformly from its
-neighbors in the coarsest layer of the neighborhood graph. Finer layers would give more all-inlier
-samples, but a model of points close to each other is inaccurate, and F or E is wrong if these
-points lie on a plane.
+The first point of a sample is drawn uniformly from all points, the other points uniformly from the
+neighbors of the first point in the coarsest layer of the neighborhood graph. Finer layers would
+give more all-inlier samples, but a model of points close to each other is inaccurate, and F or E is
+wrong if these points lie on a plane.
 
 A point with fewer neighbors than a sample needs is most likely an outlier. The paper discards the
 sample; here another first point is drawn, which has the same effect without a lost iteration. If

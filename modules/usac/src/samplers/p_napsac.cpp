@@ -104,15 +104,15 @@ private:
         return isOrdered(context, state, sample);
     }
 
-    //! Number of times that a point was the first point of a local sample, and the finest layer in
-    //! which it might still have enough neighbors.
+    //! Number of times that a point was chosen as the first point of a local sample, and the finest
+    //! layer in which the point might still have enough neighbors.
     struct Center
     {
         int chosen, layer;
     };
 
-    //! Draws the other points from the neighbors of sample[0]. False if no layer has enough of
-    //! them.
+    //! Draws the other points from the neighbors of sample[0]. False if this point has enough
+    //! neighbors in no layer.
     bool local(const Context& context, State& state, int m, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();

@@ -21,7 +21,7 @@ constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
 /** Least median of squares @cite rousseeuw1984least. It needs no threshold, but at least half of
 the points must be inliers.
 
-The cost of a model is s / (s + extent) for each point, where s is the square root of the median
+The cost of a model is s / (s + extent) per point, where s is the square root of the median
 squared error and `extent` the size of the image (Problem::outlierExtent). For small s this is about
 the median error divided by the image size. Quality::inliers counts the points with errors up to the
 median, because the method assumes that half of the points are inliers. Points with errors up to a
@@ -93,8 +93,8 @@ private:
                         (double)FLT_MAX);
     }
 
-    //! The median, where NaN counts as infinite, because std::nth_element needs an ordering.
-    //! Reorders the values.
+    //! The median. NaN counts as infinite, because std::nth_element needs an ordering. The function
+    //! reorders the values.
     static float medianOf(float* values, int count)
     {
         for (int i = 0; i < count; ++i)

@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-//! Minimum number of wrong matches with each point of array 1, if there are enough points.
+//! Minimum number of wrong matches made with each point of array 1, if there are enough points.
 constexpr int PARTNERS = 4;
 
 //! First column of array 2, or the last column of the only array.
@@ -20,9 +20,10 @@ int firstOfPartner(const Correspondences& p)
     return p.coordinates[1] ? p.coordinates[0] : p.columns() - 1;
 }
 
-/** Makes wrong matches: pairs points of array 1 with points of other matches in array 2. T is float
-for built-in residuals, and double for a custom residual, which has no kernels. A custom residual
-may depend on the Correspondences of the run; therefore only columns are passed to it. */
+/** Makes wrong matches, that is, pairs each point of array 1 with a point of another match in array
+2. T is float for built-in residuals, and double for a custom residual, which has no kernels. A
+custom residual may depend on the Correspondences of the run; therefore only columns are passed to
+it. */
 template <typename T>
 class WrongPairs
 {

@@ -29,9 +29,9 @@ single point, or has an epipole amid the points). Right matches do not distort t
 their points are paired anew, too.
 
 Of several inliers in the same cell of a grid over an array (see #markRepeated), only one is
-counted. Each point of array 1 is paired with points of 4 other matches, or of as many as are needed
-to get about `pairs` wrong matches, or of all other matches if these are fewer. Takes O(count +
-pairs). */
+counted. Each point of array 1 is paired with the points of at least 4 other matches: of as many as
+are needed to get about `pairs` wrong matches, or of all other matches if there are not so many.
+Takes O(count + pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);

@@ -19,12 +19,12 @@ namespace {
 
 // doc/constants.md lists the effects of halving and doubling each constant.
 
-//! The smallest threshold that is estimated is the widest one divided by FINEST; data without noise
-//! give this threshold.
+//! The smallest threshold that can be estimated is the upper bound `widest` divided by FINEST; data
+//! without noise give this threshold.
 constexpr int FINEST = 1024;
 //! Number of inliers, in addition to the points of a sample, that are needed to estimate the noise.
-//! With fewer inliers, the estimate may come from wrong matches that the model of a sample fits
-//! exactly.
+//! With fewer inliers, the estimate might come from wrong matches of the sample, which the model of
+//! the sample fits exactly.
 constexpr int BEYOND = 10;
 //! Threshold of the rough estimate, in standard deviations of the noise.
 constexpr double IN_SIGMAS = 2.2;

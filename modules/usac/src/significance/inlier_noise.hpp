@@ -59,13 +59,13 @@ double relativeNoise(const Correspondences& points, int column);
 
 /** @brief True if a threshold is too narrow for the noise by more than `factor`.
 
-The number of points within the threshold is divided by the number within half of it. If the
-threshold is too narrow, the errors continue beyond it, and this ratio is large. The result is true
-if the ratio is larger than it would be if the right threshold were `factor` times as wide. Matches
-of another motion or plane are not taken for noise, because few of them have small errors. The noise
-of the points is assumed to be Gaussian and equal in all directions in both images; the model may
-enlarge the noise in one direction (strongly tilted views). With heavy tails, the result is false.
-*/
+The number of points within the threshold is divided by the number within half of it; the points of
+a sample are not counted. If the threshold is too narrow, the errors continue beyond it, and this
+ratio is large. The result is true if the ratio is larger than it would be if the right threshold
+were `factor` times as wide. Matches of another motion or plane are not taken for noise, because few
+of them have small errors. The noise of the points is assumed to be Gaussian and equal in all
+directions in both images; the model may enlarge the noise in one direction (strongly tilted views).
+With heavy tails, the result is false. */
 bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor);
 
 }  // namespace usacv20

@@ -26,9 +26,9 @@ constexpr int NOISE_STEPS = 30;
 constexpr int ROUNDS = 3;
 //! The probability that a point is an inlier depends on the numbers of inliers and of outliers that
 //! have at least 1 / SIMILAR times its leverage. ALONE is added to the number of other inliers with
-//! such a leverage, because a point may be the only inlier with a high leverage. With 0.05 instead
-//! of 0.01, only 79 instead of 87 % of the essential matrices in tests of forward motion with 30 %
-//! wrong matches are within their 95 % confidence region.
+//! such a leverage, because a point may be the only inlier with a high leverage. If ALONE is 0.05,
+//! only 79 % (instead of 87 %) of the essential matrices in tests of forward motion with 30 % wrong
+//! matches are within their 95 % confidence region.
 constexpr double SIMILAR = 10, ALONE = 0.01;
 //! NOISE_SHARE: maximum fraction of the information on a parameter that may come from the noise.
 //! NOISE_POINTS: maximum number of points from which the information of the noise is computed.

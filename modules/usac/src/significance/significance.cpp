@@ -20,12 +20,13 @@ namespace {
 //! tests, of all points, make at least about PAIRS wrong matches, which give the inlier probability
 //! of a wrong match with a standard deviation of at most 0.01.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
-//! Wider thresholds that are tried, too, as multiples of the given threshold.
+//! Wider thresholds that are also tried, as multiples of the given threshold.
 constexpr double WIDE[] = {4, 16};
 //! Work of look() per point, in point tests, the unit of Watch: 90 ns with a million points. The
 //! value only affects when a run with a time limit ends.
 constexpr double LOOK_WORK = 45;
-//! Maximum number of passes over all points that remain: three calls of look(), and decisive().
+//! Maximum number of passes over all points that remain after the tests of some of the points:
+//! three calls of look(), and decisive().
 constexpr int LOOKS = 4;
 
 //! The number T of trials, see Significance.

@@ -15,7 +15,7 @@ struct SearchEffort
 {
     int sampleSize;
     double samples;      //!< number of samples drawn
-    double models;       //!< number of models of these samples that were compared with the points
+    double models;       //!< number of models of the samples that were compared with the points
     bool countsInliers;  //!< true if the local optimization maximizes the number of inliers
     bool ownThreshold;   //!< true if the threshold was chosen from the errors (#QUALITY_LMEDS)
 };
@@ -27,7 +27,7 @@ The m points of a sample are inliers of its model in any case. Each other point 
 model of random matches with the same, unknown probability as a wrong match. This probability is
 estimated by testing some wrong matches, see Agreement. The probability p that one such model has at
 least as many inliers as the given model is thus a beta-binomial tail. The probability that the best
-of T such models has as many inliers is at most 1 - (1 - p)^T.
+of T such models has at least as many inliers is at most 1 - (1 - p)^T.
 
 T is the number of models that were compared with the points (scaled down if more samples were drawn
 than the C(n, m) different samples), times a factor for local optimization and polishing, because an
@@ -72,8 +72,8 @@ private:
     //! True if there is no time to test `count` points. All later tests then use at most ENOUGH
     //! points (see Watch).
     bool shorten(double count);
-    //! @param share the fraction of the allowed error probability that this threshold has, because
-    //! several thresholds are tried
+    //! @param share fraction of the allowed error probability that is assigned to the threshold of
+    //! this test, because several thresholds are tried
     double chanceOf(const Agreement& found, double share = MAIN_SHARE) const;
 
     //! Fractions of the allowed error probability for the threshold itself and for each wider

@@ -12,7 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Among the first FIRST_ORDERED samples, every second one follows the order of the points.
+//! Among the first FIRST_ORDERED samples, every second one follows the order of the points, except
+//! for the first few samples (see isOrderedByKnowledge() in samplers/samplers.hpp).
 //! doc/measurements/constants_tables.md shows the effects of other values of all constants.
 constexpr int FIRST_ORDERED = 480;
 //! Minimum evidence for the order, in standard deviations of the rank sum. One random order in 1000
@@ -48,7 +49,8 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
         return other > left;
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
     const double chance = rest.expected * (1 - part * part);  // without pairs of the other motion
-    // a lower bound of the pairs of the other motion: unevenly spread points share cells more often
+    // lower bound of the number of pairs of the other motion that share a cell: unevenly spread
+    // points share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
                         own.cells;  // pairs of each match; pairs with a common match vary together
@@ -87,8 +89,8 @@ namespace {
 data confirm the order of the points and if the outliers of the best model cannot hide another
 model.
 
-1. Of the first #FIRST_ORDERED samples, every second one follows the order; later, one in
-Params::orderedEvery does.
+1. Of the first #FIRST_ORDERED samples, every second one follows the order, except for the first few
+samples; later, one in Params::orderedEvery does.
 2. The order is confirmed if the inliers of a new best model come early in it (orderEvidence()).
 Then all samples follow the order until PROSAC's criterion is fulfilled (prosacSamples()), unless
 uniform samples would end the search earlier.
@@ -279,7 +281,7 @@ private:
                         //!< not end the search
     int enough;         //!< number of samples after which the search can end; INT_MAX: not known
     int late;           //!< number of inliers of the best model in the last part of the order
-    bool manyRepeated;  //!< more than the fraction #MOST_REPEATED of the inliers repeat other ones
+    bool manyRepeated;  //!< more than the fraction #MOST_REPEATED of the inliers repeat others
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace usacv20 {
 
 namespace {
 
-/** Number of distinct inliers outside the sample at which r, see PNapsacTermination, is half of
+/** Number of distinct inliers outside the sample at which r (see PNapsacTermination) is half of
 Params::relaxation. doc/measurements/constants_tables.md shows the effects of other values. */
 constexpr int HALF = 30;
 

@@ -54,8 +54,8 @@ namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
-If maximality and non-randomness hold for a length n*, see prosacSamples, the search ends when T'_n*
-samples have been drawn. Three things differ from the paper:
+If maximality and non-randomness hold for a length n* (see prosacSamples()), the search ends when
+T'_n* samples have been drawn. Three things differ from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
 is chosen. Here the set keeps growing, because other criteria need samples of all points, and the
@@ -66,9 +66,9 @@ needed, and then all of them count.
 the newest point of a small set: whatever the order of the inliers is, the first T'_n* samples are
 worth only T_n* uniform samples. If each sample counted fully, two or three samples of the very best
 points could end a run with a wrong model.
-- In the paper, 5 % bounds the probability that one wrong model has so many inliers. But the best of
-thousands of wrong models has so many inliers more often than not. Here 5 % bounds the probability
-for all T'_n* samples together.
+- In the paper, 5 % bounds the probability that one wrong model has as many inliers as the best
+model. But the best of thousands of wrong models usually has so many inliers. Here 5 % bounds the
+probability that any of the wrong models of T'_n* samples has so many.
 
 Inliers that share a cell of the size of the threshold with an earlier inlier in either image (see
 markRepeated) do not count for non-randomness, because the best points are often copies of one

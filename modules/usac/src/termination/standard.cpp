@@ -11,8 +11,8 @@ namespace usacv20 {
 namespace {
 
 /** Standard criterion: the number of samples that contain, with the given confidence, at least one
-sample that consists of inliers and leads to a good model. Points that are not inliers of the best
-model so far are assumed to be outliers @cite fischler1981random. */
+sample that consists of inliers and leads to a good model that the verifier keeps. Points that are
+not inliers of the best model so far are assumed to be outliers @cite fischler1981random. */
 class StandardTermination : public Termination
 {
 public:

@@ -11,7 +11,7 @@ namespace usacv20 {
 //! Probability that a particular sample has not been drawn after exhaustiveSamples() samples. It
 //! matters only if there are very few points.
 constexpr double MISSED = 1e-6;
-//! Minimum of exhaustiveSamples(); so few samples take almost no time.
+//! Minimum result of exhaustiveSamples(); so few samples take almost no time.
 constexpr int LEAST_EXHAUSTIVE = 100;
 
 double keptProbability(const Context& context, double inliers)

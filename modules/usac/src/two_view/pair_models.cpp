@@ -26,8 +26,8 @@ const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 //! of freedom, F can fit one more match, right or wrong.
 constexpr double FREEDOM_MORE = 2;
 /* If E was rejected although the cameras are known, a valid F would mean that the focal lengths are
-wrong. To accept only strong evidence, the search for F then uses the significance raised to this
-power, 10^-8 by default. This search draws at most LEAST_SAMPLES samples. */
+wrong. To accept only strong evidence, the search for F then uses the significance raised to the
+power ALONE, which is 10^-8 by default. This search draws at most LEAST_SAMPLES samples. */
 constexpr double ALONE = 2;
 //! F is preferred to E if its surplus of inliers exceeds this many standard deviations of the
 //! number of inliers that is expected by chance. By chance, about one surplus in a thousand is that
@@ -209,7 +209,7 @@ void PairModels::improveEssential()
 
 void PairModels::searchHomography()
 {
-    const PairModel& explained = E ? E : F;  // base() compares H with E, even if F is chosen
+    const PairModel& explained = E ? E : F;  // E even if base() is F: base() compares H with E
     if (explained)
     {
         homographyOfInliers(explained);
@@ -299,9 +299,9 @@ void PairModels::settle(const Report& report, double reach)
     sigma = report.sigma;
 }
 
-//! Stores the reason and the report if the rejected search has the lowest Report::chance so far.
-//! Adds the confidence reached to `limited` if Params::maxIterations has ended the search too
-//! early.
+//! Stores the reason and the report if the rejected search has the lowest Report::chance of all
+//! rejected searches so far. Adds the confidence reached to `limited` if Params::maxIterations has
+//! ended the search too early.
 void PairModels::refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report)
 {
     if (why.empty() || report.chance < refused.chance)

@@ -74,8 +74,8 @@ public:
     PairModel E, F, H;
     Points points1, points2;  //!< pixels without distortion
     Matx33d camera1, camera2;
-    //! The options of the caller. With #THRESHOLD_ESTIMATED, the first model that is accepted sets
-    //! the threshold of the pair, and all later searches use this threshold.
+    //! The options of the caller. With #THRESHOLD_ESTIMATED, the first accepted model sets the
+    //! threshold of the pair, which all later searches use.
     Params params;
     const TwoViewRules& rules;
     int iterations;  //!< number of samples of all searches, except those of homographyOfInliers()
@@ -110,8 +110,8 @@ private:
     double sigma;  //!< Report::sigma of the model that set the threshold
     std::vector<float> scores;
     String why;      //!< why the search of `refused` gave no model
-    String limited;  //!< text with the confidences of searches that Params::maxIterations ended
-                     //!< before they reached the requested confidence
+    String limited;  //!< text with the confidences of rejected searches that Params::maxIterations
+                     //!< ended before they reached the requested confidence
 };
 
 }  // namespace usacv20

@@ -11,10 +11,10 @@ namespace usacv20 {
 namespace {
 
 /* A model is found more often than the fraction of all-inlier samples suggests: local optimization
-also corrects models of samples that contain an outlier, plane and parallax turns degenerate samples
-into models (F), and many samples are drawn from regions where right matches are dense. When the
-number of samples is computed, a sample of USACV20 therefore counts as (inliers / ONE_FOR_E)^2
-samples for E, at least 1 and at most MOST_FOR_E, and as SAMPLES_FOR_F samples for F.
+also corrects models of samples that contain an outlier, the plane-and-parallax algorithm computes
+models from degenerate samples (F), and many samples are drawn from regions where right matches are
+dense. When the number of samples is computed, a sample of USACV20 therefore counts as (inliers /
+ONE_FOR_E)^2 samples for E, at least 1 and at most MOST_FOR_E, and as SAMPLES_FOR_F samples for F.
 doc/measurements/collections_tables.md has the measured numbers; the constants are near the lowest
 numbers measured on photographs and in collections, but above the number measured for E with matches
 that are scattered over both images. Samples for H, and samples of other presets, count as one,
@@ -25,7 +25,7 @@ constexpr double ONE_FOR_E = 11.5, MOST_FOR_E = 4, SAMPLES_FOR_F = 4;
 constexpr int TAIL = 8;
 constexpr int E_SAMPLE = 5, F_SAMPLE = 7;
 
-//! True if the search is that of USACV20, for which the numbers in countedAs() were measured.
+//! True if the search is that of USACV20, for which the numbers used in countedAs() were measured.
 bool isMeasured(const Params& params)
 {
     const Params usual;
@@ -34,8 +34,8 @@ bool isMeasured(const Params& params)
            params.localSamples == usual.localSamples && params.polishing == usual.polishing;
 }
 
-//! The fraction of all-inlier samples, whose points are drawn without replacement. The number of
-//! inliers is assumed to be at least TwoViewRules::minInliers and at least the sample size.
+//! The fraction of all-inlier samples among samples whose points are drawn without replacement. The
+//! number of inliers is assumed to be at least TwoViewRules::minInliers and the sample size.
 double rightSamples(const TwoViewRules& rules, int sampleSize, int matches, double ratio)
 {
     double count = std::ceil(ratio * matches);
@@ -71,7 +71,7 @@ double missedBySample(const TwoViewRules& rules, bool measured, int sampleSize, 
     return countedAs(rules, measured, sampleSize, matches, ratio) * std::log1p(-right);
 }
 
-//! The pairs of a collection, with the probability that a sample misses the model of a pair.
+//! The pairs of a collection, with the probabilities that a sample misses the model of a pair.
 class Collection
 {
 public:

@@ -62,8 +62,8 @@ void addRotationsOfPlane(const PairModels& models, Mat& rotations)
         addRotation(nearestRotation(determinant(H) > 0 ? H : H * -1.), rotations);
 }
 
-//! All possible rotations of the camera; none for a watermark. One of these rotations is right if
-//! the matches of the pair are right.
+//! All possible rotations of the camera, one of which is right if the matches of the pair are
+//! right. None for a watermark, and none for a planar or panoramic pair with the inliers of F.
 Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const PairModel& base)
 {
     Mat result;

@@ -14,8 +14,8 @@ namespace usacv20 {
 of both images, whose matches have a common displacement.
 @param pair the pair; if the size of an image is missing, the result is false
 @param mask inliers of the pair
-@param reach motions (displacements of matches) within this distance of the median motion, in
-pixels, count as equal */
+@param reach displacements of matches within this distance of the median displacement, in pixels,
+count as equal */
 bool isWatermark(const TwoViewPair& pair, const Mat& mask, double reach);
 
 }  // namespace usacv20

@@ -217,5 +217,5 @@ TEST(Usac_Batch, anyNumberOfThreads)
         expectSame(one[i], three[i], i);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -243,7 +243,8 @@ TEST(Usac_Covariance, pose_of_essential_matrix)
             Mat R1, R2, t, v(6, 1, CV_64F);
             cv::decomposeEssentialMat(moved(E, T * errors.next()), R1, R2, t);
             const Mat R = cv::norm(R1, Mat(ROTATION)) < cv::norm(R2, Mat(ROTATION)) ? R1 : R2;
-            const Mat turn = R * Mat(ROTATION).t();  // cv::Rodrigues returns 0 for small angles
+            // not converted with cv::Rodrigues, which returns 0 for small angles
+            const Mat turn = R * Mat(ROTATION).t();
             v.at<double>(0) = turn.at<double>(2, 1);
             v.at<double>(1) = turn.at<double>(0, 2);
             v.at<double>(2) = turn.at<double>(1, 0);

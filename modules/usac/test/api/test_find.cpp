@@ -18,7 +18,8 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacFlags, testing::ValuesIn(FLAG_PROBLEMS));
 const UsacV20Method FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC, USACV20_PARALLEL, USACV20_AUTO};
 const int VALUES[] = {0x4000, 0x4001, 0x4002, 0x4003, 0x4004, 0x4005, 0x4006}, FLAG_COUNT = 7;
-//! A confidence so low, and a number of iterations so small, that each of them changes the result.
+//! A confidence so low, and a number of iterations so small, that each of the two changes the
+//! result.
 const double LOW = 1e-15;
 const int FEW = 20;
 
@@ -422,5 +423,5 @@ TEST(Usac_Flags, old_essential_calls_reach_calib3d)
         cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -257,5 +257,5 @@ TEST_P(Usac_FindAffine, refineIters)
     EXPECT_LT(without, 1.05 * with);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

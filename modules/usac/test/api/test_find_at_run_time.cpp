@@ -48,8 +48,8 @@ struct Answer
     std::string error;
 };
 
-//! For every flag, compares the answer of the form with an int with that of the typed form (the
-//! flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of OpenCV are left
+//! For every flag, compares two answers: that of the form with an int, and that of the typed form
+//! (flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of OpenCV are left
 //! out.
 template <class AtRunTime, class Typed, class Calib3d>
 void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed,
@@ -82,8 +82,8 @@ void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed&
     EXPECT_GT(models, theirCount / 2) << "models, not only equal exceptions";
 }
 
-//! Replacements for the forms of cv::findEssentialMat without `maxIters`, which OpenCV 5 does not
-//! have. They pass the default of `maxIters`.
+//! Replacements for the forms of cv::findEssentialMat with a mask but without `maxIters`, which do
+//! not exist in OpenCV 5. The replacements pass the default of `maxIters`.
 Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vector<Point2d>& b,
                                  const Matx33d& K, int method, double prob, double threshold,
                                  Mat& mask)
@@ -98,8 +98,8 @@ Mat essentialOfDefaultIterations(const std::vector<Point2d>& a, const std::vecto
     return cv::findEssentialMat(a, b, focal, pp, method, prob, threshold, 1000, mask);
 }
 
-//! Checks one form of a call of `function`. In the arguments, `method` is the flag and `mask` the
-//! mask.
+//! Checks one form of a call of `function`. The variables `method` (the flag) and `mask` can be
+//! used in the arguments.
 #define CHECK_FORM(function, ...) CHECK_FORM_LIKE(cv::function, function, __VA_ARGS__)
 #define CHECK_FORM_LIKE(theirs, function, ...)                                                     \
     checkForm(                                                                                     \
@@ -199,8 +199,8 @@ TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
     }
 }
 
-//! A flag must survive where programs store it: in a variable, a struct of settings, a map, a
-//! default argument, a conditional expression or a file.
+//! Part of the next test: a flag must survive where programs store it, that is, in a variable, a
+//! struct of settings, a map, a default argument, a conditional expression or a file.
 Mat byDefaultArgument(const Scene& s, Mat& mask, int method = (int)USACV20)
 {
     return usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99, mask);
@@ -328,5 +328,5 @@ TEST(Usac_FlagsAtRunTime, numbers_of_nobody_are_refused)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

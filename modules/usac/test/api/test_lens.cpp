@@ -54,9 +54,9 @@ TEST(Usac_Lens, is_the_inverse_of_projectPoints)
     }
 }
 
-//! Other tests check results for E with LensOracle. Its error bounds must hold, and they must be so
-//! tight that for more than a quarter of the points, the error of cv::undistortPoints, which makes
-//! five iterations, exceeds them.
+//! Other tests check results for E with LensOracle. The error bounds of LensOracle must hold. They
+//! must be so tight that for more than a quarter of the points, the error of cv::undistortPoints,
+//! which makes five iterations, exceeds the bound.
 TEST(Usac_Lens, oracle)
 {
     const int counts[] = {4, 5, 8, 12, 14};
@@ -139,5 +139,5 @@ TEST(Usac_Lens, mistakes_are_named)
     expectException([&]() { removeDistortion(points, LENS_CAMERA, Vec3d(1, 2, 3)); }, "distCoeffs");
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

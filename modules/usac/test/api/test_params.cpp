@@ -5,8 +5,8 @@
 #include "support/contracts.hpp"
 #include "support/params_fields.hpp"
 
-// Tests of the ranges, combinations and storage of the fields of Params. The effect of each field
-// is tested in test_params_effects.cpp and test_params_components.cpp.
+// Tests of the ranges, combinations and storage of the fields of Params. The effects of most fields
+// are tested in test_params_effects.cpp and test_params_components.cpp.
 
 namespace opencv_test {
 namespace {
@@ -200,7 +200,7 @@ struct Changer
         const double end = values.initial < 1    ? std::min(values.high, 1.)
                            : values.initial == 1 ? 2
                                                  : 0;
-        // usually not a finite binary fraction, so that inexact storage would change it
+        // usually not a finite binary fraction, so that inexact storage would change the value
         params.*member = (2 * values.initial + end) / 3;
     }
     void operator()(const char*, std::vector<float> Params::*member, const FieldValues& values)
@@ -269,5 +269,5 @@ TEST(Usac_Params, storage_of_some_fields)
     EXPECT_EQ("", Fields::difference(Params(), params));
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -5,7 +5,7 @@
 #include "support/contracts.hpp"
 #include "support/scene_geometry.hpp"
 
-// Each field of Params must have an effect when only this field is changed. This file tests the
+// A field of Params must have an effect when only this field is changed. This file tests the
 // fields of verification, local optimization, termination, degeneracy and polishing;
 // test_params_effects.cpp tests other fields.
 
@@ -219,7 +219,7 @@ TEST_P(UsacComponents, termination)
     params.termination = 7;
     params.maxIterations = 5000;
     const Report first = reportOf(scene, params);
-    // with samples of one point all criteria fire in the first batch of samples
+    // with samples of one point, all criteria are fulfilled in the first batch of samples
     if (sampleSizeOf(problem()) > 1)
     {
         EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the first that fires";
@@ -329,7 +329,7 @@ TEST_P(UsacComponents, persistence)
         params.sampler = SAMPLER_UNIFORM;
         params.maxIterations = 100000;
         params.persistence = several[i];
-        params.runnersUp = 0;  // no samples but those that the criterion asks for
+        params.runnersUp = 0;  // no samples in addition to those that the criterion asks for
         const Report report = reportOf(scene, params);
         EXPECT_EQ((int)STOP_STANDARD, report.stop);
         iterations[i] = report.iterations;
@@ -369,5 +369,5 @@ TEST_P(UsacComponents, polishingSteps)
         }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -10,8 +10,8 @@
 #include <set>
 #include <thread>
 
-// Each field of Params must have an effect when only this field is changed.
-// test_params_components.cpp tests other fields.
+// A field of Params must have an effect when only this field is changed. This file tests the
+// general fields and those of samples and scores; test_params_components.cpp tests other fields.
 
 namespace opencv_test {
 namespace {
@@ -49,7 +49,7 @@ TEST_P(UsacEffects, threshold)
 
 TEST_P(UsacEffects, confidence)
 {
-    // if a sample has one point, few samples suffice, so the inlier ratio is made lower
+    // if a sample has only one point, few samples are needed, so the inlier ratio is made lower
     const bool single = sampleSizeOf(problem()) == 1;
     const Scene scene = makeScene(problem(), single ? 15 : 150, 150, 3);
     int before = 0;
@@ -135,8 +135,8 @@ TEST_P(UsacEffects, seed)
     }
 }
 
-//! Records the threads that call the solver. Each of the first 500 calls takes 1 ms longer until
-//! there are two threads, so that a fast thread cannot do all the work alone.
+//! Records the threads that call the solver. Until a second thread calls, each of the first 499
+//! calls takes 1 ms longer, so that a fast thread cannot do all the work alone.
 class ThreadRecorder : public MinimalSolver
 {
 public:
@@ -383,5 +383,5 @@ TEST_P(UsacEffects, reach)
     EXPECT_FALSE(sameBits(models[0], models[1]));
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -233,5 +233,5 @@ TEST(Usac_ParamsFields, have_their_defaults)
     visitFields(checker);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -5,9 +5,9 @@
 #include "support/contracts.hpp"
 #include "support/params_fields.hpp"
 
-// Presets must have the options that the papers after which they are named describe. Each flag must
-// select its documented preset. Params::fromUsacParams must convert the parameters of calib3d to
-// the corresponding options.
+// A preset that is named after a method must have the options that the paper of this method
+// describes. Each flag must select its documented preset. Params::fromUsacParams must convert the
+// parameters of calib3d to the corresponding options.
 
 namespace opencv_test {
 namespace {
@@ -17,7 +17,7 @@ struct Expected
 {
     const char* name;
     Params preset, from;
-    const char* changed;  //!< changed fields, as visitFields orders them
+    const char* changed;  //!< names of these fields in the order of visitFields
 };
 
 TEST(Usac_Presets, change_what_they_say)
@@ -195,5 +195,5 @@ TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
                 }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

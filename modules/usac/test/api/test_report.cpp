@@ -32,7 +32,7 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacReport, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 //! a threshold in the unit of the points, the report must not say so.
 TEST_P(UsacReport, threshold_in_another_unit)
 {
-    // in pixels: horizontal fields of view of 85 to 18 degrees
+    // focal lengths in pixels, for horizontal fields of view of 85 to 18 degrees
     const double focals[] = {350, 800, 2000};
     for (double f : focals)
     {
@@ -141,5 +141,5 @@ TEST(UsacReport_Chance, random_points)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

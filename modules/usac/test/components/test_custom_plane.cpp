@@ -161,7 +161,8 @@ private:
     }
 };
 
-//! The same problem without a non-minimal solver, but with a parameterization of planes.
+//! The same problem as PlaneProblem, but with a parameterization of planes instead of its own
+//! non-minimal solver.
 class VaryingPlaneProblem : public PlaneProblem
 {
 public:
@@ -347,5 +348,5 @@ TEST(Usac_CustomPlane, modelsHaveAShape)
     EXPECT_THROW(usac->run(), cv::Exception);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

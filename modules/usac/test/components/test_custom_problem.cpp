@@ -76,9 +76,9 @@ TEST(Usac_CustomProblem, everyPreset)
     }
 }
 
-//! The problem has no parameterization, so that the module has no covariance of its models, but it
-//! converts initial models (fromOutput). A prior with a covariance must then have the same effect
-//! as an initial model alone.
+//! The problem has no parameterization, so that the module has no covariance of its models, but the
+//! problem converts initial models (fromOutput). A prior with a covariance must then have the same
+//! effect as an initial model alone.
 class StartedAffineProblem : public custom::AffineProblem
 {
 public:
@@ -203,5 +203,5 @@ TEST(Usac_CustomProblem, impossiblePoints)
     EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

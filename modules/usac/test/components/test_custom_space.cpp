@@ -155,5 +155,5 @@ TEST(Usac_CustomSpace, dimensionsThatCannotBe)
     EXPECT_FALSE(Usac::create(makePtr<TranslationProblem>(), space, space).empty());
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -140,7 +140,8 @@ TEST(Usac_Parts, requiredOnesAreAskedFor)
     }
 }
 
-//! Local optimization and polishing need a non-minimal solver; without both, a run does not.
+//! Polishing needs a non-minimal solver. A run without polishing and local optimization does not
+//! need one.
 TEST(Usac_Parts, fitsNeedASolver)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -157,5 +158,5 @@ TEST(Usac_Parts, fitsNeedASolver)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

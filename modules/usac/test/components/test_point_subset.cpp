@@ -50,5 +50,5 @@ TEST(Usac_CountedOnce, asIfOthersWereNotThere)
         }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -118,5 +118,5 @@ TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
     EXPECT_EQ(expectedSum, sum);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -102,5 +102,5 @@ TEST(Usac_NonRandomness, chanceIsMonotone)
             }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -20,5 +20,5 @@ TEST(Usac_Streams, doNotMeet)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

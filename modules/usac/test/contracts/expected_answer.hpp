@@ -11,7 +11,8 @@
 
 namespace opencv_test {
 
-//! The result for given points. compare() expects the same bits for another form of these points.
+//! The result for given points. compare() expects bitwise the same result for another form of these
+//! points.
 struct ExpectedAnswer
 {
     ExpectedAnswer(ProblemType problem_, const Mat& points1, const Mat& points2,
@@ -73,7 +74,7 @@ inline std::vector<int> depthsOfIntegers()
 }
 
 //! Makes the points of a scene, scaled, rounded and clipped to integers 0 .. 127, which every depth
-//! can represent. They are Nx2 matrices of type CV_64F, and K is scaled in the same way.
+//! can represent. The points are Nx2 matrices of type CV_64F. K is scaled by the same factor.
 inline void makeIntegers(ProblemType problem, Mat& points1, Mat& points2, Matx33d& K)
 {
     const double scale = 0.19;

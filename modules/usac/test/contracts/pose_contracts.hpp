@@ -18,7 +18,8 @@ EstimatorCall callOf(const PoseScene& scene, const Params& params);
 Mat checkedPose(const PoseScene& scene, const Params& params, Mat& mask, Report& report);
 
 /** Runs every preset and every flag on the scene. Expects no exception, a result that satisfies all
-contracts, the same bits when repeated and with 1, 2 and 4 threads, and unchanged input.
+contracts, the same bits when repeated (presets for one thread: also with 2 and 4 threads), and
+unchanged input.
 @return the poses of the presets */
 std::vector<Mat> checkEveryWay(const PoseScene& scene, double pixels = 2, int maxIterations = 100);
 

@@ -34,8 +34,8 @@ TEST(Usac_Cameras, a_multiple_is_the_same_camera)
     }
 }
 
-//! Where points are row vectors, the camera matrix is the transpose of that of OpenCV. The
-//! transpose must be refused, because with it almost every match would be an inlier.
+//! In programs in which points are row vectors, the camera matrix is the transpose of that of
+//! OpenCV. The transpose must be refused, because with it almost every match would be an inlier.
 TEST(Usac_Cameras, transposed)
 {
     const Scene scene = makeScene(ESSENTIAL);

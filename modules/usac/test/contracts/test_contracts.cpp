@@ -50,8 +50,8 @@ TEST_P(UsacContracts, true_matches_are_found)
         Mat mask;
         const Mat model = estimate(scene, Params(), mask);
         EXPECT_LT(modelError(scene, model), 0.6) << "seed " << seed;
-        // numbers of true matches that are in the mask (found), and whose error under the true
-        // model is at most the threshold (within)
+        // number of true matches that are in the mask (found), and number of true matches whose
+        // error under the true model is at most the threshold (within)
         int found = 0, within = 0;
         for (int i = 0; i < scene.size(); ++i)
         {

@@ -74,9 +74,9 @@ TEST_P(UsacExtremes, confidences_and_single_samples)
     checkEveryWay(problem(), scene.points1, scene.points2, 1.5, 1);
 }
 
-/** With maxIterations = INT_MAX a run must not go on forever if its termination criterion cannot
-fire. The run must end when all possible samples have been drawn, or when none of the first million
-samples yields a model. */
+/** With maxIterations = INT_MAX, a run must not go on forever if its termination criterion cannot
+be fulfilled. The run must end when all possible samples have been drawn, or when none of the first
+million samples yields a model. */
 TEST_P(UsacExtremes, all_iterations_without_a_model)
 {
     RNG rng(11);

@@ -114,9 +114,9 @@ Vec3d singularValues(ProblemType problem, const std::vector<Point2d>& points1,
     return w;
 }
 
-//! The matrix l2 l1^T of rank 1 is consistent with all points on the line l1, but is not a
-//! fundamental matrix. Although most points are on such a line here, an F of rank 1 must not be
-//! returned.
+//! For any line l2, the matrix l2 l1^T of rank 1 is consistent with all matches whose point in
+//! image 1 is on the line l1, but it is not a fundamental matrix. Although most points of image 1
+//! are on a line here, an F of rank 1 must not be returned.
 TEST(Usac_Hostile, most_points_of_one_image_on_a_line)
 {
     const double lines[] = {0, 300, 1e6};
@@ -166,9 +166,9 @@ TEST(Usac_Hostile, most_matches_share_one_target)
         EXPECT_TRUE(none[i].empty()) << allPresets()[i].name;
 }
 
-//! Both epipoles are at the origin, and coordinates are large (for larger scales). In pixel units,
-//! the smallest entries of F then matter most, so that rounding could give F rank 3. The returned F
-//! must have rank 2.
+//! Both epipoles are at the origin. At the larger scales, the coordinates are large, so that in
+//! pixel units the smallest entries of F matter most, and rounding could give F rank 3. The
+//! returned F must have rank 2.
 TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
 {
     const double scales[] = {1, 1e3, 1e6};
@@ -209,8 +209,9 @@ TEST(Usac_Hostile, rank_of_a_minimal_model)
     }
 }
 
-//! Whether H is scaled to h33 = 1 must depend on the projective weights of the points, not on the
-//! other entries of H, which depend on the scale of the points. Here h33 must be 1 at every scale.
+//! The decision to scale H to h33 = 1 must depend on the projective weights of the points, not on
+//! the other entries of H, which depend on the scale of the points. Here h33 must be 1 at every
+//! scale.
 TEST(Usac_Hostile, h33_is_one_at_any_scale)
 {
     const double scales[] = {1e-14, 1e-3, 1, 1e6, 1e14};

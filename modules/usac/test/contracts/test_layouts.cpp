@@ -133,9 +133,9 @@ TEST_P(UsacLayouts, what_stands_behind_more_than_three_coordinates)
     expected.compare("6xN", withMore(more1).t(), more2);
 }
 
-//! The arrays are so small that either the rows or the columns could be the points. The fourth
-//! number in a row of `shapes` is the expected number of points. In a square array, each row must
-//! be a point.
+//! The arrays are so small that either the rows or the columns could be the points. A row of
+//! `shapes` has the numbers of rows, columns and channels, and the expected number of points. In a
+//! square array, each row must be a point.
 TEST_P(UsacLayouts, both_readings_possible)
 {
     const int shapes[][4] = {{1, 2, 1, 1}, {1, 3, 1, 1}, {2, 1, 1, 1}, {3, 1, 1, 1}, {2, 2, 1, 2},

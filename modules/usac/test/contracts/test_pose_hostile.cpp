@@ -192,7 +192,7 @@ TEST(Usac_PoseHostile, wild_lenses)
     EXPECT_GT(found, 50);
 }
 
-//! All pairs of values of two of the listed options, with the default values of the other options.
+//! All pairs of values of two of the listed options, with the defaults of the other listed options.
 //! Each accepted combination must find a pose that satisfies all contracts. Combinations that
 //! Params::check() refuses are skipped.
 TEST(Usac_PoseHostile, every_option)

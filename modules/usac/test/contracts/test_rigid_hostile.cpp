@@ -174,7 +174,7 @@ TEST_P(Usac_RigidHostile, any_threshold)
     }
 }
 
-//! All pairs of values of two of the listed options, with the default values of the other options.
+//! All pairs of values of two of the listed options, with the defaults of the other listed options.
 //! Each accepted combination must find a motion that satisfies all contracts. Combinations that
 //! Params::check() refuses are skipped.
 TEST_P(Usac_RigidHostile, every_option)

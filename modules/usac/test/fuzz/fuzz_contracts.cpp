@@ -63,8 +63,8 @@ Answer run(const FuzzInput& input, int threads)
 }
 
 //! Returns 1 if the camera matrix is invalid, 0 if it is valid or empty, and -1 if it is nearly
-//! singular or its determinant is too large. With -1, the call is allowed to raise an exception or
-//! not.
+//! singular or its determinant is too large. With -1, the call is allowed, but not required, to
+//! raise an exception.
 int wrongCamera(const Mat& K)
 {
     if (K.empty())

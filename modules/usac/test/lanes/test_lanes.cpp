@@ -19,8 +19,8 @@ struct NamedKernels
     lanes::Kernels kernels;
 };
 
-//! The baseline kernels, those that the module chooses for one sample and for TOGETHER samples,
-//! and, if this processor has AVX2, those for AVX2.
+//! The baseline kernels, the kernels that the module chooses for one sample and for TOGETHER
+//! samples, and, if this processor has AVX2, the kernels for AVX2.
 std::vector<NamedKernels> availableKernels()
 {
     std::vector<NamedKernels> result;
@@ -234,5 +234,5 @@ TEST(Usac_OwnSolver, sameRunAsWithTheBuiltInOne)
     EXPECT_EQ(0, cv::norm(expected, model, NORM_INF));
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -23,7 +23,7 @@ double closeness(double squaredError, double inlierThreshold)
                : 0;
 }
 
-//! The energy of a labeling, as defined in the header of the class Labeling.
+//! The energy of a labeling, as defined in the comment of the class Labeling.
 double energyOf(const std::vector<double>& K, const std::vector<Vec2i>& edges, double lambda,
                 const std::vector<uchar>& inlier)
 {
@@ -380,8 +380,8 @@ Mat withUnreliableFits(const Scene& scene, const Params& params, int period, boo
 }
 
 //! If all fits fail or return a wrong model, the result must be the same as without local
-//! optimization. If only every third fit does, the error must not be larger than without local
-//! optimization.
+//! optimization. If only every third fit fails or returns a wrong model, the error must not be
+//! larger than without local optimization.
 TEST(Usac_LocalOptimizers, fitsThatFail)
 {
     for (int problem = 0; problem < 3; ++problem)
@@ -414,5 +414,5 @@ TEST(Usac_LocalOptimizers, fitsThatFail)
         }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

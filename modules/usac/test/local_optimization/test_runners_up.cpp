@@ -270,5 +270,5 @@ TEST(Usac_RunnersUp, tellTheTwoMotionsOfAPlane)
     EXPECT_EQ(0, wrong[1]);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -187,7 +187,7 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! Neither optimizer must return a worse model than the given one. Both must return the correct
+//! No optimizer is allowed to return a model worse than the given one. Both must return the correct
 //! quality of the model and improve most models of minimal samples.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
@@ -248,7 +248,7 @@ TEST_P(Usac_Sigma_Consensus, iterationsHaveAnEffect)
     }
 }
 
-//! A model with no point near it must not change.
+//! If no point is near a model, optimizers and polisher must not change the model.
 TEST_P(Usac_Sigma_Consensus, nothingNear)
 {
     const Bench bench((ProblemType)GetParam(), 1e-9);
@@ -368,5 +368,5 @@ TEST_P(Usac_Sigma_Consensus, estimates)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Sigma_Consensus, testing::Values(0, 1, 2));
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -237,5 +237,5 @@ TEST(Usac_CountedSamples, samples_before_the_search)
     EXPECT_GE(drawnWithEstimatedThreshold(HOMOGRAPHY, 90, 160), 0.95);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

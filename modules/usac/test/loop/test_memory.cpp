@@ -335,5 +335,5 @@ TEST(Usac_Memory_Space, nothingButTheModel)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Memory, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-}
 }  // namespace
+}  // namespace opencv_test

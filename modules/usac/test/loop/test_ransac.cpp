@@ -133,7 +133,7 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_LE(r.rejectedSamples + r.degenerateSamples, r.iterations);
             EXPECT_LE(r.rejectedModels + r.refusedModels + r.droppedModels, r.models);
             if (params.verification == VERIFICATION_NONE ||
-                // with smaller samples, models are rarely so wrong that they are refused
+                // models of smaller samples (affine maps) are rarely so wrong that they are refused
                 GetParam() <= ESSENTIAL)
             {
                 EXPECT_EQ(params.verification == VERIFICATION_NONE, r.refusedModels == 0);
@@ -349,7 +349,7 @@ TEST(Usac_Ransac_Report, thresholdOfLmeds)
                   found.mask.at<uchar>(i) != 0);
 }
 
-//! With two criteria the search must end when the first of them fires.
+//! With two criteria, the search must end when the first of them is fulfilled.
 TEST(Usac_Ransac_Stop, firstOfTwo)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)
@@ -411,5 +411,5 @@ TEST(Usac_Ransac_Parts, withoutOptionalComponents)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -139,7 +139,7 @@ TEST(Usac_Replacement, derivativeByDifferences)
     }
 }
 
-//! Draws uniform samples whatever Params::sampler says. With `mistake` 1 to 3, the samples are
+//! Draws uniform samples, whatever Params::sampler is. With `mistake` 1 to 3, the samples are
 //! invalid.
 class OwnSampler : public Sampler
 {
@@ -233,8 +233,8 @@ TEST(Usac_Replacement, uniformSampler)
     }
 }
 
-//! Reports that it keeps only the fraction `kept_` of the good models, so that more samples are
-//! needed.
+//! A verifier that keeps all models, but reports that it keeps only the fraction `kept_` of the
+//! good ones, so that more samples are needed.
 class DroppingVerifier : public Verifier
 {
 public:
@@ -358,5 +358,5 @@ TEST(Usac_Replacement, problem)
     EXPECT_THROW(Usac::create(Ptr<Problem>(), scene.points1, scene.points2), cv::Exception);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -76,7 +76,7 @@ TEST_P(Usac_Rerun, withOtherPoints)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Rerun, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! After setPoints() with a mistake there must be no points, and valid points must work afterwards.
+//! After setPoints() with a mistake, there must be no points, and valid points must work afterward.
 TEST(Usac_RerunPoints, afterAMistake)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
@@ -313,5 +313,5 @@ TEST(Usac_RerunComponents, beginOnceARun)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -144,7 +144,7 @@ TEST(Usac_NeighborhoodFlann, clumsyPointsAgainstBruteForce)
     }
 }
 
-//! Distances must be in pixels of the images, whatever internal coordinates the estimator has.
+//! Distances must be in pixels of the images, whatever internal coordinates the estimator uses.
 TEST(Usac_NeighborhoodFlann, pixelsOfBothImages)
 {
     for (int problem = 0; problem < 3; ++problem)
@@ -200,7 +200,7 @@ void checkEdges(const Pixels& pixels, Neighborhood& neighborhood, int links)
         EXPECT_LE(pixels.distance(i, j), std::max(reach[i], reach[j]));
     }
     int missing = 0;
-    // if a member is certainly among the nearest neighbors of point i, both must have an edge
+    // if a member is certainly among the nearest neighbors of point i, an edge must join the two
     for (int i = 0; i < pixels.size(); ++i)
     {
         const std::vector<int> members = listOf(pixels, neighborhood, 0, i);
@@ -394,9 +394,9 @@ TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
             counts[r] += usac->components().neighborhood->members(context, 0, i, members);
         }
     }
-    EXPECT_GT(counts[0], scene.size());  // more members than the points themselves
+    EXPECT_GT(counts[0], scene.size());  // some points have neighbors
     EXPECT_NEAR(counts[0], counts[1], 2);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

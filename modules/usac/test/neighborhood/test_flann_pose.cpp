@@ -51,5 +51,5 @@ TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

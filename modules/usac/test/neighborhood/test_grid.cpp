@@ -203,5 +203,5 @@ TEST(Usac_Neighborhood, noPoints)
     EXPECT_TRUE(edgesOf(*createRadiusNeighborhood(20), around.context).empty());
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -160,5 +160,5 @@ TEST(Usac_Arena, list)
     EXPECT_EQ(3, list.end() - list.begin());
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

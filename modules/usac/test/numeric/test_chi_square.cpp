@@ -172,5 +172,5 @@ TEST(Usac_Statistics, chiSquareOfNonsense)
     EXPECT_THROW(thresholdInSigmas(4), cv::Exception);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -60,5 +60,5 @@ TEST(Usac_Statistics, gammaKnownValues)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

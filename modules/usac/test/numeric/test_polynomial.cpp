@@ -135,7 +135,7 @@ TEST(Usac_Polynomial, sparse)
         }
     }
     RNG rng(6);
-    // nearly sparse polynomials, which symmetric points lead to
+    // nearly sparse polynomials, which symmetric arrangements of points lead to
     for (int repeat = 0; repeat < 1000; ++repeat)
     {
         std::vector<double> c(4 + repeat % 7, 0.), clean;
@@ -238,5 +238,5 @@ TEST(Usac_Polynomial, asManyAsTheCompanionMatrix)
                                      // roots on average
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -50,5 +50,5 @@ TEST(Usac_Significance, betaBinomialAgainstAnUrn)
             }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -74,5 +74,5 @@ TEST(Usac_Cholesky, size_at_run_time)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

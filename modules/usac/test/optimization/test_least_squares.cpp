@@ -30,8 +30,8 @@ std::vector<double> randomWeights(int count, RNG& rng)
     return weights;
 }
 
-//! Test parameters 0 to 2 are H, F and E with the standard residual, 3 to 5 with the symmetric
-//! residual.
+//! Test parameters 0 to 2 are H, F and E with the standard residual; 3 to 5 are H, F and E with the
+//! symmetric residual.
 ProblemType problemOf(int param) { return (ProblemType)(param % 3); }
 
 Formula::Kind kindOf(int param)
@@ -389,5 +389,5 @@ TEST_P(Usac_LeastSquares, equalPoints)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares, testing::Range(0, 6));
 
-}
 }  // namespace
+}  // namespace opencv_test

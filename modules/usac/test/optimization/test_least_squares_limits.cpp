@@ -71,5 +71,5 @@ TEST(Usac_LeastSquares_Limits, minimumIsKept)
     EXPECT_LE(modelDistance(reached, again), 1e-9);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

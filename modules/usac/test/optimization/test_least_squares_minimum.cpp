@@ -87,5 +87,5 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
 INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares_Minimum,
                         testing::Combine(testing::Range(0, 3), testing::Range(0, 2)));
 
-}
 }  // namespace
+}  // namespace opencv_test

@@ -43,8 +43,8 @@ TEST(Usac_Statistics, noiseScale)
                   NoiseScale::estimate(nothing.data(), 100, 1, degrees));
 }
 
-//! A standard deviation below NoiseScale::leastSigma() must be returned only if between four times
-//! this value and the threshold, there are hardly more errors than outliers explain.
+//! A standard deviation sigma below NoiseScale::leastSigma() must be returned only if there are
+//! hardly more errors between 4 sigma and the threshold than outliers explain.
 TEST(Usac_Statistics, noiseScaleNeedsEvidence)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)
@@ -77,5 +77,5 @@ TEST(Usac_Statistics, noiseScaleNeedsEvidence)
         }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

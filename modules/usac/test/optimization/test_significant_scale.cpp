@@ -24,7 +24,8 @@ std::vector<float> drawErrors(RNG& rng, int degrees, int inliers, int size)
     return errors;
 }
 
-//! Size of a minimal sample: that of H for 2 degrees, of a 3-D motion for 3, about that of F for 1.
+//! Size of a minimal sample: for 2 degrees that of H, for 3 that of a 3-D motion, for 1 about that
+//! of F.
 int sampleSizeOf(int degrees) { return degrees == 3 ? 3 : 8 / degrees; }
 
 double scaleOf(const std::vector<float>& errors, int degrees, double unit)
@@ -129,5 +130,5 @@ TEST(Usac_SignificantScale, noneOfWhatWrongMatchesHave)
         0.15);
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

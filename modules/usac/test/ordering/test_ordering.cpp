@@ -154,5 +154,5 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
     }
 }
 
-}
 }  // namespace
+}  // namespace opencv_test

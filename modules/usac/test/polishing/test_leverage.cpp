@@ -85,7 +85,7 @@ TEST(Usac_Leverage, few_matches_off_a_plane_stay)
 
 //! The derivative of Sampson's distance must agree with finite differences. The distance has a
 //! sign, because the root of its square has no derivative at 0. A step of 1e-9 changes errors by
-//! some 1e-3 pixels.
+//! about 1e-3 pixels.
 TEST(Usac_Leverage, derivative_of_Sampsons_distance)
 {
     const double STEP = 1e-9;

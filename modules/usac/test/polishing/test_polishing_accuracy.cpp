@@ -74,7 +74,7 @@ SceneOptions optionsOf(Motion motion, double noise, uint64 seed)
 typedef testing::TestWithParam<std::tuple<int, int>> Usac_Polishing_Accuracy;
 
 /** The root mean square error of polishing over the scenes must be at most 1.1 times that of least
-squares over the true matches. Polishing starts from the exact model: a model from the search may
+squares over the true matches. Polishing starts from the exact model: a model from the search can
 fit an outlier better than the true model does (mostly under forward motion), and polishing would
 keep this outlier. */
 TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
@@ -116,9 +116,10 @@ TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
         }
 }
 
-/** The threshold is 300 times the noise. For H and F, image 2 is also scaled to coordinates below
-1, but the threshold is not, so that almost every model has all matches as inliers. Polishing must
-nevertheless reach nearly the accuracy of least squares: 1.5 times its error (F: 3 times). */
+/** The threshold is at least 300 times the noise. For H and F, image 2 is also scaled to
+coordinates below 1, but the threshold is not, so that almost every H or F has all matches as
+inliers. Polishing must nevertheless reach nearly the accuracy of least squares: an error of at most
+1.5 times that of least squares (F: 3 times). */
 TEST_P(Usac_Polishing_Accuracy, thresholdFarAboveTheNoise)
 {
     const ProblemType problem = (ProblemType)std::get<0>(GetParam());

@@ -62,12 +62,12 @@ struct Restarted
 
     Quality before, after;
     int far;           //!< index of the match that is far from the others
-    double farBefore;  //!< its error before the restarts, in thresholds
+    double farBefore;  //!< error of this match before the restarts, in thresholds
 };
 
-//! In some scenes, the model of nine points in the strip misses the tenth match by more than ten
-//! thresholds, although a model with all ten as inliers fits as well. Restarts must find such a
-//! model in every scene.
+//! In some scenes, the error of the far match under the model of the nine matches in the strip is
+//! more than ten thresholds, although a model with all ten as inliers fits as well. Restarts must
+//! find such a model in every scene.
 TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
 {
     double most = 0;

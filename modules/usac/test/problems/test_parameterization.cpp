@@ -8,8 +8,8 @@
 
 #include <numeric>
 
-// The tangents of a parameterization must be independent, also at the models of special motions,
-// where the tangents of a parameterization by angles are dependent.
+// The tangents of a parameterization must be linearly independent, even at the models of special
+// motions, where the tangents of a parameterization by angles are dependent.
 
 namespace opencv_test {
 namespace {

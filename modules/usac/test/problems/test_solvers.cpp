@@ -124,7 +124,7 @@ TEST_P(Usac_Solvers_Problem, exactWithoutNoise)
     EXPECT_LE(result.missed, 6);
     EXPECT_LE(quantile(result.constraint, 1), 1e-8);
     EXPECT_LE(quantile(result.constraint, 0.9), 1e-12);
-    // E: only 98.5 %, because its polynomial is ill-conditioned near double roots
+    // E: only 98.5 %, because the polynomial of its solver is ill-conditioned near double roots
     EXPECT_LE(quantile(result.manifold, problem == ESSENTIAL ? 0.985 : 1), 1e-8);
     EXPECT_LE(quantile(result.manifold, 0.9), 1e-11);
 }
@@ -326,8 +326,8 @@ TEST(Usac_Solvers, fundamentalOfAPlane)
     EXPECT_EQ(result.samples, result.unsolved);
 }
 
-//! Four points are on a line l1 in image 1, the other three on a line l2 in image 2. The matrix
-//! l2 l1^T of rank 1 satisfies all seven constraints, but must not be returned.
+//! Four points are on a line l1 in image 1, the other three on a line l2 in image 2. The rank-1
+//! matrix l2 l1^T satisfies all seven constraints, but must not be returned.
 TEST(Usac_Solvers, fundamentalOfALineInEachImage)
 {
     const Ptr<MinimalSolver> solver = createFundamental7Solver();

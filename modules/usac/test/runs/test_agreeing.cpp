@@ -29,7 +29,7 @@ struct Agreement
 {
     const char* name;
     OutlierModel model;
-    double right, structured;  //!< fractions of true matches, and of wrong ones that agree
+    double right, structured;  //!< fractions of true matches, and of wrong matches that agree
 };
 
 const Agreement AGREEMENTS[] = {
@@ -110,7 +110,7 @@ TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
 }
 
 //! Random matches whose points are in clusters or near the center of the image must give no model
-//! in at least 28 of 30 scenes, also with MAGSAC++, whose reach grows with the noise.
+//! in at least 28 of 30 scenes, even with MAGSAC++, whose reach grows with the noise.
 TEST(Usac_Agreeing, clusters_of_points_are_no_noise)
 {
     const OutlierModel models[] = {OUTLIERS_CLUSTERS, OUTLIERS_CENTER};

@@ -120,7 +120,7 @@ TEST_P(UsacAutomaticThreshold, sameBits)
     EXPECT_FALSE(sameBits(models[0], createUsac(scene, Params())->run()));
 }
 
-//! Other points in the same object must give the result of a new object, also with the largest
+//! Other points in the same object must give the result of a new object, even with the largest
 //! seed.
 TEST_P(UsacAutomaticThreshold, otherPointsAndSeeds)
 {
@@ -139,7 +139,8 @@ TEST_P(UsacAutomaticThreshold, otherPointsAndSeeds)
     EXPECT_GT(before.sigma, 5 * after.sigma);
 }
 
-//! Of many points only a part is searched, but the threshold must be that of all points.
+//! If there are many points, the search uses only a part of them, but the threshold must be that of
+//! all points.
 TEST_P(UsacAutomaticThreshold, manyPoints)
 {
     const Scene scene = sceneOf(GetParam(), 0.5, 1, 50000);
@@ -393,13 +394,13 @@ TEST(Usac_AutomaticThreshold, motionsOfSpace)
     EXPECT_EQ(report.inliers, countNonZero(mask));
 }
 
-/** Estimates the noise from errors of known distribution, those of points under the identity. */
+//! Estimates the noise from errors of known distribution, those of matches under the identity.
 class NoiseOfErrors
 {
 public:
     //! @param tail fraction of the inliers with three times the noise
     //! @param inliers fraction of inliers
-    //! @param precise true: by preciseNoise(); false: by roughNoise()
+    //! @param precise true: uses preciseNoise(); false: uses roughNoise()
     InlierNoise estimate(double sigma, double tail, double inliers, int seed, bool precise) const
     {
         const int SIZE = 2000;
@@ -452,8 +453,8 @@ TEST(Usac_InlierNoise, ofGaussianErrors)
             }
 }
 
-//! 5 % of the inliers must exceed the threshold, also if a third of the inliers have three times
-//! the noise.
+//! The errors of 5 % of the inliers must exceed the threshold, even if a third of the inliers have
+//! three times the noise.
 TEST(Usac_InlierNoise, ofBadlyLocatedInliers)
 {
     std::vector<double> sigmas, thresholds;

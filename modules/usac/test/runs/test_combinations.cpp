@@ -81,9 +81,9 @@ std::string describe(const Choice& choice)
     return text;
 }
 
-//! Factor on the error limits of arenaOf() for choices without polishing. Of 1500 random choices,
-//! three without polishing exceeded these limits: two without local optimization (3.1 pixels for H,
-//! 1.4 pixels for E) and one with sigma-consensus (3.07 pixels for H).
+//! Factor of the error limits of arenaOf() for choices without polishing. Of 1500 random choices,
+//! three without polishing exceeded the limits of arenaOf(): two without local optimization (3.1
+//! pixels for H, 1.4 pixels for E) and one with sigma-consensus (3.07 pixels for H).
 const double UNPOLISHED = 1.5;
 
 //! The best 35 % of the matches of a real scene, the threshold, and the largest error of a correct
@@ -190,7 +190,8 @@ Choice bestChoice(const TestArena& arena, const Pair& pair, const std::set<Pair>
     return best;
 }
 
-//! Finds choices that together have all possible pairs. @return the impossible pairs
+//! Finds choices that together contain every possible pair of option values. @return the impossible
+//! pairs
 std::set<Pair> coverPairs(const TestArena& arena, std::vector<Choice>& choices)
 {
     std::set<Pair> open = allPairs(), impossible;

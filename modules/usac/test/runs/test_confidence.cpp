@@ -135,7 +135,7 @@ double closedForm(double p) { return std::ceil(std::log(0.1) / std::log1p(-p)); 
 
 /** Probability that the decoy ends the search: the decoy, but not the true model, is found in the
 first `samples` samples, after which the criterion ends the search.
-@param more points that must be inliers in addition to the sample */
+@param more number of points that must be inliers in addition to the sample */
 double failureRate(const Rivals& rivals, double threshold, double samples, int more = 0)
 {
     double p[2];
@@ -152,7 +152,7 @@ double failureRate(const Rivals& rivals, double threshold, double samples, int m
 int count(const std::vector<uchar>& mask) { return (int)std::count(mask.begin(), mask.end(), 1); }
 
 //! The standard criterion for sampling with (kind 0) and without repetition (kind 1), and also with
-//! a T(d,d) test, which rejects good models (kinds 2 and 3).
+//! a T(d,d) test, which rejects some good models (kinds 2 and 3).
 TEST(Usac_Confidence, standard)
 {
     for (int kind = 0; kind < 4; ++kind)

@@ -7,7 +7,8 @@
 #include <functional>
 #include <thread>
 
-// Repeated runs must give the same bits of the model, the mask and the report.
+// Repeated runs must give the same bits of the model, of the mask, and of those values of the
+// report that Result::exact() hashes.
 
 namespace opencv_test {
 namespace {

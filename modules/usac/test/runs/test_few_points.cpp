@@ -149,7 +149,8 @@ void expectLeastSquares(const FewPoints& points, const String& name)
 
 /** The horizon is near or between the points. A homography allows points on both sides of the
 horizon, although no camera sees both sides. Most samples then have points on both sides, so that
-the orientation check rejects them. With six points, three on each side, it rejects all samples. */
+the orientation check rejects them. If three of six points are on each side, the check rejects all
+samples. */
 TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
 {
     const int counts[] = {6, 8, 10, 14, 20};
@@ -178,8 +179,8 @@ TEST(Usac_FewPoints, epipoleBetweenThePoints)
             }
 }
 
-//! No fit that starts at the model of four of the ten points must have a clearly lower error (by a
-//! factor of 1.1) than the returned model.
+//! No fit that starts at the model of four of the ten points is allowed to have a clearly lower
+//! error (by a factor of 1.1) than the returned model.
 TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
 {
     int better = 0, equal = 0;
@@ -211,8 +212,9 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
     EXPECT_GT(equal, 20 * 100) << "of 20 times 210: most samples lead there";
 }
 
-//! Exact points in front of the second camera and (`behind` of them) behind it, so that the
-//! orientation checks reject the true model. All points must nevertheless be inliers.
+//! Exact points, `behind` of which are behind the second camera and the others in front of it, so
+//! that the orientation checks reject the true model. A search must nevertheless return a model
+//! that has all points as inliers.
 void bothSides(int count, int behind, RNG& rng, std::vector<Point2d>& points1,
                std::vector<Point2d>& points2)
 {

@@ -21,13 +21,13 @@
 //
 // The module's own arithmetic is that of IEEE 754 in an order that the source fixes, so that its
 // results do not depend on compiler, optimization and instruction set. Functions of other libraries
-// may differ in the last bit between machines: exp, log, pow, acos, cbrt and others of libm (glibc
-// itself has other variants for processors without FMA), cv::SVD of another OpenCV, the
-// decompositions of another Eigen or with other vector instructions. The file also has a hash of
-// some results of such functions (`platform`). If this hash is equal, all results must be equal bit
-// by bit. Otherwise the rows are compared by their robust hashes (mask, number of iterations and
-// stop reason). Up to a tenth of the rows may then differ, where the last bit decides between two
-// equally good models.
+// can give results that differ in the last bit between machines: exp, log, pow, acos, cbrt and
+// others of libm (glibc itself has other variants for processors without FMA), cv::SVD of another
+// version of OpenCV, and Eigen's decompositions of another version or with other vector
+// instructions. The file also has a hash of some results of such functions (`platform`). If this
+// hash is equal, all results must be equal bit by bit. Otherwise the rows are compared by their
+// robust hashes (mask, number of iterations and stop reason). Up to a tenth of the rows are then
+// allowed to differ, because the last bit can decide between two equally good models.
 
 namespace opencv_test {
 namespace {
@@ -109,8 +109,8 @@ std::string kernelsInUse()
     return "baseline";
 }
 
-//! The presets, and other parameters: scores, sigmas, another seed, and components that no preset
-//! has.
+//! The presets, and parameters that differ from a preset in the scores, the sigmas, the seed or a
+//! component.
 std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = allPresets(problem);
@@ -150,7 +150,7 @@ std::vector<NamedPreset> hashedSpaceParams(ProblemType problem, const std::vecto
     return all;
 }
 
-//! Adds a row with the result of estimate(params, mask, report) for each of the parameters.
+//! Adds a row with the result of estimate(params, mask, report) for each element of `all`.
 template <class Estimate>
 void addRows(const std::string& name, const std::vector<NamedPreset>& all, double threshold,
              const Estimate& estimate, std::vector<Row>& rows)
@@ -334,7 +334,8 @@ TEST(Usac_Hashes, kernels)
     EXPECT_EQ(expected ? expected : best, kernelsInUse());
 }
 
-// A POSIX shell starts the other processes. Without AVX2 there is only one set of kernels.
+// The following tests start other processes with a POSIX shell. They are left out without AVX2,
+// because there is then only one set of kernels.
 #if defined USACV20_HAVE_AVX2 && !defined _WIN32
 
 //! Runs a test in another process of this program, which must not use these features of the
@@ -358,9 +359,9 @@ Table tableWithout(const std::string& features)
     return table;
 }
 
-//! OPENCV_CPU_DISABLE is read at the start of a process, so that each set of features needs another
-//! process. The variable also changes which code OpenCV's own functions run. Nevertheless, all
-//! results must be equal bit by bit.
+//! OPENCV_CPU_DISABLE is read at the start of a process, so that each set of features needs a
+//! process of its own. The variable also changes which code OpenCV's own functions run.
+//! Nevertheless, all results must be equal bit by bit.
 TEST(Usac_Hashes, every_instruction_set)
 {
     const Table& table = ownTable();

@@ -41,8 +41,8 @@ Point2d mapped(const Matx23d& map, const Point2d& p)
 }
 
 //! Matches of a map with noise in image 2, followed by random wrong matches. All points of image 1
-//! are in a box of 640 x 480; the wrong points of image 2 are in the area to which the map takes
-//! this box.
+//! are in a box of 640 x 480; the wrong points of image 2 are in the area to which this box is
+//! mapped.
 struct Matches
 {
     Matches(const Matx23d& map_, int right_, int wrong, double noise_, uint64 seed)
@@ -143,7 +143,7 @@ TEST_P(Usac_Maps, inlierRatios)
     }
 }
 
-//! As many exact points as determine the map must suffice.
+//! The number of exact points that determines the map (3 or 2) must suffice to find the map.
 TEST_P(Usac_Maps, fewExactPoints)
 {
     const int least = problem() == AFFINITY ? 3 : 2;

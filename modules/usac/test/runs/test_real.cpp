@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! A set, its inlier threshold, the largest mean error of the check points (both in pixels) and the
-//! least number of inliers.
+//! A data set, its inlier threshold, the maximum mean error of the check points (both in pixels)
+//! and the minimum number of inliers.
 struct RealCase
 {
     const char* name;

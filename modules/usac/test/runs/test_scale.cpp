@@ -5,7 +5,8 @@
 #include "support/contracts.hpp"
 #include "support/process_memory.hpp"
 
-// Tests with many points and with many calls. Times are only printed, with --test_debug.
+// Tests with many points and with many calls. Times are not tested, only printed with
+// --test_debug=1.
 
 namespace opencv_test {
 namespace {
@@ -158,7 +159,7 @@ TEST_P(UsacScale, work_is_linear)
 }
 
 //! Memory must be at most 600 bytes per point with every neighborhood, even if all points are
-//! neighbors in its coarsest layer.
+//! neighbors in the coarsest layer of the neighborhood.
 TEST_P(UsacScale, memory_of_every_neighborhood)
 {
     if (!memoryIsMeasurable())
@@ -173,7 +174,7 @@ TEST_P(UsacScale, memory_of_every_neighborhood)
     }
 }
 
-//! Memory must not grow over many calls with all problems and presets.
+//! Memory must grow by at most 1 MB over many calls with all two-view problems and all presets.
 void manyCalls(int count)
 {
     if (!memoryIsMeasurable())

@@ -50,8 +50,9 @@ TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
     EXPECT_GT(between, 1.1 * usual);
 }
 
-//! If the noise is not larger than the threshold allows for, `widestReach` must change no bit. If
-//! it is larger, the result must not depend on the number of threads.
+//! If the noise is not larger than the threshold allows for, `widestReach` must change no bit of
+//! the model. If the noise is larger, `widestReach` must change the model. In both cases, the
+//! number of threads must change no bit.
 TEST_P(Usac_WidestReach, bits)
 {
     const Scene scene = makeScene((ProblemType)GetParam());
@@ -72,7 +73,7 @@ TEST_P(Usac_WidestReach, bits)
     }
 }
 
-//! With coordinates and threshold in another unit the inliers must be the same.
+//! With coordinates and threshold in a different unit, the inliers must be the same.
 TEST_P(Usac_WidestReach, unit)
 {
     if (GetParam() == ESSENTIAL)  // the unit of E is the focal length
@@ -115,9 +116,9 @@ TEST(Usac_WidestReach_Mask, mayBeEmpty)
     EXPECT_NE((int)STOP_NO_MODEL, report.stop);
 }
 
-//! A check that becomes active when the internal threshold has become larger (if `wider`) or
-//! smaller. The check then rejects all models or (if `wider`) those that have most of their inliers
-//! in the first group of points.
+//! A check that becomes active when the internal threshold has grown (if `wider` is true) or has
+//! shrunk (otherwise). If `wider` is true, the active check rejects models that have most of their
+//! inliers in the first group of points; otherwise it rejects all models.
 class RefusesGroup : public Degeneracy
 {
 public:
@@ -202,12 +203,12 @@ TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
         found += !model.empty();
         EXPECT_TRUE(model.empty() || modelError(groups.second, model) < 3) << seed;
     }
-    EXPECT_GE(found, 4);  // 0 if the reach grew only after the last sample
+    EXPECT_GE(found, 4);  // it would be 0 if the reach grew only after the last sample
 }
 
 //! The same if the reach shrinks again at the end, after it has grown for the poor model of few
-//! samples. The check then rejects all models, so that none must be returned. This happens in at
-//! least two of the 200 scenes.
+//! samples. The check then rejects all models, so that the run must return no model. This must
+//! happen in at least two of the 200 scenes.
 TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best_at_the_end)
 {
     int refusals = 0;

@@ -16,8 +16,8 @@ Params withScores(const std::vector<float>& scores)
     return params;
 }
 
-//! Chi-squared statistic of counts with these expectations: its distance from its mean in standard
-//! deviations. Counts with expectation 0 must be 0.
+//! Distance of the chi-squared statistic of counts with these expectations from its mean, in
+//! standard deviations. Counts with expectation 0 must be 0.
 double deviationFrom(const std::vector<int>& counts, const std::vector<double>& expected)
 {
     double sum = 0, freedom = -1;

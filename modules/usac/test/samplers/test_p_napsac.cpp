@@ -11,7 +11,7 @@
 namespace opencv_test {
 namespace {
 
-//! The fraction of the next samples whose points are all in one cell of the coarsest layer.
+//! The fraction of the next samples whose points are all in one cell of the grid's coarsest layer.
 double localFraction(Draw& draw, int samples)
 {
     Neighborhood& grid = *draw.usac->components().neighborhood;
@@ -69,7 +69,8 @@ void expectGrowth(int ordering, int period)
     params.orderedEvery = period;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
-    const bool known = ordering == ORDERING_INPUT_ORDER;  // the set grows only with ordered samples
+    // if the order is known, the set grows only with ordered samples
+    const bool known = ordering == ORDERING_INPUT_ORDER;
     GrowingSet set(draw.m, N);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
     for (int t = 1; t <= 20000; ++t)
@@ -110,7 +111,7 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
     expectGrowth(ORDERING_DENSITY, 4);
 }
 
-//! An ordering of the caller, by the row numbers; `known` says whether the order is informative.
+//! An ordering of the caller, by the row numbers; it is informative if `known` is true.
 class OwnOrdering : public Ordering
 {
 public:

@@ -28,7 +28,7 @@ TEST(Usac_Samplers, asManyPointsAsASampleNeeds)
             }
 }
 
-//! Counts the calls of sort(). `known_` says whether its order is informative.
+//! An ordering that counts the calls of sort(). The order is informative if `known` is true.
 class CountingOrdering : public Ordering
 {
 public:

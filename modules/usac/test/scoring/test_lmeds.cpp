@@ -33,9 +33,9 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
 {
     const ProblemType problem = (ProblemType)GetParam();
     const int m = sampleSizeOf(problem);
-    // The threshold is 2.5 sigma for F and E, where sigma is 1.4826 times the median error. For
-    // maps it includes the same fraction of inliers, by the quantiles sqrt(-2 log(1 - p)) of the
-    // length of a Gaussian vector in the plane
+    // The threshold is 2.5 sigma for F and E, where sigma is 1.4826 (1 + 5 / (n - m)) times the
+    // median error. For maps it includes the same fraction of inliers, by the quantiles
+    // sqrt(-2 log(1 - p)) of the length of a Gaussian vector in the plane.
     const double outside = std::erfc(2.5 / std::sqrt(2.));
     const double constant = mapsPoints(problem) ? std::sqrt(std::log(outside) / std::log(0.5))
                                                 : 2.5 * 1.482602;
@@ -183,7 +183,7 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
         params.polishing = POLISHING_REWEIGHTED;  // uses the estimated threshold
         params.seed = trial;
         right += modelError(scene, estimate(scene, params)) <
-                 (problem == SIMILARITY ? 1 : 0.5);  // models of two points are less accurate
+                 (problem == SIMILARITY ? 1 : 0.5);  // a model of two points is less accurate
         params.quality = QUALITY_MSAC;
         withoutMedian += modelError(scene, estimate(scene, params)) < 1;
     }

@@ -5,7 +5,8 @@
 #include "test_precomp.hpp"
 #include "scoring/order_likelihood.hpp"
 
-// Tests of how informative the order of the points is about which of them are inliers.
+// Tests of orderLogLikelihood(), which measures how well the order of the points explains which of
+// them are inliers.
 
 namespace opencv_test {
 namespace {

@@ -171,7 +171,7 @@ TEST(Usac_Scores, threshold)
     EXPECT_EQ(1, inliers.cost);
 }
 
-//! A residual of the caller with the errors of another one, for which there are no fused kernels.
+//! A residual of the caller that has the errors of another residual, but no fused kernels.
 class CustomResidual : public Residual
 {
 public:

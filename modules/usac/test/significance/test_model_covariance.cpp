@@ -73,8 +73,8 @@ TEST_P(Usac_ModelCovariance, same_bits_and_no_influence)
     EXPECT_EQ(one.sigma, many.sigma);
 }
 
-//! With an estimated threshold, the inliers are nearly the same, so that no variance must change by
-//! more than 35 %.
+//! With an estimated threshold, the inliers are nearly the same, so that each variance must change
+//! by at most 35 %.
 TEST_P(Usac_ModelCovariance, estimated_threshold)
 {
     const Case scene = makeCase(GetParam(), 5);
@@ -127,8 +127,9 @@ TEST_P(Usac_ModelCovariance, only_if_asked_for)
     EXPECT_EQ(0, silent.sigma);
 }
 
-//! With F of a plane and E without a translation, the points do not determine all parameters,
-//! although noise can look as if they did. At most one in ten models must have a covariance.
+//! The points do not determine all parameters of F of a plane and of E without a translation,
+//! although noise can make it look as if they did. At most one in ten models is allowed to have a
+//! covariance.
 TEST(Usac_ModelCovariance_, free_parameters)
 {
     int determined = 0, models = 0;

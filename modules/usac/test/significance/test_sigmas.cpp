@@ -223,7 +223,8 @@ TEST(Usac_Sigmas_, invalid)
     }
 }
 
-//! An object must keep its sigmas for other points. It must reject points of another number.
+//! A Usac object must keep its sigmas for other points. It must reject a different number of
+//! points.
 TEST(Usac_Sigmas_, setPoints)
 {
     const MixedNoise one(HOMOGRAPHY, 1), two(HOMOGRAPHY, 2);

@@ -116,8 +116,8 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
     }
 }
 
-//! By default, at most one of 20 sets of random pairs must give a motion, and all scenes with 10 %
-//! true pairs must give one.
+//! By default, at most one of 20 sets of random pairs is allowed to give a motion, and all scenes
+//! with 10 % true pairs must give one.
 TEST(Usac_Significance, randomAndRightPairsInSpace)
 {
     for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
@@ -178,8 +178,8 @@ TEST(Usac_Significance, rightModelsOfFewPoints)
     }
 }
 
-//! Random matches must give no model: by default with 200 points, and with a limit set by the
-//! caller also with 15. By default, 15 points are too few to reject a model.
+//! Random matches must give no model: 200 matches by default, and 15 matches if the caller sets a
+//! limit (Params::significance). By default, 15 matches are too few to reject a model.
 TEST(Usac_Significance, randomMatchesGiveNoModel)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -268,8 +268,8 @@ TEST(Usac_Significance, repeatedMatches)
 }
 
 //! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks, the best map
-//! takes everything to this point. This map has no more independent inliers than expected by
-//! chance, and there are enough other points to decide this, so that no model must be returned.
+//! maps everything to this point. This map has no more independent inliers than expected by chance,
+//! and there are enough other points to decide this, so that the run must return no model.
 TEST(Usac_Significance, mapsToOnePlace)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})

@@ -43,8 +43,8 @@ struct NamedPreset
 };
 
 std::vector<NamedPreset> allPresets();
-//! As allPresets(). For problems other than H, F and E, usac2013() comes without DEGENSAC, because
-//! these problems raise an exception for it.
+//! Like allPresets(). For problems other than H, F and E, the only degeneracy check of usac2013()
+//! is DEGENERACY_REPEATED, because DEGENSAC raises an exception for these problems.
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Runs every preset on the points, both with the estimate function and with Usac::create, and

@@ -27,7 +27,7 @@ namespace cvtest {
 //! they have measured.
 extern int debugLevel;
 
-//! Returns true if `--test_tag_enable=verylong` enables the tests that take minutes.
+//! Returns true if `--test_tag_enable=verylong` enables the tests that take minutes or hours.
 bool runsVeryLong();
 
 using cv::norm;

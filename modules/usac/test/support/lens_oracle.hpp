@@ -13,10 +13,11 @@
 namespace opencv_test {
 
 //! Bound of the rounding error of sums of some dozens of products in any order, relative to the sum
-//! of the absolute values of the terms. A rotation that is made orthogonal again is covered, too.
+//! of the absolute values of the terms. It also covers the error of making a rotation matrix
+//! orthogonal again.
 const double ROUNDING = 300 * DBL_EPSILON;
-//! The oracles do not decide about points whose radius differs relatively by less than this from a
-//! fold of the lens, that is, a maximum of the distorted radius.
+//! The oracles do not decide about points whose radius differs by less than this fraction from the
+//! radius of a fold of the lens, that is, of a maximum of the distorted radius.
 const double OFF_FOLD = 1e-3;
 
 /** Inverts the lens distortion without code of the module: the undistorted point is found by

@@ -12,7 +12,7 @@ namespace opencv_test {
 /** Checks a pose that is not empty, and its mask. R must be a rotation matrix up to 1e-9. The mask
 must be 1 exactly where the point is in front of the camera, the lens shows it, and its projection
 by cv::projectPoints is at most `threshold` pixels from the given image point. Rows are not checked
-where rounding of the pose and of the points can change the answer, which is decided with the
+where rounding of the pose and of the points can change the answer, according to a bound from the
 derivatives of cv::projectPoints, or where the point is close to a fold of the lens.
 @return a description of the mistake, or an empty string if there is none */
 std::string brokenPose(const EstimatorCall& call, double threshold, const cv::Mat& model,

@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_RESULTS_HPP
 #define OPENCV_USACV20_TEST_RESULTS_HPP
 
-// Result has all values that a call returns, and hashes of them.
+// Result has all values that a call returns, and functions that hash these values.
 
 #include "support/contracts.hpp"
 

@@ -27,7 +27,7 @@ enum OutlierModel {
                            //!< ten wrong matches share each such point
     OUTLIERS_TARGETS,      //!< anywhere in image 1; in image 2 at one of two points, up to noise
     OUTLIERS_LINE,  //!< anywhere in image 1; in image 2, every second match is on one line, up to
-                    //!< noise, the others are anywhere
+                    //!< noise, and the others are anywhere
     OUTLIERS_CLUSTERED,     //!< in each image within one square of side 80 pixels
     OUTLIERS_SECOND_MODEL,  //!< true matches of another camera motion (H, affine maps: and of
                             //!< another plane), in image 1 within a square of side 160 pixels
@@ -85,7 +85,7 @@ struct SceneOptions
     int structured;  //!< OUTLIERS_SHIFT and later enumerators: maximum number of wrong matches that
                      //!< follow the model; the others are uniform
     int places;      //!< OUTLIERS_PLACE: number of points of image 2, 1 or 2
-    double noise;    //!< standard deviation of each of the four coordinates in pixels
+    double noise;    //!< standard deviation of the noise of each of the four coordinates in pixels
     uint64 seed;
     double planeFraction;      //!< F, E: fraction of the true matches on the plane; with other
                                //!< problems, all true matches are on it
@@ -112,10 +112,11 @@ struct SceneOptions
 
 Rows are in random order. `clean1` and `clean2` are the points without noise; where `truth` is 0,
 they equal the points unless the wrong matches have noise, too. With SCORES_OF_TRUTH, scores lie
-between 0 and 1, lower is better: those of wrong matches are uniform, those of true matches are 1 -
-u^((1 - q) / q) with uniform u and the option `scoreInformation` q. With the same options, H, F and
-E have the same cameras, and F and E also have the same points. Affinities and similarities
-approximate this H at the middle of image 1, translations at a quarter of its width and height. */
+between 0 and 1, lower is better: those of wrong matches are uniform, those of true matches are
+1 - u^((1 - q) / q), where u is uniform and q is the option `scoreInformation`. With the same
+options, H, F and E have the same cameras, and F and E also have the same points. Affinities and
+similarities approximate this H at the middle of image 1, translations at a quarter of its width and
+height. */
 struct Scene
 {
     cv::usacv20::ProblemType problem;

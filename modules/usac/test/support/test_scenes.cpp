@@ -7,7 +7,7 @@
 #include <map>
 
 // Synthetic scenes must have the properties that their options ask for, because other tests and the
-// benchmark rely on them.
+// benchmark rely on these properties.
 
 namespace opencv_test {
 namespace {

@@ -88,9 +88,9 @@ TEST(Usac_ConfirmedOrder, goodOrderIsEvidence)
     EXPECT_EQ(0, evidence(std::vector<uchar>(100, 0), 7));
 }
 
-//! Counts the pairs of matches that share cells of both images, among the true matches of a scene
-//! (`right`) or among the wrong matches. Blocks of `merged` x `merged` cells are merged into one
-//! cell.
+//! Counts the pairs of matches that are in the same cell in both images, among the true matches of
+//! a scene (if `right`) or among the wrong matches. Blocks of `merged` x `merged` cells are merged
+//! into one cell.
 CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
 {
     const Ptr<Usac> usac = createUsac(scene, Params());
@@ -102,7 +102,7 @@ CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
 }
 
 //! Matches of a motion must be neighbors in both images more than twice as often as expected by
-//! chance; random matches must be so about as often as expected by chance.
+//! chance; random matches, about as often as expected by chance.
 TEST(Usac_ConfirmedOrder, motionsShowInCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -123,7 +123,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
             EXPECT_GT(own.both, 2 * own.expected) << seed;
             // how often it is recognized that the outliers contain no other motion
             seen += otherMotionWouldShow(own, rest, 150, 350);
-            // another motion has as many matches as the first one, and is as coherent
+            // now there is another motion, which has as many matches as the first one and is as
+            // coherent
             options.outliers = 200;
             options.second = 150;
             const Scene other = makeScene(problems[k], options);
@@ -135,8 +136,8 @@ TEST(Usac_ConfirmedOrder, motionsShowInCells)
     }
 }
 
-//! Few matches are seldom in a common small cell. Larger cells must show more often that there is
-//! no other motion, and must miss hardly any other motion that exists.
+//! If there are few matches, two of them are seldom in the same small cell. Larger cells must show
+//! more often that there is no other motion, and must miss hardly any other motion that exists.
 TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -248,7 +249,7 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
         }
 }
 
-//! Without scores, the criterion must change nothing, also if all samples follow the order.
+//! Without scores, the criterion must change nothing, even if all samples follow the order.
 TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
 {
     SceneOptions options;

@@ -134,8 +134,8 @@ TEST(Usac_TerminationProsac, minimalSupport)
                 // All inliers come last, so that no smaller set has a higher inlier ratio. The
                 // confidence is so low that it asks for hardly any samples.
                 const double samples = kind ? publishedGrowth(n, 4)[n] : 1;
-                int quantile = 5, accepted = 5;  // the least I with P(Binomial(n - 4, ratio) >= I -
-                                                 // 4) < 5 % / samples
+                // the least I with P(Binomial(n - 4, ratio) >= I - 4) < 5 % / samples
+                int quantile = 5, accepted = 5;
                 while (quantile <= n && tailBySum(quantile - 4, n - 4, ratio) * samples >= 0.05)
                     ++quantile;
                 while (accepted <= n && chanceOf(accepted, n, 4, ratio) * samples >= 0.05)
@@ -153,7 +153,7 @@ TEST(Usac_TerminationProsac, minimalSupport)
 }
 
 //! The first length n at which the support is not random and T_n is at least one sample, if all
-//! points are inliers. `repeated` of the points repeat others and are no evidence.
+//! points are inliers. `repeated` of the points repeat others and do not count as evidence.
 int firstEvidence(int N, int repeated, double ratio)
 {
     std::vector<double> uniform;

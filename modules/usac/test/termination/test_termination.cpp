@@ -81,7 +81,8 @@ TEST(Usac_Termination, standard)
     EXPECT_EQ((int)STOP_STANDARD, createStandardTermination()->reason());
 }
 
-//! In a simulation of samples without repetition, failures must be as rare as the confidence says.
+//! In a simulation of samples without repetition, failures must be as rare as the confidence
+//! requires.
 TEST(Usac_Termination, standardKeepsItsPromise)
 {
     Params params;
@@ -128,8 +129,8 @@ TEST(Usac_Termination, pNapsac)
 }
 
 //! The relaxation must not reduce the number of samples if the best model could be that of a plane
-//! (`successProbability` below 1). It must reduce the number less if many samples contain the same
-//! match twice.
+//! (`successProbability` below 1). The relaxation must reduce the number less if many samples
+//! contain the same match twice.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
 {
     Params params;
@@ -174,8 +175,9 @@ TEST(Usac_Termination, sprtWithOneTest)
     EXPECT_EQ((int)STOP_SPRT, createSprtTermination()->reason());
 }
 
-//! The solution h of epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 -
-//! epsilon_l))^h = 1, by a fine scan. `test` has been designed for epsilon_l and delta_l.
+//! The solution h, found by a fine scan, of
+//! epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1.
+//! `test` has been designed for epsilon_l and delta_l.
 double exponentByScan(const SequentialTest& test, double epsilon)
 {
     const double a = test.delta / test.epsilon, b = (1 - test.delta) / (1 - test.epsilon);

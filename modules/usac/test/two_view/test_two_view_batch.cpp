@@ -204,8 +204,8 @@ double rightSamples(int sampleSize, int matches, int right)
 
 TEST(Usac_TwoViewRules, samples)
 {
-    // fast() needs as many samples as the formula says; only the default search, `usual`, is known
-    // to need fewer
+    // for fast(), the number of samples is that of the formula; for the default search (`usual`),
+    // which needs fewer samples, the number is smaller
     Params params = Params::fast();
     params.confidence = 0.999;
     params.maxIterations = 7070;
@@ -231,7 +231,7 @@ TEST(Usac_TwoViewRules, samples)
 
 //! If the inlier ratios of other pairs of the collection are known, fewer samples must be asked
 //! for: the smallest number with which the expected fraction of missed pairs, over these pairs and
-//! one worse pair, is at most 1 - confidence.
+//! one more pair with a lower ratio, is at most 1 - confidence.
 TEST(Usac_TwoViewRules, samples_of_a_collection)
 {
     Params params = Params::fast();

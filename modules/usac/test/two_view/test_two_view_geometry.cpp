@@ -144,7 +144,7 @@ TEST(Usac_TwoViewGeometry, estimated_threshold)
         }
 }
 
-//! With a given threshold, the report must have the noise that Params::covariance asks for.
+//! With a given threshold, the report must contain the noise only if Params::covariance is set.
 TEST(Usac_TwoViewGeometry, noise_with_a_given_threshold)
 {
     const Scene scene = sceneOf(1);

@@ -206,8 +206,8 @@ TEST(Usac_SprtAdaptation, followsTheBestModelAndTheBadOnes)
     EXPECT_NEAR(0.6, sprt.test().epsilon, 1e-3);
 }
 
-//! The test must remain valid even if bad models have more inliers than the best one, or if all
-//! points are inliers.
+//! The sequential test must remain valid even if bad models have more inliers than the best model,
+//! or if all points are inliers.
 TEST(Usac_SprtAdaptation, staysATest)
 {
     const double ratios[][2] = {{0.1, 0.5}, {0.01, 0.01}, {1, 0.9}, {1, 1}, {1. / COUNT, 0}};

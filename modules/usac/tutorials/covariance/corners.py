@@ -31,8 +31,8 @@ def mapped(H, points):
 
 
 def estimate(points1, rng):
-    """Estimates the homography from the right matches with new noise and new wrong matches; returns
-    it and the report."""
+    """Estimates the homography from the right matches with new noise and new wrong matches. Returns
+    the homography and the report."""
     others = rng.uniform(0, SIZE, (WRONG, 2))
     points2 = np.r_[mapped(TRUTH, points1) + rng.normal(0, NOISE, points1.shape), rng.uniform(0, [640, 480], (WRONG, 2))]
     H, _, report = usacv20.estimateHomography(np.r_[points1, others], points2, usacv20.Params(threshold=3, covariance=1))

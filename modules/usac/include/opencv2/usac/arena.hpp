@@ -22,9 +22,10 @@ needed), which the next run reuses.
 
 Memory from take() stays valid until the run ends, memory from a Scope until that scope ends. take()
 uses the low end of the block and a Scope the high end, so that a component can call take() while a
-scope of its caller is open. When a block is full, another block is added; the next reset() merges
-all blocks into one of up to 31 MB. The memory is not initialized, and no constructors or
-destructors are called. Only one thread at a time is allowed to use an arena. */
+scope of its caller is open. When a block is full, another block is added; the next reset() replaces
+all blocks with one of up to 31 MB, unless the first block has this size already. The memory is not
+initialized, and no constructors or destructors are called. Only one thread at a time is allowed to
+use an arena. */
 class CV_EXPORTS Arena
 {
     struct Block;

@@ -28,8 +28,9 @@ struct CV_EXPORTS Task
     {}
 
     ProblemType problem;  //!< what is estimated
-    Mat points1;          //!< points of image 1; #ABSOLUTE_POSE: object points
-    Mat points2;          //!< their counterparts; #ABSOLUTE_POSE: image points
+    Mat points1;          //!< points of image 1; #ABSOLUTE_POSE: object points; #RIGID_3D and
+                          //!< #SIMILARITY_3D: points of space 1
+    Mat points2;          //!< the counterparts in image 2, in the image or in space 2
     Params params;        //!< options; Params::scores, if any, belong to these points
     Mat cameraMatrix1;    //!< for #ESSENTIAL and #ABSOLUTE_POSE
     Mat cameraMatrix2;    //!< for #ESSENTIAL; empty: the same as `cameraMatrix1`
@@ -54,10 +55,11 @@ struct CV_EXPORTS Estimate
 @return an Estimate for each task, in the order of the tasks.
 
 Each result, except for the times in the report, is bit-identical to that of the same estimation
-alone, whatever `threads` is. The threads are those of cv::parallel_for_; each thread takes the next
-task when it has finished one, so that tasks of different sizes keep all threads busy. When several
-tasks run at once, each has one thread, whatever Params::threads says. An error in a task ends only
-that task and is described in its `error`. Raises cv::Exception if `threads` is negative. */
+alone, whatever `threads` is, unless Params::maxTime or a ProgressScope ends the estimation. The
+threads are those of cv::parallel_for_; each thread takes the next task when it has finished one, so
+that tasks of different sizes keep all threads busy. When several tasks run at once, each has one
+thread, whatever Params::threads says. An error in a task ends only that task and is described in
+Estimate::error. Raises cv::Exception if `threads` is negative. */
 CV_EXPORTS std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads = 0);
 
 //! Options of a batch: one Params for all tasks, or one for each.

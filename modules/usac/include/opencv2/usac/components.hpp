@@ -32,13 +32,13 @@ These methods must not take memory from Context::arena. All other methods are ca
 @{ */
 
 //! Parameters of one design of the sequential probability ratio test (SPRT), and the number of
-//! samples that it was used for.
+//! samples that this design was used for.
 struct SequentialTest
 {
     double epsilon;  //!< probability that a point is an inlier of a good model
     double delta;    //!< probability that a point is an inlier of a bad model
     double A;  //!< decision threshold: a good model is rejected with a probability of at most 1/A
-    int samples;  //!< number of samples with State::counts whose models this design has tested
+    int samples;  //!< number of samples with this design for which State::counts was true
 };
 
 struct Context;
@@ -90,8 +90,7 @@ struct CV_EXPORTS State
     Model best;                       //!< the best model so far
     Quality bestQuality;              //!< score of `best`
     Quality sampleQuality;            //!< the best score of a model of a sample before optimization
-    ArenaList<SequentialTest> tests;  //!< designs of the test of the verifier; the last design is
-                                      //!< in use
+    ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last design is in use
     bool degenerate;  //!< true if a sample or model was degenerate, for example dominated by a
                       //!< plane
     Report report;    //!< statistics of the run so far
@@ -164,8 +163,9 @@ public:
     virtual ~Component();
     /** @brief Begins a run. Called before the run uses the component (except for constants such as
     MinimalSolver::sampleSize), even if there are too few points for a model. Called again in the
-    same run if the points or the threshold change: if there are more than 32768 points, the search
-    uses only a random part of them, and polishing uses all; #THRESHOLD_ESTIMATED changes both.
+    same run if the points change: of more than 32768 points, the search uses only a random part,
+    and polishing uses all; #THRESHOLD_ESTIMATED first uses 512 points. The threshold of the points
+    can change without another call.
 
     A component that stores data about a run (for example its points or learned values) resets them
     here: the same object is used for the next run, whose points and number of points can differ.
@@ -194,17 +194,17 @@ public:
     virtual ~Neighborhood();
     //! Number of layers, that is, of neighborhood sizes; layer 0 has the smallest neighborhoods.
     virtual int layers() const = 0;
-    //! Sets `members` to the neighbors of a point in a layer, including it. @return their number.
+    //! Sets `members` to the point itself and its neighbors in a layer. @return their number.
     virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
     /** @brief Undirected edges of the graph, each listed once, at most a constant times N.
     @param context the run
-    @param wanted N values, or null for all edges. Edges between two points with value 0 may be
-    left out, which saves time.
+    @param wanted a value for each of the N points, or null for all edges. To save time, an edge
+    between two points with value 0 can be left out.
     @param edges output: pointer to the edges, which are valid until the next call
     @return their number */
     virtual int edges(const Context& context, const uchar* wanted, const Vec2i*& edges) = 0;
-    //! Upper bound of the number of edges of a point; -1, the default: unknown. If it is unknown,
-    //! the graph cut counts the edges of all points.
+    //! Upper bound of the number of edges of a point. Default: -1, which means that the bound is
+    //! unknown; the graph cut then counts the edges of all points.
     virtual int mostEdges() const;
 };
 
@@ -312,8 +312,8 @@ public:
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over
 Correspondences::column. `model` has the Model::size() entries as float, see Residual::homogeneous.
-A kernel saves time only if the compiler vectorizes its loop; it is then faster even for blocks of
-32 points. */
+A kernel saves time only if the compiler vectorizes its loop; the kernel is then faster even for
+blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model,
                             float squaredThreshold, int begin, int end, Quality& sum);
 
@@ -354,7 +354,7 @@ public:
     virtual ~Verifier();
     /** @brief Tests single points before blocks of points are tested. Default: tests none.
     @param context, model the data of the run and the model to test
-    @param rng random number generator of the sample
+    @param rng random number generator for the models of the sample
     @param inliers, tested output: the number of inliers among the tested points, and the number of
     tested points
     @return false: the model is rejected. */
@@ -399,8 +399,8 @@ public:
     such as an optimized or initial model
     @param context, state the fixed and the changing data of the run
     @param model, quality the model and its score
-    @return false: the model is degenerate and cannot be corrected; it is rejected. Default: true
-    */
+    @return false: the model is rejected, because it is degenerate and cannot be corrected. Default:
+    true */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model,
                          Quality& quality);
     //! Lowers the quality of a model that has passed every recover(), if some of its inliers are
@@ -480,7 +480,7 @@ struct CV_EXPORTS Components
     Ptr<Neighborhood> neighborhood;              //!< required by NAPSAC, P-NAPSAC and graph cuts
     Ptr<Sampler> sampler;                        //!< required
     Ptr<MinimalSolver> minimalSolver;            //!< required
-    Ptr<NonMinimalSolver> nonMinimalSolver;      //!< required by local optimization, polishing
+    Ptr<NonMinimalSolver> nonMinimalSolver;      //!< required for local optimization, polishing
     std::vector<Ptr<Degeneracy>> degeneracies;   //!< called in this order
     Ptr<Verifier> verifier;                      //!< empty: none
     Ptr<LocalOptimizer> localOptimizer;          //!< empty: none

@@ -33,11 +33,12 @@ of the d parameters of Report::covariance. H, F and E are first brought to the s
 which the estimation returns them.
 
 The parameters of H, F and E are coordinates in an orthonormal basis of the tangent space of the
-matrices of unit norm; as H is returned with h33 = 1, its derivatives are those of the entries
-divided by h33. */
+valid matrices of unit norm (for F, those of rank 2); as H is returned with h33 = 1, its derivatives
+are those of the entries divided by h33. */
 CV_EXPORTS_W Mat tangentOfModel(ProblemType problem, InputArray model);
 
-/** @brief Covariance of the entries of a model, T C T^T with T of #tangentOfModel.
+/** @brief Covariance of the entries of a model: T C T^T, where T is the result of #tangentOfModel
+and C is `covariance`.
 
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth
@@ -50,12 +51,13 @@ of an essential matrix.
 
 @param essential 3x3, any depth: a multiple of [t]x R
 @param covariance Report::covariance of the essential matrix, 5 x 5, any depth
-@param R 3x3: the rotation of #estimateRelativePose or of cv::recoverPose
-@param t 3 numbers: its translation, of any length
+@param R 3x3: the rotation from #estimateRelativePose or from cv::recoverPose
+@param t 3 numbers: the translation from the same function, of any length
 @return 6 x 6, CV_64F, rank 5: the covariance of the rotation vector w in radians, where exp(w) R is
 the rotation with its error, and of the vector t / |t|, whose errors are perpendicular to t. Raises
-cv::Exception if R is not a rotation, or if [t]x R is not a multiple of the essential matrix (both
-up to deviations of 1e-6 relative to the norm). */
+cv::Exception if R is not a rotation, if t is 0, or if [t]x R is not a multiple of the essential
+matrix. Deviations up to a Frobenius norm of 1e-6 are accepted (in R R^T, and between essential
+matrices of unit norm). */
 CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R,
                                   InputArray t);
 

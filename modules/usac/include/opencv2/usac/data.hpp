@@ -93,8 +93,8 @@ struct Frame
         return Matx33d(scale, 0, 0 - scale * center[0], 0, scale, 0 - scale * center[1], 0, 0, 1);
     }
 
-    double center[3];  //!< center of the points in the caller's unit
-    double scale;      //!< factor applied after the shift: normalized units per caller's unit
+    double center[3];  //!< center of the points before the normalization
+    double scale;      //!< factor applied after the shift
 };
 
 /** @brief The correspondences as the components see them: normalized, shuffled, and stored as a
@@ -119,8 +119,8 @@ struct Correspondences
 
     //! Coordinates per datum.
     int columns() const { return coordinates[0] + coordinates[1]; }
-    //! Numbers per datum, as a Residual expects them: the coordinates, and the factor of the error
-    //! if there is one.
+    //! Numbers per datum, as a Residual expects them: the coordinates and, if there are
+    //! Params::sigmas, the factor of the error.
     int numbers() const { return columns() + (weighted ? 1 : 0); }
 
     const Problem* problem;  //!< kind of model that is estimated
@@ -156,7 +156,8 @@ struct Quality
     //! True if this object has a lower cost than `other`.
     bool betterThan(const Quality& other) const { return cost < other.cost; }
 
-    double cost;  //!< sum of a cost between 0 and 1 for each point; infinite: there is no model
+    double cost;  //!< sum of a cost between 0 and 1 for each point, but see Score::wholeModel;
+                  //!< infinite: there is no model
     int inliers;  //!< number of points with errors of at most Context::inlierThreshold (LMedS: at
                   //!< most the median)
 };

@@ -24,8 +24,8 @@ vector<Point2f>, vector<Point2d> etc. With 3 coordinates instead of 2 (vector<Po
 the points are homogeneous; a point whose third coordinate is 0 is at infinity and never an inlier.
 Rows (x, y, size) or (x, y, confidence) cannot be distinguished from homogeneous points and are
 divided by the third number, too. Of 4 or more numbers per point, the first two are used. With 1
-channel, the longer side is the number of points; if both sides are equal, it is the number of rows;
-a single row or column is one point.
+channel, the longer side is the number of points; if both sides are equal, each row is a point; a
+single row or column is one point.
 @param points2 their N counterparts in image 2; layout and depth can differ from those of `points1`.
 @param params options; `threshold` is the distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the
@@ -174,7 +174,7 @@ CV_EXPORTS Mat estimateRigid3D(InputArray points1, InputArray points2,
 /** @brief Estimates the similarity (rotation, uniform scale and translation) between 3-D points: X2
 = s R X1 + t, s > 0.
 
-For example, from a reconstruction of unknown scale to measured points.
+An example is the map from a reconstruction of unknown scale to measured points.
 
 @param points1 N 3-D points, as in #estimateRigid3D, in any unit.
 @param points2 their N counterparts.

@@ -102,8 +102,8 @@ public:
     most Report::threshold.
     @param model as #run returns it, any depth
     @return N x 1, CV_64F, in the unit of Params::threshold, not squared. Infinite or NaN where the
-    error is not defined: for points that are not finite, behind a camera, or outside the field of
-    view of its lens. */
+    error is not defined: for points that are not finite, outside the field of view of a lens, or
+    (absolute pose) behind the camera. */
     virtual Mat errors(InputArray model) = 0;
 };
 

@@ -64,9 +64,9 @@ namespace usacv20 {
 /** @name Maps of the plane with any flag, known only at run time
 These functions have the signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D with an
 `int method`, except that an omitted `method` is UsacV20Method::USACV20. As for
-usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d unchanged, a
-number that is not a flag raises a cv::Exception that names `method`, and after `using namespace cv`
-and `using namespace cv::usacv20` the call must name the namespace.
+usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d unchanged,
+any other number outside 0..63 raises a cv::Exception that names `method`, and after `using
+namespace cv` and `using namespace cv::usacv20` the call must name the namespace.
 @{ */
 /** @brief cv::estimateAffine2D with a flag of this module or of OpenCV.
 @param from N points of image 1

@@ -55,9 +55,9 @@ namespace usacv20 {
 /** @brief cv::solvePnPRansac with a flag of this module or of OpenCV, known only at run time.
 
 As for usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d
-unchanged, a number that is not a flag raises a cv::Exception that names `flags`, and after `using
-namespace cv` and `using namespace cv::usacv20` the call must name the namespace. The defaults are
-those of calib3d, except that an omitted `flags` is UsacV20Method::USACV20.
+unchanged, any other number outside 0..63 raises a cv::Exception that names `flags`, and after
+`using namespace cv` and `using namespace cv::usacv20` the call must name the namespace. The
+defaults are those of calib3d, except that an omitted `flags` is UsacV20Method::USACV20.
 @param objectPoints N 3-D points
 @param imagePoints their images in pixels
 @param cameraMatrix 3x3 camera matrix

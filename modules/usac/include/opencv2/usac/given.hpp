@@ -79,8 +79,8 @@ CV_EXPORTS_W Mat refineModel(ProblemType problem, InputArray model, InputArray p
 @param cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2 as in #fitModel
 @return N x 1, CV_64F, not squared, in the unit of Params::threshold (pixels; 3-D motions: the unit
 of `points2`): the mask of an estimation is 1 exactly where this error is at most Report::threshold.
-Infinite or NaN where the error is not defined: for points that are not finite, behind a camera, or
-outside the field of view of its lens. */
+Infinite or NaN where the error is not defined: for points that are not finite, outside the field of
+view of a lens, or (absolute pose) behind the camera. */
 CV_EXPORTS_W Mat modelErrors(ProblemType problem, InputArray model, InputArray points1,
                              InputArray points2, const Params& params = Params(),
                              InputArray cameraMatrix1 = noArray(),

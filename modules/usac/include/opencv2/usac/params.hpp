@@ -117,7 +117,7 @@ enum SamplerType {
                             //!< example inlier probabilities
 };
 
-//! Which points are neighbors in the joint space (x1, y1, x2, y2).
+//! Which points are neighbors in the joint space of both arrays, such as (x1, y1, x2, y2).
 enum NeighborhoodType {
     //! points in the same cell of a grid with layers of finer and coarser cells
     //! @cite barath2019progressive
@@ -129,7 +129,8 @@ enum NeighborhoodType {
 //! Error of a point that is minimized and compared with the threshold.
 enum ResidualType {
     //! H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose:
-    //! reprojection error. 3-D motions: distance between a mapped point and its counterpart
+    //! reprojection error in the original (distorted) image. 3-D motions: distance between a mapped
+    //! point and its counterpart
     RESIDUAL_STANDARD = 0,
     //! H, affine maps: root of the sum of the squared transfer errors in both images. F, E: root of
     //! the sum of the squared distances to both epipolar lines. Absolute pose, 3-D motions: raises
@@ -140,7 +141,7 @@ enum ResidualType {
 //! Where the order of the points ("best first") comes from (paper, section "Other features").
 enum OrderingType {
     ORDERING_AUTO = 0,     //!< Params::scores if given, else the local density
-    ORDERING_DENSITY = 1,  //!< local density of the points in the 4-D joint space, densest first
+    ORDERING_DENSITY = 1,  //!< local density of the points in the joint space, densest first
     //! the caller has sorted the points, best first; if Params::scores are given, they determine
     //! the order instead
     ORDERING_INPUT_ORDER = 2,
@@ -209,21 +210,23 @@ enum TerminationFlags {
                              //!< sample of m points, drawn without replacement, is all-inlier with
                              //!< probability C(I, m) / C(N, m) instead of (I / N)^m
     //! PROSAC's criterion, if inliers of the best model come early in a known order and samples of
-    //! its outliers yield no better model; no effect if `runnersUp` is 0 or `orderedEvery` is 1
+    //! its outliers yield no better model; needs PROSAC or P-NAPSAC with `orderedEvery` above 1,
+    //! local optimization and `runnersUp` above 0, else no effect
     TERMINATION_ORDER = 64
 };
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
 //! checks that the problem has. For affine maps, absolute poses and 3-D motions,
-//! #DEGENERACY_DEGENSAC without all other bits (as in Params::usac2013) raises cv::Exception.
+//! #DEGENERACY_DEGENSAC raises cv::Exception unless all bits are set (Params::usac2013 lacks one).
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
     //! F: if a plane dominates a sample, F is computed by plane and parallax @cite chum2005two. E:
     //! twice as many samples are drawn if most inliers are on a plane
     DEGENERACY_DEGENSAC = 2,
-    //! rejects samples in which two matches share a point (up to noise, if there are many such
-    //! matches), and counts many occurrences of one match as a single inlier
+    //! rejects samples in which two matches have the same point in an array (nearly the same, if
+    //! there are many such matches); many matches to one point, or many copies of one match, count
+    //! as a single inlier
     DEGENERACY_REPEATED = 4
 };
 
@@ -246,10 +249,8 @@ struct CV_EXPORTS_W_SIMPLE Params
 {
     CV_WRAP Params();
 
-    //! Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E:
-    //! Sampson distance. Absolute pose: reprojection error in the original (distorted) image. 3-D
-    //! motions: distance between a mapped point and its counterpart, in the unit of the points.
-    //! Default 1.5.
+    //! Inlier threshold, the upper bound of the error that `residual` selects, in pixels, not
+    //! squared; > 0. 3-D motions: in the unit of the points. Default 1.5.
     CV_PROP_RW double threshold;
     //! @ref ThresholdType of `threshold`. Default #THRESHOLD_GIVEN.
     CV_PROP_RW int thresholdType;
@@ -270,7 +271,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Seed of the pseudo-random sequence; the same seed and input give equal results. Default 0.
     CV_PROP_RW int seed;
     //! Number of threads that compute and score models; 0..1024, 0: cv::getNumThreads(). The result
-    //! does not depend on it. Default 1.
+    //! does not depend on this number. Default 1.
     CV_PROP_RW int threads;
 
     //! @ref SamplerType. Default #SAMPLER_P_NAPSAC.
@@ -278,12 +279,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! @ref OrderingType. Default #ORDERING_AUTO.
     CV_PROP_RW int ordering;
     //! Score of each correspondence, N values or none; samplers use them to prefer points, and with
-    //! `runnersUp` they choose between models of nearly equal cost. Default none.
+    //! `runnersUp` they decide between models of nearly equal cost. Default none.
     CV_PROP_RW std::vector<float> scores;
-    /** Relative standard deviation of the error of each correspondence, such as the scale of its
-    keypoint; N values from 1e-6 to 1e6, or no sigmas; errors, `threshold`, Report::threshold,
-    Report::sigma and Usac::errors are in units of the sigmas. A residual of your own must divide
-    its errors itself, see Correspondences. Default none: all are 1. */
+    /** Standard deviation of the error of each correspondence, in pixels or up to a common factor
+    (such as keypoint scales); N values from 1e-6 to 1e6, or no sigmas; `threshold`, Usac::errors,
+    Report::threshold and Report::sigma are then in units of the sigmas. A residual with which a
+    program replaces the default must weight its errors, see Correspondences. Default none. */
     CV_PROP_RW std::vector<float> sigmas;
     /** Entries, row by row, of an initial model as the estimator returns it (such as that of the
     previous frame), or no model; see setInitialModel(). It is scored and optimized before the first
@@ -417,8 +418,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     minimizes the negative log-likelihood of all points. */
     CV_WRAP static Params mlesac();
     /** @brief PROSAC: like ransac(), with PROSAC's samples (`orderedEvery` 1: all of them) and
-    termination; the caller has sorted the points, best first @cite chum2005matching. Differences of
-    the termination from the paper are described at the class ProsacTermination. */
+    termination; the caller has sorted the points, best first @cite chum2005matching. The comment of
+    the class ProsacTermination describes how the termination differs from the paper. */
     CV_WRAP static Params prosac();
     /** @brief LO-RANSAC: like ransac(), but each new best model is refined by ten inner samples
     @cite chum2003locally, each followed by four fits with a shrinking threshold. As in all
@@ -429,7 +430,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params floRansac();
     /** @brief GC-RANSAC: like msac(), but each new best model is refined alternately by graph cuts
     and by inner samples of seven times the minimal size, as long as the model improves, at most ten
-    times @cite barath2018graph; neighbors are the points within 20 pixels. The paper waits with the
+    times @cite barath2018graph; neighbors are the points within 20 pixels. The paper postpones the
     refinement until enough samples have been drawn for it to pay off. */
     CV_WRAP static Params gcRansac();
     /** @brief USAC of 2013: PROSAC samples of sorted points (`orderedEvery` 1: all of them), SPRT,
@@ -442,7 +443,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of freedom as
     a match has constraints, one for F and E and two for H; the paper uses four, the number of
     coordinates of a match. The fit divides the range of the noise scale into five parts. If the
-    data show more noise, the range grows (`widestReach`); the paper sets a large bound. */
+    data show more noise, the range grows (`widestReach`); the paper uses a large fixed range. */
     CV_WRAP static Params magsac();
     /** @brief MAGSAC++: P-NAPSAC samples, SPRT, the robust loss of MAGSAC++ and re-weighted fits
     (sigma-consensus++) @cite barath2020magsac. Preset of UsacV20Method::USACV20_MAGSAC. Noise scale
@@ -474,7 +475,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     void read(const FileNode& node);
 };
 
-//! Another name of Params. After `using namespace cv`, prefer usacv20::Params, because the
+//! Another name for Params. After `using namespace cv`, prefer usacv20::Params, because the
 //! unqualified name UsacParams can also mean the class of calib3d.
 typedef Params UsacParams;
 

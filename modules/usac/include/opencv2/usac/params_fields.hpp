@@ -31,8 +31,9 @@ enum FieldKind {
     FIELD_COVARIANCE    //!< the numbers of the covariance of a model
 };
 
-//! Default and range of a field of Params. The numbers are `double` for integer fields, too, which
-//! represents them exactly. They are not used for FIELD_SCORES and the kinds after it.
+//! Default and range of a field of Params. The numbers are `double` for integer fields, too; a
+//! `double` represents these integers exactly. The numbers are not used for FIELD_SCORES and the
+//! kinds after it.
 struct FieldValues
 {
     FieldKind kind;  //!< kind of value

@@ -78,9 +78,9 @@ public:
     @return number of pixels (units of Params::threshold) per unit of the new coordinates. Default:
     1, nothing is transformed. */
     virtual double toModelCoordinates(double* const* columns, int count) const;
-    //! Transforms the points for createImageResidual(), in place: like toModelCoordinates(), but
-    //! the points of the last array are only converted to the new unit; distortion is not removed.
-    //! Default: nothing is transformed.
+    //! Converts the points of array 1, in place, to the unit of toModelCoordinates() without
+    //! removing their distortion, for createImageResidual(). The columns of array 0 must stay
+    //! unchanged. Default: nothing is converted.
     virtual void toImageCoordinates(double* const* columns, int count) const;
     /** @brief How the points are normalized for the search, a @ref Normalization.
     @param residual @ref ResidualType
@@ -106,8 +106,8 @@ public:
     Params::initialModel raises cv::Exception. */
     virtual bool fromOutput(const std::vector<double>& output, const Correspondences& points,
                             Model& model) const;
-    /** @brief Converts a model of the caller to the coordinates of toModelCoordinates() without
-    changing its entries, for the mask and Usac::errors.
+    /** @brief Converts a model of the caller to the coordinates of toModelCoordinates(), for the
+    mask and Usac::errors. The model is taken as it is, even if it violates constraints slightly.
     @param output a matrix of the shape of toOutput(), CV_64F
 
     Default: an empty model; fromOutput() and toInput() are then used instead, with the same result

@@ -65,8 +65,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int localOptimizations;
     //! Number of local optimizations whose result was better than the best model so far.
     CV_PROP_RW int localImprovements;
-    //! True if #DEGENERACY_DEGENSAC found a dominant plane, in the sample or among the inliers of
-    //! one of the best models (F only).
+    //! True if #DEGENERACY_DEGENSAC found a dominant plane in the sample or among the inliers of a
+    //! model that it examined (F only).
     CV_PROP_RW bool degenerate;
     //! Number of inliers: rows of the mask that are 1.
     CV_PROP_RW int inliers;
@@ -78,16 +78,17 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW double inlierRatio;
     //! Number of inliers without repetitions: in each array, inliers in the same cell of a grid
     //! count once; the smaller of the two arrays' numbers is stored. The side of the cells is the
-    //! threshold; in an array in another unit, only equal points count once. 0 (not computed) if
-    //! there are more than 50 000 inliers and no time is left (Params::maxTime, ProgressScope).
+    //! threshold; in an array with another unit (object points), only equal points count once. 0
+    //! (not computed) if there are more than 50 000 inliers and no time is left (Params::maxTime,
+    //! ProgressScope).
     CV_PROP_RW int independentInliers;
     /** Upper bound of the probability that the same search finds a model with as many independent
     inliers (at the threshold, or at 4 or 16 times the threshold) in random matches of the same
     points, 0..1, after @cite moisan2004probabilistic. A value below 1e-6 and below a hundredth of
     Params::significance can come from a subset of the points; if the run was stopped, any value can
     come from only 50 000 points. Also set if the model was rejected because of this value; 1 if no
-    model was found. With #THRESHOLD_ESTIMATED, it is computed as if the estimated threshold had
-    been given. */
+    model was found, or without a search (Usac::fit, Usac::refine). With #THRESHOLD_ESTIMATED, it is
+    computed as if the estimated threshold had been given. */
     CV_PROP_RW double chance;
     //! Threshold of the mask, in the unit of Params::threshold: Params::threshold itself or, with
     //! #THRESHOLD_ESTIMATED or #QUALITY_LMEDS, a threshold estimated from the data.
@@ -95,10 +96,11 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! Standard deviation of each component of the inliers' errors, in the unit of
     //! Params::threshold. For F and E it is about the standard deviation of the points'
     //! coordinates; for maps it combines the noise of both arrays. It is computed from the errors
-    //! under the returned model and corrected for the number of fitted parameters and for the
-    //! cut-off at the threshold. With #THRESHOLD_ESTIMATED, the threshold was computed from it. 0
-    //! if it was not estimated: there is no model, there are too few inliers, the threshold was
-    //! given and Params::covariance is 0, or the model is a mere fit (see `covariance`).
+    //! under a polished model and corrected for the number of fitted parameters and for the cut-off
+    //! at the threshold. With #THRESHOLD_ESTIMATED, the threshold is derived from the same
+    //! estimate. 0 if it was not estimated: there is no model, there are too few inliers, the
+    //! threshold was given and Params::covariance is 0, or the model is a mere fit (see
+    //! `covariance`).
     CV_PROP_RW double sigma;
     /** Covariance of the parameters of the returned model, d x d, CV_64F; empty if there is no
     model, if Params::covariance is 0, or if the model is a mere fit (Usac::fit, Usac::refine with a
@@ -134,11 +136,11 @@ struct CV_EXPORTS_W_SIMPLE Report
     matches wrong, forward motion or planes). For all models it is too small if there are few
     matches with noise as wide as the threshold. See doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
-    //! Probability that the initial model and the model of the points differ by at least as much as
-    //! they do if Params::initialCovariance and `covariance` describe their errors, 0..1. If it is
-    //! below 0.001, the prior was not used. 0 also if there is no prior, or no covariance of the
-    //! model of the points. With up to 20 matches and noise as wide as the threshold, `covariance`
-    //! is too small: a fifth to a half of correct priors are then not used.
+    //! Probability, 0..1, of a difference at least as large as that between the initial model and
+    //! the model of the points, if Params::initialCovariance and `covariance` describe the errors
+    //! of these models. If it is below 0.001, the prior was not used. 0 also if there is no prior,
+    //! or no covariance of the model of the points. With up to 20 matches and noise as wide as the
+    //! threshold, `covariance` is too small: a fifth to a half of correct priors are then not used.
     CV_PROP_RW double priorChance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
     points of the last array. A model that maps all points to a single point then has all points as

@@ -58,8 +58,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
 
     /** @brief Number of samples needed to find the model of an acceptable pair, regardless of
     Params::maxIterations.
-    @param params options; used are `confidence`, and whether sampler, quality, local optimization
-    and polishing are those of `USACV20`
+    @param params options, of which only `confidence` matters, and whether sampler, quality, local
+    optimization and polishing are those of `USACV20`
     @param sampleSize number of points in a sample: 5 for E, 7 for F, 4 for H
     @param matches number of matches of the pair
     @return the number of samples, an integer of at least 500.
@@ -72,13 +72,13 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     pair has a smaller ratio than k others. For E and F with these options of `USACV20`, a sample
     counts as up to four samples, because models are also found from samples with an outlier. */
     CV_WRAP double samples(const Params& params, int sampleSize, int matches) const;
-    //! Probability, 0..1, that a pair is found if its inlier ratio is `inlierRatio`. The number of
-    //! samples is samples(), but at most Params::maxIterations.
+    //! Probability, 0..1, that the model of a pair with the inlier ratio `inlierRatio` is found.
+    //! The number of samples is samples(), but at most Params::maxIterations.
     CV_WRAP double reached(const Params& params, int sampleSize, int matches) const;
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;
-    //! As check(); `params` is checked too, and must have no `initialModel` and no `sigmas`, which
-    //! two-view geometry cannot use.
+    //! Like check(), but also checks `params`, which must have no `initialModel` and no `sigmas`,
+    //! because two-view geometry cannot use them.
     CV_WRAP void check(const Params& params) const;
 };
 
@@ -205,7 +205,7 @@ CV_EXPORTS TwoViewGeometry estimateTwoViewGeometry(InputArray points1, InputArra
 /** @brief Processes many pairs in parallel, with the same options.
 
 @param pairs the pairs; sizes can differ, and pairs with and without cameras can be mixed
-@param params, rules as in #estimateTwoViewGeometry; scores are taken from the pairs
+@param params, rules as in #estimateTwoViewGeometry
 @param threads how many pairs run at once, at most cv::getNumThreads(); 0: cv::getNumThreads()
 @return one TwoViewGeometry for each pair, in the same order, bit-identical to that of
 #estimateTwoViewGeometry, whatever `threads` is, except for `milliseconds` and the times in the

@@ -28,15 +28,16 @@ class Wrong(Exception):
 
 
 class Place:
-    """The folders in which blocks run, within the folder `documents` of `work`. check.sh has put the
-    build and the prefix of the library into `work`.
+    """The folders in which blocks run, within the folder `documents` of the constructor's `work`. This
+    is the working directory of check.sh, which has put the build and the prefix of the library there.
 
         clone                  a folder as after a checkout: links to the files and folders of the project;
                                `build` is a link to the library's build
         collection, benchmark  folders for blocks on collections and on the benchmark
         programs, python       folders for blocks in C++ and in Python
         prefix                 folder into which blocks install the library
-        bin                    programs that replace cmake, apt and sudo (stand_in.py), and python3"""
+        bin                    programs that replace cmake, apt, apt-get and sudo (stand_in.py), and a link
+                               to the system's python3"""
 
     def __init__(self, project: str, work: str, opencv: str = "") -> None:
         self.project, self.checks, self.opencv = os.path.realpath(project), os.path.realpath(work), opencv
@@ -71,13 +72,14 @@ class Place:
 
     def environment(self, *path: str, **variables: str) -> Dict[str, str]:
         """Returns the environment variables of a process. `path` names the folders in which programs
-        are searched first."""
+        are searched for first."""
         folders = [*path, self.folder("bin"), os.path.join(self.build, "bin"), os.environ["PATH"]]
         return dict(os.environ, PATH=os.pathsep.join(folders), USAC_DOCUMENTS_PROJECT=self.project, PYTHONDONTWRITEBYTECODE="1",
                     MPLBACKEND="Agg", **variables)
 
     def call(self, command: Sequence[str], cwd: str, environment: Optional[Dict[str, str]] = None) -> str:
-        """Runs a command; returns its output and error stream. Raises Wrong if it fails."""
+        """Runs a command; returns its output and error stream. Raises Wrong if the command fails, takes
+        longer than DEADLINE, or prints CMake's warning of an unused option."""
         try:
             run = subprocess.run(command, cwd=cwd, env=environment or self.environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT, universal_newlines=True, errors="replace", timeout=DEADLINE)
@@ -142,12 +144,12 @@ class Shell(NamedTuple):
     where -- folder of Place in which they run
     names -- replacements for words of the text such as <prefix>. In replacements, {work}, {build} and
     so on are replaced with folders, and {port} with a free port
-    variables, path -- environment variables, and folders in which programs are searched first
+    variables, path -- environment variables, and folders in which programs are searched for first
     elsewhere -- commands of the block that are not run here
     before -- commands that run before the block
     prints -- regular expressions that the output must match
-    leaves -- files that must exist afterwards
-    after -- commands that must succeed afterwards
+    leaves -- files that must exist afterward
+    after -- commands that must succeed afterward
     always -- commands that run at the end, even after a failure
     service -- true: the command is a server, which keeps running until Place.close()
     more -- text that is appended to the block, such as additional options"""

@@ -5,11 +5,12 @@
 
 """Replaces cmake, apt, apt-get and sudo when commands of the documents run.
 
-cmake: runs the real cmake, with the scratch checkout (-S) replaced by the project, and the folder
-`build` with the existing build.
+cmake: runs the real cmake with two arguments changed. The folder of -S, if it is the scratch
+checkout, becomes the folder of the project. The folder of -B, if it is a symbolic link, becomes the
+target of the link, which is the existing build.
 apt install: installs nothing. Packages must be installed already. Package files must be installable,
 which is tested by a simulation.
-apt-get: only downloads and updates are allowed, which scripts need.
+apt-get: only `download` and `update`, which scripts need, are allowed.
 sudo: only `sudo apt` is allowed. It does the same as apt above, without the rights of root."""
 
 import os

@@ -27,8 +27,9 @@ int depthOf(const py::dtype& type)
     }
 }
 
-//! True if a cv::Mat can have this memory layout: the last `solid` dimensions have no gaps. Each
-//! other stride is a multiple of the element size and at least the extent of the next dimension.
+//! True if a cv::Mat can have this memory layout: the last `solid` dimensions have no gaps, and the
+//! stride of each other dimension is a multiple of the element size and at least the extent of the
+//! next dimension.
 bool fits(const py::array& array, int solid)
 {
     py::ssize_t gapless = array.itemsize(), least = gapless;

@@ -14,7 +14,7 @@ namespace python {
 
 namespace {
 
-//! Calls a function that returns a model and writes a mask, without the interpreter's lock.
+//! Calls, without the interpreter's lock, a function that returns a model and writes a mask.
 //! @return the model and the mask
 template <class Function>
 py::tuple unlocked(const Function& find)

@@ -11,7 +11,8 @@ namespace python {
 
 namespace {
 
-//! Adds each field as a property. The value of a field that is a list is an array with a copy.
+//! Adds each field as a property. If a field is a list, the property returns an array with a copy
+//! of the list.
 struct FieldAdder
 {
     py::class_<Params>& type;

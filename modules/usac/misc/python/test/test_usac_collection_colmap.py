@@ -150,8 +150,8 @@ class VerifyTest(Case):
 
     def test_threshold_of_the_collection(self) -> None:
         """The noise is 1.5 pixels, and the threshold is estimated from the matches ("auto"). Such a
-        threshold excludes about 5 % of the right matches at any noise level, so a smaller fraction of
-        them must be found than in other tests."""
+        threshold excludes about 5 % of the right matches at any noise level, so the fraction of
+        them that must be found is smaller than in other tests."""
         self.check(self.found(KNOWN._replace(noise=1.5), "auto"), 0.92)
 
     def check(self, found: Found, least: float) -> None:
@@ -208,7 +208,7 @@ class VerifyTest(Case):
 @unittest.skipUnless(usac_colmap.find(), "there is no program colmap")
 class MapperTest(Case):
     """Tests the reconstruction that COLMAP makes from the tool's table two_view_geometries, mostly by
-    comparison with the one from COLMAP's own table for the same matches."""
+    comparison with the reconstruction from COLMAP's own table for the same matches."""
 
     def mapped(self, database: str, collection: Collection, program: Optional[str] = None, command: str = "mapper") -> Dict[str, float]:
         model, _ = usac_colmap.mapper(database, program=program, command=command)

@@ -179,7 +179,8 @@ class FaultTest(DatabaseCase):
 
     def faults(self, words, expected, *statements):
         """Executes the SQL statements on a new database. Then the source must return a Fault for each
-        `expected` pair of images and no other, and each reason must contain all of the words."""
+        `expected` pair of images and for no other pair, and each reason must contain all of the
+        words."""
         with contextlib.suppress(FileNotFoundError):
             os.remove(self.path)
         smallDatabase(self.path)

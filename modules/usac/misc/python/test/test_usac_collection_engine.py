@@ -356,7 +356,7 @@ class DaskTest(ProcessCase):
         nevertheless end without a traceback, and it must be possible to resume the run."""
         path = self.fresh()
         code, out, error = self.stopped(path, signal.SIGINT, True, "workers")
-        self.assertEqual(code, 130, error)  # some Dask versions write log messages about closed workers to stderr
+        self.assertEqual(code, 130, error)  # stderr is not always empty: some Dask versions log closed workers
         self.assertNotIn("Traceback", error)
         self.assertIn("interrupted", out)
         self.resumed(path)

@@ -264,8 +264,8 @@ class LookTest(Reports):
 
     def test_only_link(self):
         """Only the pair 3 - 12 connects images 1 to 8 with images 9 to 17, so it must be listed. The
-        pairs 16 - 17 and 18 - 19 are also bridges, but they connect only a single image, so they must
-        not be listed. Image 20 has no verified pair."""
+        pairs 16 - 17 and 18 - 19 are also bridges, but each connects only a single image, so they
+        must not be listed. Image 20 has no verified pair."""
         def links(a, b):
             return b <= 8 or (9 <= a and b <= 16) or (a, b) in ((3, 12), (16, 17), (18, 19))
         summary, kinds = self.kinds(results(links))

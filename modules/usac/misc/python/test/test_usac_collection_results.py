@@ -288,7 +288,7 @@ class ResultsTest(Files):
                 self.assertEqual(sum(1 for _ in readResults(self.path("o{}.npz".format(count)))), count)
                 peaks.append(tracemalloc.get_traced_memory()[1])
                 tracemalloc.stop()
-        self.assertLess(peaks[2], peaks[1] + 100000)  # bytes; the results of the largest file have about a megabyte
+        self.assertLess(peaks[2], peaks[1] + 100000)  # bytes; the results of the largest file need about a megabyte
 
 
 if __name__ == "__main__":

@@ -146,8 +146,8 @@ class RowTest(SinkCase):
 
     def test_tables_that_differ(self):
         """A missing table two_view_geometries must be created with the same columns as COLMAP's.
-        Missing or additional columns, as in other versions of COLMAP, must be accepted; only a missing
-        column config must be refused."""
+        Missing or additional columns, as in other versions of COLMAP, must be accepted; only the
+        lack of a required column (here config) must be refused."""
         smallDatabase(self.path)
         made = [row[1:3] for row in rows(self.path, "PRAGMA table_info({})".format(TABLE))]
         change(self.path, "DROP TABLE " + TABLE)

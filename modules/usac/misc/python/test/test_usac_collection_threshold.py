@@ -175,7 +175,8 @@ class SampleTest(unittest.TestCase):
 
     def test_they_come_from_everywhere(self):
         places = np.sort(self.chosen(range(10000), 100)) / 10000
-        # Kolmogorov-Smirnov test: 100 uniform values exceed this limit with a probability below 5 %.
+        # Kolmogorov-Smirnov test: for 100 uniform values, the distance exceeds this limit with a
+        # probability below 5 %.
         self.assertLess(np.abs(places - (np.arange(100) + 0.5) / 100).max(), 0.136)
 
     def test_numbers_of_a_process_do_not_matter(self):

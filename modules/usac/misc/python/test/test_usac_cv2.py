@@ -157,8 +157,8 @@ class PatchTest(unittest.TestCase):
 
 
 class RouteTest(unittest.TestCase):
-    """Tests whether a call reaches OpenCV's function ("opencv") or the one of this module ("usacv20").
-    Both are replaced by functions that only record the call."""
+    """Tests whether a call reaches OpenCV's function ("opencv") or this module's function
+    ("usacv20"). Both are replaced by functions that only record the call."""
 
     def setUp(self):
         self.cv, ours = types.ModuleType("cv2"), types.ModuleType("ours")

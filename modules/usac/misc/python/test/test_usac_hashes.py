@@ -51,7 +51,7 @@ def scene(seed, count):
 
 
 def calls(seed, count):
-    """Returns [(name of the problem, function that takes Params and estimates the model)]."""
+    """Returns [(name of the problem, function of Params that estimates the model)]."""
     X, a, b, distorted, moved, plane, shifted = scene(seed, count)
     none = (None, None, None)
     return [("Homography", lambda p: usac.estimateHomography(a, plane, p)),

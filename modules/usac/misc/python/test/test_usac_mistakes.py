@@ -26,7 +26,8 @@ class MistakeCase(unittest.TestCase):
 
 
 class CallTest(MistakeCase):
-    """Tests of arguments at wrong positions, of wrong scalars, and of Params with other options."""
+    """Tests of arguments at wrong positions, of wrong scalars, and of Params together with other
+    options."""
 
     def test_number_behind_params(self):
         a, b, p = GENERAL.points1, GENERAL.points2, usac.Params()

@@ -59,7 +59,7 @@ class ThreadTest(unittest.TestCase):
 
     def test_params_that_others_change(self):
         """Another thread changes Params during the estimations. Each estimation must use either the
-        old or the new values, and nothing may crash."""
+        old or the new values; there must be no crash."""
         params, done = usac.Params(threshold=THRESHOLD), threading.Event()
 
         def change():
@@ -104,8 +104,8 @@ class ThreadTest(unittest.TestCase):
             self.assertLessEqual(found, expected)
 
     def test_interrupt(self):
-        """If a signal arrives during an estimation, its handler must be called when the estimation has
-        ended or earlier."""
+        """If a signal arrives during an estimation, its handler must be called before or
+        immediately after the end of the estimation."""
         run = slow()
         handler = signal.signal(signal.SIGALRM, lambda *args: (_ for _ in ()).throw(KeyboardInterrupt))
         try:

@@ -134,7 +134,7 @@ class TwoViewTest(unittest.TestCase):
         with self.assertRaisesRegex(ERRORS, "initialModel"):
             usac.estimateTwoViewGeometry(a, b, params=usac.Params(initialModel=np.eye(3)))
         for name, value in (("initialModel", np.eye(3)), ("sigmas", np.ones(len(a)))):
-            with self.assertRaisesRegex(ERRORS, name):  # of the call, not of each pair
+            with self.assertRaisesRegex(ERRORS, name):  # the call itself must fail, not each pair
                 usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b)], usac.Params(**{name: value}), returnExceptions=True)
         pairs = [usac.TwoViewPair(a, b), usac.TwoViewPair(a, b[1:]), usac.TwoViewPair("no", b)]
         found = usac.estimateTwoViewGeometries(pairs, returnExceptions=True)

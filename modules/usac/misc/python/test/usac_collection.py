@@ -10,7 +10,8 @@ The scene is a square building. One side is a flat mural, three sides are grids 
 with balconies (repeated structure), and statues stand in front of all four sides. Four images are
 taken close to the mural and show only points of its plane. Three images are taken from one position
 in different directions. All others are taken from a ring around the building; images from opposite
-sides show no common points. Two of these show the same logo near the lower right corner.
+sides of the ring show no common points. Two such opposite images show the same logo near the lower
+right corner.
 """
 
 from __future__ import annotations
@@ -73,8 +74,8 @@ class Label(enum.IntEnum):
 
     RANDOM = 0
     RIGHT = 1
-    # A point of a window is matched to the same point of another window. In a pair of images, all
-    # matches of this kind have the same offset between the two windows.
+    # A point of a window is matched to the corresponding point of another window. In a pair of
+    # images, all matches of this kind have the same offset between the two windows.
     COPY = 2
     LOGO = 3
 
@@ -86,7 +87,7 @@ class Recipe(NamedTuple):
     noise: float = 0.5  # standard deviation of each coordinate, pixels
     density: float = 1.0  # factor of the number of points; 1: about 370 keypoints in an image on average
     wrong: Tuple[float, float] = (0.3, 0.7)  # range of the fraction of wrong matches in pairs with overlap
-    lone: Tuple[float, float] = (0.1, 0.3)  # in pairs without overlap: range of the number of matches / the smaller number of keypoints
+    lone: Tuple[float, float] = (0.1, 0.3)  # in pairs without overlap: range of (number of matches) / (smaller number of keypoints)
     lonePairs: float = 1.0  # probability that a pair without overlap has matches at all
     copies: float = 0.3  # about this fraction of the wrong matches are of Label.COPY; fewer if few windows are visible
     # For each camera: its model, and whether its focal length is known. The images use the cameras in
@@ -352,8 +353,8 @@ class Collection:
 
     def _copies(self, a: Integers, b: Integers, most: int) -> Integers:
         """Returns at most `most` wrong matches due to repeated structure: points of windows matched to
-        the same points of other windows. The offset between the windows is the same for all matches;
-        of six offsets, the one with the most matches is chosen."""
+        the corresponding points of other windows. The offset between the windows is the same for
+        all matches; of six offsets, the one with the most matches is chosen."""
         windows = self.space.windows
         best = np.zeros((0, 2), int)
         for across, up in ((1, 0), (-1, 0), (2, 0), (-2, 0), (0, 1), (0, -1)):

@@ -117,8 +117,8 @@ INPUT = ("cameras", "images", "keypoints", "descriptors", "matches")
 
 def smallDatabase(path, images=6, points=60, seed=0, distorted=False, columns=2, **keywords):
     """Writes a database with all pairs of a few images; returns (keypoints, matches) in the form that
-    writeDatabase takes. Keypoints and matches are random, but match i of a pair belongs to keypoint i
-    of the first image."""
+    writeDatabase accepts. Keypoints and matches are random, but match i of a pair belongs to
+    keypoint i of the first image."""
     rng = np.random.RandomState(seed)
     camera = (OPENCV, 640, 480, (600, 610, 320, 240, -0.1, 0.02, 0.001, -0.002), True) if distorted else (
         SIMPLE_PINHOLE, 640, 480, (600, 320, 240), False)

@@ -13,8 +13,8 @@ namespace usacv20 {
 /** @brief The camera of an absolute pose.
 
 The search uses undistorted pixel coordinates relative to the principal point, divided by the mean
-focal length, so that errors are proportional to errors in (undistorted) pixels. Models are `matrix`
-[R t], where `matrix` is the camera matrix K in these units. */
+focal length, so that errors are proportional to errors in (undistorted) pixels. Models are
+`matrix` [R t], where `matrix` is the camera matrix K in these units. */
 class PoseCamera
 {
     const Matx33d K;

@@ -28,8 +28,8 @@ two image points are the same, or if a coordinate is not finite. */
 class P3PSolver : public MinimalSolver
 {
 public:
-    //! `camera_`: camera matrix whose last row and last column are 0 0 1. Models are `camera_`
-    //! [R t], and (u, v, 1) is `camera_` times the image point on the plane z = 1.
+    //! `camera_`: camera matrix whose last row and last column are 0 0 1. Models are
+    //! `camera_` [R t], and (u, v, 1) is `camera_` times the image point on the plane z = 1.
     explicit P3PSolver(const Matx33d& camera_) : camera(camera_), inverse(camera_.inv()) {}
 
     int sampleSize() const CV_OVERRIDE;

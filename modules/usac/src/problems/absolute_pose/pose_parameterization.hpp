@@ -11,7 +11,7 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief The pose of a camera and a minimal parameterization around it. The parameters are the
-rotation vector of a rotation that is applied after the present rotation, in radians, and an
+rotation vector, in radians, of a rotation that is applied after the present rotation, and an
 increment of the translation. Zero parameters give the pose itself. */
 class PoseParameterization
 {
@@ -21,8 +21,8 @@ public:
     typedef Eigen::Matrix<double, DIMENSION, 1> Step;
     typedef Eigen::Matrix<double, DIMENSION, DIMENSION> Matrix;
 
-    //! Creates the parameterization around the pose that is closest to a model, a 3x4 matrix K
-    //! [R t].
+    //! Creates the parameterization around the pose that is closest to a model, a 3x4 matrix
+    //! K [R t].
     struct Around
     {
         explicit Around(const Matx33d& K_) : K(K_) {}

@@ -145,7 +145,7 @@ bool split(const Conic& D, LinePair& lines)
 }
 
 /** A negative radicand counts as 0 if its magnitude is at most this fraction of the largest squared
-coefficient, because rounding may have made two equal solutions complex. If there really is no
+coefficient, because rounding might have made two equal solutions complex. If there really is no
 solution, the solution returned violates the equations by no more than this fraction. */
 constexpr double TORN = 1e-12;
 

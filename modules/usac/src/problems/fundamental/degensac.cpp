@@ -26,8 +26,8 @@ constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
 //! homography of this plane maps more than CLEARLY times as many points as were on the known plane.
 constexpr double CLEARLY = 1.05;
 //! A plane counts as the known plane if more than this fraction of the tested inliers on it are on
-//! the known plane, too. (If there is a sample, the condition is that five of its points are on the
-//! known plane.)
+//! the known plane, too. (If there is a sample, the condition is that at least five of its points
+//! are on the known plane.)
 constexpr double SAME_PLANE = 0.9;
 //! DOMINANT: minimum number of points on a dominant plane, as a fraction of the model's number of
 //! inliers. ROUGHLY: fraction of the minimum number of points (see also SEEN) that is required
@@ -37,7 +37,7 @@ constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! 5000 (21 w^5) has five of its seven points on the plane; smaller planes arise by chance.
 constexpr double SEEN = 0.1;
 //! Models whose number of inliers is less than this fraction of that of the best model are not
-//! searched for. The fraction is below 1 because local optimization may add inliers.
+//! searched for. The fraction is below 1 because local optimization can add inliers.
 constexpr double OF_INTEREST = 0.9;
 //! A match is off the plane and votes for the epipole if its squared transfer error exceeds this
 //! many squared thresholds; a match closer to the plane is an inlier for most epipoles.
@@ -177,9 +177,9 @@ private:
     /** Repeats least squares over the points on the plane until their number stops growing, at most
     MAX_FITS times: the homography of three noisy points often explains only some of them.
     @param H replaced by the homography of the last fit
-    @return false if fewer than `least` or LEAST_POINTS points are on the plane (before the first
-    fit, fewer than ROUGHLY times `least`), or if a fit fails; otherwise onPlane and offPlane are
-    set for planeAndParallax() */
+    @return false if fewer than LEAST_POINTS or ROUGHLY times `least` points are on the plane before
+    the first fit, or fewer than `least` after the last fit, or if a fit fails; otherwise onPlane
+    and offPlane are set for planeAndParallax() */
     bool fitPlane(const Context& context, double least, Matx33d& H)
     {
         const Correspondences& p = context.points;
@@ -208,7 +208,7 @@ private:
         return true;
     }
 
-    //! Replaces the model by the best F = [e]x H if this F is better.
+    //! Replaces the model with the best F = [e]x H if this F is better.
     void planeAndParallax(const Context& context, const State& state, const Matx33d& H,
                           Model& model, Quality& quality)
     {

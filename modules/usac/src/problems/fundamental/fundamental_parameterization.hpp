@@ -33,7 +33,7 @@ public:
     explicit FundamentalParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
-    //! False if F is of rank 1, up to rounding.
+    //! False if F has (nearly) rank 1.
     bool hasFullRank() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

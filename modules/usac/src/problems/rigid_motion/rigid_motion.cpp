@@ -37,7 +37,7 @@ Model movedBack(const MapOfSpace& map, const Frame& from, const Frame& to)
 
 /** @brief Rotation and translation from points of space 1 to their counterparts in space 2:
 X2 = s R X1 + t. If `SCALED` is false, s = 1. Models, including those that the caller gets, are 3x4
-matrices [s R t]. */
+matrices [sR t]. */
 template <bool SCALED>
 class RigidMotionProblem : public Problem
 {
@@ -56,7 +56,7 @@ public:
     {
         result = movedBack(MapOfSpace(model.val), points.frame[0], points.frame[1]);
         const bool regular = MapOfSpace(result.val).leftCols<3>().squaredNorm() >
-                             0;  // 0: A has underflowed
+                             0;  // false: A has underflowed
         return regular && checkRange(Mat(3, 4, CV_64F, result.val));
     }
 

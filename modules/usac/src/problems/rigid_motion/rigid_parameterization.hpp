@@ -20,7 +20,7 @@ inline Model motionOf(const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
     return result;
 }
 
-/** @brief A rigid motion of space [s R t] and a minimal parameterization around it. The parameters
+/** @brief A motion of space, [sR t], and a minimal parameterization around it. The parameters
 are the rotation vector, in radians, of a rotation that is applied after the present rotation, an
 increment of the translation and, if `SCALED`, the relative increase of the scale. Zero parameters
 give the motion itself. */

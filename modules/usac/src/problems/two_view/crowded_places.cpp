@@ -84,7 +84,8 @@ light, a dead pixel) are not independent evidence, even if they are noisy.
 
 A map that shrinks everything to this place, or a camera far away, fits all these matches, wherever
 their points in array 1 are. Therefore
-- samples are rejected in which two matches to a place are far apart in array 1, see TargetLimits;
+- samples are rejected in which two matches to the same place are far apart in array 1, see
+TargetLimits;
 - in the quality of each new best model, the inliers of each place count as a single inlier. The
 model is kept, but its score is no longer better than that of correct models. The map of a small
 object keeps most of its quality, because this map does not shrink the object to one place.

@@ -13,9 +13,10 @@ namespace usacv20 {
 // The contract of a formula is in residual/formula_residual.hpp.
 namespace {
 
-//! If both points of a match are epipoles, the numerator and the denominator of an epipolar
-//! distance are 0. Fits add this constant to the denominator, so that the distance is then 0. It is
-//! far below any other denominator.
+//! If both points of a match are epipoles, the numerator and the denominator of the Sampson
+//! distance are 0. For a term of the symmetric epipolar distance, one such point is enough. Fits
+//! add this constant to each denominator, so that the quotient is then 0. It is far below any other
+//! denominator.
 constexpr double BOTH_EPIPOLES = 1e-200;
 
 //! Computes the first two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.
@@ -80,8 +81,8 @@ struct SampsonError
     };
 };
 
-/** Symmetric epipolar distance, squared: (x2^T F x1)^2 (1 / |(F x1)_{1,2}|^2 + 1 / |(F^T
-x2)_{1,2}|^2) @cite hartley2003multiple. */
+/** Symmetric epipolar distance, squared:
+(x2^T F x1)^2 (1 / |(F x1)_{1,2}|^2 + 1 / |(F^T x2)_{1,2}|^2) @cite hartley2003multiple. */
 struct SymmetricEpipolarError
 {
     enum { COLUMNS = 4, NUMBERS = 9, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 0 };

@@ -44,8 +44,8 @@ public:
         return sum(kernelsOf<Error>().inliers, model, limit).inliers;
     }
 
-    //! Number of points whose squared error is at most `limit`, and MSAC cost: the sum of min(1,
-    //! squared error / `limit`) over all points.
+    //! Number of points whose squared error is at most `limit`, and MSAC cost: the sum of
+    //! min(1, squared error / `limit`) over all points.
     template <class Error>
     Quality msac(const Model& model, double limit) const
     {

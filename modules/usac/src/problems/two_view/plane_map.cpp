@@ -78,7 +78,7 @@ bool PlaneMapProblem::toInput(const Model& model, const Correspondences& points,
     }
     result = map;
     const bool linear = map(0, 0) != 0 || map(0, 1) != 0 || map(1, 0) != 0 ||
-                        map(1, 1) != 0;  // all entries are 0: underflow
+                        map(1, 1) != 0;  // false: all entries have underflowed
     return linear && checkRange(Mat(map, false));
 }
 

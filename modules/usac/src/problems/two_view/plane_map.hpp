@@ -11,9 +11,9 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Weighted means and second moments of matches, from which the least-squares map
-x2 = A x1 + t of an affinity or a similarity is computed. The problem is linear, and t is 0 for
-points relative to the means @cite umeyama1991least. The moments take one pass over the matches,
+/** @brief Weighted means and second moments of matches, from which the least-squares affinity or
+similarity x2 = A x1 + t is computed. The problem is linear, and t is 0 for points relative to the
+means @cite umeyama1991least. The moments take one pass over the matches,
 with about 30 operations per match. */
 struct Moments
 {
@@ -22,8 +22,8 @@ struct Moments
     is null, all weights are 1. */
     Moments(const Correspondences& points, const int* indices, int count, const double* weights);
 
-    //! The map with the linear part (a b; c d) that maps the mean of the points in image 1 to that
-    //! in image 2.
+    //! The map with the linear part (a b; c d) that maps the mean of the points in image 1 to the
+    //! mean of the points in image 2.
     Matx33d map(double a, double b, double c, double d) const;
 
     double mean[4];     //!< means of x1, y1, x2, y2
@@ -56,8 +56,8 @@ struct PlaneMapParts
 {
     const char* name;   //!< see Problem::name
     double sampleTime;  //!< see SampleCost::time
-    bool keepsScale;    //!< the map cannot change the scale, so that the normalization must scale
-                        //!< both images by the same factor
+    bool keepsScale;    //!< true if the map cannot change the scale; the normalization must then
+                        //!< scale both images by the same factor
     Ptr<MinimalSolver> (*minimalSolver)();    //!< creates the solver for minimal samples
     Ptr<NonMinimalSolver> (*leastSquares)();  //!< creates the closed-form least-squares fit of the
                                               //!< transfer error

@@ -10,9 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A map of the plane whose entries are affine functions of its parameters, and a
-parameterization around this map by increments of these parameters. Zero increments give the map
-itself.
+/** @brief A map of the plane whose entries are affine functions of its parameters. Maps near this
+map are parameterized by increments of its parameters; zero increments give the map itself.
 
 The class `Map` defines the parameters p:
 - DIMENSION is the number of parameters;
@@ -41,7 +40,7 @@ public:
     //! False if the plane is mapped to a line or a point.
     bool hasFullRank() const { return Map::isRegular(parameters.data()); }
 
-    //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters.
+    //! Derivatives of the nine entries of the model (row by row) with respect to the parameters.
     Basis tangent() const
     {
         const Step zero = Step::Zero();

@@ -13,8 +13,8 @@ namespace usacv20 {
 namespace {
 
 //! All occurrences of a match count as a single inlier if at least OFTEN of these occurrences are
-//! among the first FIRST_POINTS points, a random subset, and if all occurrences make up more than
-//! 1 / COMMON of all points. See doc/constants.md.
+//! among the first FIRST_POINTS matches, a random subset, and if all occurrences make up more than
+//! 1 / COMMON of all matches. See doc/constants.md.
 constexpr int FIRST_POINTS = 64, OFTEN = 3, COMMON = 10;
 
 /** @brief Rejects samples in which two matches share a point of array 1 or of array 2.
@@ -75,8 +75,8 @@ private:
     }
 
     //! Adds the repetitions of the match `of` if its occurrences are more than 1 / COMMON of all
-    //! points. No point repeats two different matches, so that an array of Correspondences::size
-    //! elements is large enough.
+    //! matches. A match cannot repeat two different matches, so that Correspondences::size elements
+    //! are enough for `repetitions`.
     void addRepetitions(const Context& context, int of)
     {
         const Correspondences& p = context.points;

@@ -20,8 +20,8 @@ namespace {
 //! be inliers for every position of one of their ends.
 constexpr int LOOKED_AT = 64, FEW = 8;
 //! Many matches share points if at least SHARED_PAIRS pairs of the first FIRST_PAIRS matches (3 %
-//! of these pairs) share a point up to noise, see shareATarget(). For comparison: if each of two
-//! points has a third of all matches, a fifth of the pairs share a point.
+//! of all pairs of these matches) share a point up to noise, see shareATarget(). For comparison: if
+//! each of two points has a third of all matches, a fifth of the pairs share a point.
 constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
 //! The extent of the first points is computed without the smallest and the largest 1 / TRIMMED of
 //! their coordinates.
@@ -83,7 +83,7 @@ ratio of the local scales. The ratio is too large if it exceeds #FAR_APART times
 image sizes and if a shift of one end by #ANYWHERE thresholds moves the epipolar line across the
 whole other image. (The first condition alone is not enough: if a camera is among the points, the
 scale within its image varies by factors of hundreds.) If a camera moves forward, points near one
-epipole are near the other epipole, too, so that the ratio of their matches is not too large.
+epipole are near the other epipole, too, so that the ratio is not too large for their matches.
 
 The first #LOOKED_AT points decide whether the other points are tested at all. The quality is not
 changed for scores that are not a sum over the points. */
@@ -95,8 +95,8 @@ public:
     /** Estimates the extents of the points in both images in two ways: from the box
     Correspondences::lower, upper, which is robust against a few points far from the other points,
     and from the first points without the outermost ones, which is robust against many matches to
-    one target. The estimate with more equal extents is used, because most images of a pair have the
-    same size. */
+    one target. The estimate with more equal extents is used, because in most pairs both images have
+    the same size. */
     void start(const Context& context) CV_OVERRIDE
     {
         const Correspondences& p = context.points;

@@ -19,9 +19,9 @@ Ptr<Degeneracy> createRepeatedPoints();
 //! Creates the check for matches of many points to one small region, for problems that map points
 //! to points, see CrowdedPlaces.
 Ptr<Degeneracy> createCrowdedPlaces();
-//! Adds the two checks above, which are the only ones for affine maps, absolute poses and motions
-//! of space, if `flags` contains #DEGENERACY_REPEATED. Raises cv::Exception, with the name
-//! `problem`, if #DEGENERACY_DEGENSAC is set, unless all flags are set.
+//! If `flags` contains #DEGENERACY_REPEATED, adds RepeatedPoints and CrowdedPlaces, the only checks
+//! for affine maps, absolute poses and motions of space. Raises cv::Exception, whose message
+//! contains the name `problem`, if #DEGENERACY_DEGENSAC is set but not all flags are set.
 void createChecksOfMaps(int flags, const String& problem,
                         std::vector<Ptr<Degeneracy>>& degeneracies);
 //! Creates the check for matches that share a point, for F and E, see SharedPoints.

@@ -21,11 +21,11 @@ struct PoseSample
 //! Positions of the points in camera coordinates. No angle of the triangle is within one degree of
 //! 0 or 180 degrees.
 enum PoseSampleKind {
-    CUBE,           //!< in a cube of side 2 at depth 3
+    CUBE,           //!< in a cube of side 2 whose center has depth 3
     FRONTAL_PLANE,  //!< on a plane parallel to the image
     NEAR_PLANE,     //!< the same with variations of 1e-4 in depth
-    FAR_AWAY,       //!< the depth is 100 times the size
-    VERY_FAR,       //!< the depth is 10 000 times the size
+    FAR_AWAY,       //!< in a cube of side 2 at a depth of 100 sides
+    VERY_FAR,       //!< in a cube of side 2 at a depth of 10 000 sides
     CLOSE,          //!< depths 0.01 to 1, width and height 2
     NARROW,         //!< in a field of view of 5 degrees
     WIDE,           //!< in a field of view of 120 degrees

@@ -31,8 +31,8 @@ enum PoseOutliers {
                                 //!< square of side 80 pixels
     POSE_OUTLIERS_SECOND_POSE,  //!< true matches of another pose of the same object, with the same
                                 //!< noise
-    POSE_OUTLIERS_PLACE  //!< `structured` wrong matches lead to a few image points, with Gaussian
-                         //!< noise of 0.4 pixels; the others are uniform
+    POSE_OUTLIERS_PLACE  //!< up to `structured` wrong matches lead to one of `places` image points,
+                         //!< with Gaussian noise of 0.4 pixels; the others are uniform
 };
 
 //! What a synthetic scene for absolute poses looks like.
@@ -45,8 +45,8 @@ struct PoseSceneOptions
     {}
 
     int size;            //!< number of different matches, at least 4
-    double inlierRatio;  //!< fraction of the matches that is true; at least 3 matches are true
-    double noise;        //!< standard deviation of each image coordinate in pixels
+    double inlierRatio;  //!< fraction of the matches that are true; at least 3 matches are true
+    double noise;        //!< standard deviation of the noise of each image coordinate in pixels
     uint64 seed;
     PoseShape shape;
     int coefficients;  //!< number of distortion coefficients: 0, 4, 5, 8, 12 or 14
@@ -60,17 +60,17 @@ struct PoseSceneOptions
     //! scores are not informative; 1: all true matches have better scores; near 0: all have worse
     //! scores.
     double scoreInformation;
-    double scale;      //!< factor on all lengths of the object
+    double scale;      //!< factor by which all lengths of the object are multiplied
     cv::Vec3d offset;  //!< translation of the object points after scaling
     int structured,
-        places;  //!< POSE_OUTLIERS_PLACE: number of wrong matches that lead to a few image points,
-                 //!< and number of these image points
+        places;  //!< POSE_OUTLIERS_PLACE: maximum number of wrong matches that lead to a few image
+                 //!< points, and number of these image points
 };
 
 /** @brief Object points and their images, with the exact pose.
 
 Rows are in random order. Scores lie between 0 and 1, lower is better: those of wrong matches are
-uniform, those of true matches are 1 - u^((1 - q) / q) with u uniform and q the option
+uniform, those of true matches are 1 - u^((1 - q) / q), where u is uniform and q is the option
 `scoreInformation`. */
 struct PoseScene
 {

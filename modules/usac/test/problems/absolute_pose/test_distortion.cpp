@@ -9,8 +9,8 @@
 #include "problems/absolute_pose/pose_parameterization.hpp"
 #include "problems/kernels.hpp"
 
-// The lens model is compared with cv::projectPoints, the derivatives of errors with finite
-// differences.
+// The lens model is compared with cv::projectPoints, and the derivatives of errors are compared
+// with finite differences.
 
 namespace opencv_test {
 namespace {
@@ -71,7 +71,7 @@ TEST(Usac_Distortion, is_that_of_projectPoints_and_inverted)
     }
 }
 
-//! With this lens, the distance of an image point from the center is r (1 - r^2 / 4), which
+//! This lens images a point at distance r from the center at the distance r (1 - r^2 / 4), which
 //! decreases beyond r^2 = 4 / 3. Points with a larger r must not be visible; otherwise they would
 //! have the same image as points with a smaller r and could be inliers.
 TEST(Usac_Distortion, ends_where_the_lens_folds)

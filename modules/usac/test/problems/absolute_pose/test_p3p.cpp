@@ -274,7 +274,7 @@ PoseSample flatSample(double height, RNG& rng)
 }
 
 //! If the points are collinear, two points coincide or two rays are equal, there must be no model,
-//! also if this holds only up to rounding.
+//! even if this holds only up to rounding.
 TEST(Usac_P3P, degenerate)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -304,7 +304,7 @@ TEST(Usac_P3P, degenerate)
 }
 
 //! Collinear points within about 1e-8 of each other, whose distance from the origin is more than 1.
-//! They are a triangle only because of rounding, so that there must be no model.
+//! They form a triangle only because of rounding, so that there must be no model.
 TEST(Usac_P3P, smallAndFlat)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();

@@ -7,7 +7,7 @@
 #include "opencv2/imgproc.hpp"
 
 // Synthetic scenes of absolute poses must have the properties that their options ask for, because
-// other tests rely on them.
+// other tests rely on these properties.
 
 namespace opencv_test {
 namespace {
@@ -93,8 +93,8 @@ TEST(Usac_PoseScenes, poseIsExactForPointsWithoutNoise)
             }
 }
 
-//! The distortion must move some points by at least 5 pixels, and cv::undistortPoints must invert
-//! it.
+//! If there are coefficients, the distortion must move some points by at least 5 pixels, and
+//! cv::undistortPoints must invert the distortion.
 TEST(Usac_PoseScenes, distortion)
 {
     for (int coefficients : SCENE_COEFFICIENTS)

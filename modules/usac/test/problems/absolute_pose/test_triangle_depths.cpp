@@ -26,7 +26,7 @@ double determinantOf(const Triangle& T)
     return determinant(Matx33d(1 - T.a12, pq, pw, pq, -T.a12, qw, pw, qw, T.s12 - T.a12 * T.s23));
 }
 
-//! Largest absolute error of the three equations.
+//! Largest absolute error of the three equations that TriangleDepths documents.
 double violation(const Triangle& T, const TriangleDepths& d)
 {
     const double w2 = d.w + T.sigma * d.p, w3 = d.w + T.sigma * d.q;

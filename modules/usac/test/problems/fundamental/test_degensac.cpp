@@ -205,7 +205,7 @@ TEST(Usac_Degensac, detectsFiveOfSeven)
         EXPECT_LE(found[planar], tried[planar] * 10 / 100) << planar << " on the plane";
 }
 
-//! A model whose inliers are mostly on a plane must be corrected, too, if there is no sample, as
+//! A model whose inliers are mostly on a plane must be corrected even if there is no sample, as
 //! after a local optimization.
 TEST(Usac_Degensac, planeOfInliersIsFoundWithoutASample)
 {

@@ -115,9 +115,9 @@ int searchFailures(const Params& preset, int size, double plane, double inliers,
 }
 
 //! A plane dominates the scenes. Each row of `cells` contains the fraction of the true matches that
-//! is on the plane, and the inlier ratio. In each loop, at most one run (with fast() two) is
-//! allowed to fail. If the epipole came from 300 random pairs among 208 points off the plane, 0, 2,
-//! 2, 7, 15, 28 and 8 % of the runs would fail.
+//! are on the plane, and the inlier ratio. In each call of searchFailures(), at most one run (with
+//! fast() two) is allowed to fail. If the epipole came from 300 random pairs among 208 points off
+//! the plane, 0, 2, 2, 7, 15, 28 and 8 % of the runs would fail in the seven rows.
 TEST(Usac_PlaneParallax, fewSearchFailures)
 {
     const double cells[][2] = {{0.6, 0.5},  {0.8, 0.5},  {0.9, 0.7}, {0.95, 0.9},

@@ -98,8 +98,8 @@ private:
         return Matx33d::eye() * c + cross * s + (a * a.t()) * (1 - c);
     }
 
-    //! Converts a motion between the original coordinates to the motion between the scaled and
-    //! translated ones.
+    //! Converts a motion in the original coordinates to the same motion in the scaled and
+    //! translated coordinates.
     Matx34d placed(const Matx34d& motion) const
     {
         const Matx33d A = linearPart(motion);

@@ -22,17 +22,18 @@ enum RigidShape {
     RIGID_CLUSTER      //!< in one ball of radius 0.1
 };
 
-//! What the wrong matches are like.
+//! What the wrong matches are like. Lengths are those before scaling.
 enum RigidOutliers {
     RIGID_OUTLIERS_UNIFORM,  //!< in space 1 like the true matches; in space 2 anywhere in a cube of
                              //!< side 4, whose center is the moved origin of space 1
     RIGID_OUTLIERS_CLUSTERED,      //!< in each space within one ball of radius 0.3
     RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
-    RIGID_OUTLIERS_PLACE  //!< `structured` wrong matches lead to a few points of space 2, with
-                          //!< Gaussian noise of a quarter of the threshold; the others are uniform
+    RIGID_OUTLIERS_PLACE  //!< up to `structured` wrong matches lead to one of `places` points of
+                          //!< space 2, with Gaussian noise of a quarter of the threshold; the
+                          //!< others are uniform
 };
 
-//! What a synthetic scene of two spaces looks like. Lengths other than the offsets are multiples of
+//! What a synthetic scene of two spaces looks like. The unit of lengths other than the offsets is
 //! `unit`.
 struct RigidSceneOptions
 {
@@ -43,8 +44,9 @@ struct RigidSceneOptions
     {}
 
     int size;            //!< number of different matches, at least 4
-    double inlierRatio;  //!< fraction of the matches that is true; at least 3 matches are true
-    double noise;  //!< standard deviation of each coordinate of space 2, divided by `modelScale`
+    double inlierRatio;  //!< fraction of the matches that are true; at least 3 matches are true
+    double noise;  //!< standard deviation of the noise of each coordinate of space 2, divided by
+                   //!< `modelScale`
     uint64 seed;
     RigidShape shape;
     RigidOutliers outliers;
@@ -54,17 +56,17 @@ struct RigidSceneOptions
     //! scores.
     double scoreInformation;
     double modelScale;           //!< scale of the motion; 1: a rigid motion
-    double unit;                 //!< factor on all coordinates
+    double unit;                 //!< factor of all coordinates before the offsets are added
     cv::Vec3d offset1, offset2;  //!< translations of both spaces after scaling
     int structured,
-        places;  //!< RIGID_OUTLIERS_PLACE: number of wrong matches that lead to a few points of
-                 //!< space 2, and number of these points
+        places;  //!< RIGID_OUTLIERS_PLACE: maximum number of wrong matches that lead to a few
+                 //!< points of space 2, and number of these points
 };
 
 /** @brief Points of two spaces, with the exact motion between them.
 
 Rows are in random order. Scores lie between 0 and 1, lower is better: those of wrong matches are
-uniform, those of true matches are 1 - u^((1 - q) / q) with u uniform and q the option
+uniform, those of true matches are 1 - u^((1 - q) / q), where u is uniform and q is the option
 `scoreInformation`. */
 struct RigidScene
 {
@@ -72,10 +74,10 @@ struct RigidScene
         clean2;  //!< clean2: points2 without noise; equal to points2 where `truth` is 0
     std::vector<float> scores;
     std::vector<uchar> truth;  //!< 1: a true match
-    cv::Matx34d motion;        //!< [s R t]: point of space 2 = s R point of space 1 + t
+    cv::Matx34d motion;        //!< [sR | t]: point of space 2 = s R * point of space 1 + t
     cv::Matx34d secondMotion;  //!< motion of the wrong matches of RIGID_OUTLIERS_SECOND_MOTION
     double unit;       //!< unit of space 2: the product of the options `unit` and `modelScale`
-    double threshold;  //!< 3.5 standard deviations of the noise, or 0.035 units without noise
+    double threshold;  //!< 3.5 standard deviations of the noise; without noise, 0.035 `unit`
 
     int size() const { return (int)points1.size(); }
 };
@@ -92,7 +94,7 @@ std::vector<double> distancesOf(const RigidScene& scene, const cv::Matx34d& moti
 double rotationError(const RigidScene& scene, const cv::Matx34d& motion);
 
 //! Root mean square distance in space 2, over the true matches, between the points to which
-//! `motion` and the true motion map the same point, in units of the scene.
+//! `motion` and the true motion map the same point, divided by RigidScene::unit.
 double motionError(const RigidScene& scene, const cv::Matx34d& motion);
 
 //! The matrix [scale * R, t].

@@ -262,8 +262,8 @@ TEST(Usac_RigidLeastSquares, refused)
         }
 }
 
-//! A reflection is not a rigid motion. The determinant of the best rotation must be 1, and no other
-//! tested motion must be better.
+//! A reflection is not a rigid motion. The determinant of the best rotation must be 1, and all
+//! other tested motions must be worse.
 TEST(Usac_RigidLeastSquares, mirrored)
 {
     for (int seed = 1; seed <= 20; ++seed)

@@ -217,8 +217,8 @@ TEST_P(Usac_RigidMotion, exact_points)
 }
 
 /** The unit and the origin of the points change, and the threshold changes with the unit. The mask
-must be the same. Powers of two change no bit of the search; other factors could change the mask
-only where the error equals the threshold up to rounding. */
+must be the same. A unit that is a power of two changes no bit of the search; other units and the
+offsets could change the mask only where the error equals the threshold up to rounding. */
 TEST_P(Usac_RigidMotion, units_and_origins)
 {
     for (int seed = 1; seed <= 5; ++seed)

@@ -38,7 +38,7 @@ struct Option
     int first, last;
 };
 
-//! With each of these values of each option, the motion must be found accurately.
+//! With each value of each of these options, the motion must be found accurately.
 TEST_P(Usac_RigidOptions, every_component)
 {
     const Option options[] = {
@@ -305,7 +305,7 @@ TEST_P(Usac_RigidOptions, run_again)
 
 //! The neighbors must be those with the smallest distances, found by exhaustive search. For rigid
 //! motions, distances are measured in both spaces; for similarities only in space 2, because space
-//! 1 can have another unit.
+//! 1 can have a different unit.
 TEST_P(Usac_RigidOptions, nearest_neighbors)
 {
     RigidSceneOptions options = optionsOf(problem(), 0.6);

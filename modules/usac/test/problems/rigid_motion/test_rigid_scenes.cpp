@@ -6,7 +6,7 @@
 #include "rigid_scenes.hpp"
 
 // Synthetic scenes of two spaces must have the properties that their options ask for, because other
-// tests rely on them.
+// tests rely on these properties.
 
 namespace opencv_test {
 namespace {

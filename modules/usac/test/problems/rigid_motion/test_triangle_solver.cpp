@@ -125,8 +125,8 @@ double indeterminacyOf(const Triangle& from, const Triangle& to)
 
 /** The true motion must be found within 1e-6, except for triangles so thin that rounding hides the
 rotation: their smallest height is less than about 3e7 times the rounding error of their
-coordinates, or less than 2e-8 of their longest side. (The solver treats triangles below about
-1.5e-8 as collinear.) */
+coordinates, or less than 2e-8 of their longest side. (The solver treats triangles with a height
+below about 1.5e-8 of their longest side as collinear.) */
 void expectTruth(int samples)
 {
     for (int scaled = 0; scaled < 2; ++scaled)

@@ -59,7 +59,7 @@ struct MapScene
     }
 
     //! Root mean square distance in pixels, over the true matches, between the points to which
-    //! `map` and the true map take the same point.
+    //! `map` and the true map move the same point.
     double error(const Mat& map) const
     {
         double sum = 0;
@@ -172,8 +172,8 @@ TEST(Usac_PlaneMaps, parameters)
     checkParameters<SimilarityParameterization>(SIMILARITY);
 }
 
-//! A fit must agree with the solution of the linear equations, which has the same minimum for these
-//! maps.
+//! A fit must agree with the least-squares solution of the linear equations, because both minimize
+//! the same sum for these maps.
 TEST(Usac_PlaneMaps, leastSquares)
 {
     for (int t = 0; t < 2; ++t)

@@ -15,8 +15,9 @@ installed by itself. The latter works with any cv2 and without cv2. The package 
     H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
 The flags are integers. The functions of cv2 accept the flags, too: always in an OpenCV built with
-the module (cv2.USACV20), in any other cv2 after usacv20.patch_cv2(). There, without patch_cv2(),
-cv2.findFundamentalMat and cv2.findEssentialMat run LMEDS for these flags without an error message.
+the module (cv2.USACV20), in any other cv2 after usacv20.patch_cv2(). In any other cv2 without
+patch_cv2(), findFundamentalMat and findEssentialMat run LMEDS for these flags, without an error
+message.
 
 2. All options (Params) in place of the flag.
 3. A report on the run: its statistics, and the uncertainty of the model.

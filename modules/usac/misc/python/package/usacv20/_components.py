@@ -37,14 +37,16 @@ class Correspondences(typing.NamedTuple):
     data: npt.NDArray[np.float64]  #: N x number of columns; for two views, the columns are x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, row of each point in the caller's arrays
     scores: Optional[npt.NDArray[np.float32]]  #: N, Params.scores in the order of these points; None: no scores
-    threshold: float  #: Params.threshold times Params.reach in these coordinates, not squared
+    threshold: float  #: of the search, in these coordinates, not squared; at first Params.threshold times Params.reach
     sampleSize: int  #: number of points in a minimal sample
 
 
 class _Component(abc.ABC):
     def start(self, points: Correspondences) -> None:
-        """Called once at the beginning of each run. The arrays are copies, so that a component can
-        keep them. The default implementation does nothing."""
+        """Called at the beginning of each run with the points of the search. If there are more than
+        32768 points, the search uses only some of them, and start() is called again, with all
+        points, before the final polishing. The arrays are copies, so that a component can keep them.
+        The default implementation does nothing."""
 
     def _begin(self, *points: Any) -> None:
         self.start(Correspondences(*points))

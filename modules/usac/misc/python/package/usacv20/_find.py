@@ -101,7 +101,7 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
     maxIters -- maximum number of samples; default 2000
     confidence -- confidence of the search, see Params.confidence; default 0.995
-    params -- Params in place of the flag; also method=params
+    params -- Params in place of the flag; method=params is accepted, too
     retval -- homography, 3x3 array of float64; None if there is no model
     mask -- as a result: Nx1 array of uint8, 1 for inliers"""
     if isOptions("findHomography", _HOMOGRAPHY, "method", 2, 2, args, kwargs):
@@ -152,7 +152,7 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     confidence -- confidence of the search, see Params.confidence; default 0.99
     maxIters -- maximum number of samples; default (also for None) 1000
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
-    params -- Params in place of the flag; also method=params
+    params -- Params in place of the flag; method=params is accepted, too
     retval -- fundamental matrix, 3x3 array of float64; None if there is no model. With OpenCV's flags and seven points: up
         to three matrices, stacked in an array of up to 9x3
     mask -- as a result: Nx1 array of uint8, 1 for inliers"""
@@ -226,7 +226,7 @@ def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
     maxIters -- maximum number of samples; default 2000
     confidence -- confidence of the search, see Params.confidence; default 0.99
     refineIters -- maximum number of steps of the final polishing; 0: no polishing; default 10
-    params -- Params in place of the flag; also method=params
+    params -- Params in place of the flag; method=params is accepted, too
     retval -- affine map [A t], 2x3 array of float64; None if there is no model
     inliers -- as a result: Nx1 array of uint8, 1 for inliers"""
     return _findMap("estimateAffine2D", ProblemType.AFFINITY, args, kwargs)

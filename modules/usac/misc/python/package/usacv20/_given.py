@@ -83,12 +83,12 @@ def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     this error is at most report.threshold.
 
     model -- as the function estimate* of the problem returns it
-    params -- Params, of which only the field `residual` is used
+    params -- Params, of which only the fields `residual` and `sigmas` are used
 
     The other arguments are those of fitModel. Returns an Nx1 array of float64: the errors, not
     squared, in the unit of params.threshold (pixels; 3-D motions: the unit of points2). The error
-    is infinite or NaN for points that are not finite, behind a camera, or outside the field of view
-    of its lens."""
+    is infinite or NaN for points that are not finite, outside the field of view of a lens, or
+    (absolute pose) behind the camera."""
     found = native.modelErrors(problemOf(problem), array(model, "model"), array(points1, "points1"), array(points2, "points2"),
                                optionsOf(params), *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
     return np.empty((0, 1)) if found is None else found

@@ -60,8 +60,9 @@ class Native:
 
     def _each(self, one: Callable[[int, Any], Any], count: int, threads: int) -> List[Any]:
         """Returns the results of `count` calls of `one`. The number of calls that run at once is
-        `threads`, but at most the number of OpenCV's threads (0: this number). `one` gets the index
-        of the call, and the RunControl that can stop it, or None if nothing can stop it."""
+        `threads`, but at most the number of OpenCV's threads; `threads` 0 means this maximum. `one`
+        gets the index of the call, and the RunControl that can stop the call, or None if nothing can
+        stop it."""
         most = self._cv2.getNumThreads()
         workers = min(threads or most, most, count)
 

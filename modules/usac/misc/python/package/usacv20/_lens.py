@@ -30,7 +30,7 @@ def removeDistortion(points: npt.ArrayLike, cameraMatrix: npt.ArrayLike,
     distCoeffs -- 4, 5, 8, 12 or 14 coefficients as for cv2.undistortPoints; None: no distortion
 
     Returns an Nx2 array of float64 in pixels: NaN for points that are not finite or are outside the
-    field of view of the lens, that is beyond the radius up to which the radial distortion is
+    field of view of the lens, that is, beyond the radius up to which the radial distortion is
     monotonic."""
     result = native.removeDistortion(pointsOf(points, "points"), array(cameraMatrix, "cameraMatrix"),
                                      optionalArray(distCoeffs, "distCoeffs"))

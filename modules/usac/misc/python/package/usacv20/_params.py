@@ -290,7 +290,7 @@ class Params:
 
     @classmethod
     def accurate(cls: Type[P], **fields: Any) -> P:
-        """Returns the preset of USACV20_ACCURATE: three times the samples that the termination criteria ask for, and a long
+        """Returns the preset of USACV20_ACCURATE: three times the samples that the standard criterion asks for, and a long
         local optimization."""
         return cls._preset("accurate", fields)
 

@@ -21,10 +21,10 @@ class progress:
     """While this context is active, all estimations that its thread begins call a function every 5
     milliseconds. The function decides whether to continue.
 
-        with usacv20.progress(lambda report: report.iterations < 10**6 and not cancelled.is_set()):
+        with usacv20.progress(lambda report: report.iterations < 10**6 and not canceled.is_set()):
             H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
-    function -- takes a Report on the state of the search and returns True to continue. In this
+    function -- gets a Report on the state of the search and returns True to continue. In this
     Report, `stop` is STOP_NOT_RUN, `inliers` and `cost` are those of the best model before
     polishing (0 and 1 if there is none), and `searchMs` is the time since the run began. If the
     function returns False, the run ends with the best model so far, and report.stop is

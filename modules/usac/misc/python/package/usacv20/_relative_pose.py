@@ -59,9 +59,10 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
     and pose.report.stop gives the reason
     mask -- Nx1 array of uint8, 1 where the Sampson distance is at most the threshold and the
     triangulated point is in front of both cameras or at infinity
-    pose -- RelativePose: the report and the essential matrix. If most inliers are on a plane, two
-    motions are possible; the motion with the smaller errors of the points off the plane is
-    returned, and the other motion is in pose.otherR and pose.otherT"""
+    pose -- RelativePose: the report and the essential matrix. If more than 80 % of the inliers are
+    on a plane, two motions are possible. The motion with the smaller sum of truncated squared errors
+    is returned, so that the points off the plane decide; the other motion is in pose.otherR and
+    pose.otherT"""
     options = optionsOf(params)
     _arguments.checkOutput(mask, "mask")
     R, t, inliers, report, essential, behind, onPlane, otherR, otherT, otherInliers = native.estimateRelativePose(

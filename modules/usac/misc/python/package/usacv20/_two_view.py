@@ -42,33 +42,33 @@ class TwoViewRules:
     # with a smaller ratio can be found, too, but less reliably.
     inlierRatio: float = 0.25
     # Inlier ratios of some image pairs of the same collection, each above 0 and at most 1.
-    # Params.confidence is then the average probability of success over the correct pairs of this
-    # collection, see samples(). Empty: the ratios are unknown.
+    # Params.confidence is then the probability that the model of a pair is found, averaged over
+    # pairs with these ratios, see samples(). Empty: the ratios are unknown.
     ratios: Tuple[float, ...] = ()
     planarRatio: float = 0.8  # the pair is planar or panoramic if a homography has more than this fraction of the inliers; 0..1
-    # The focal lengths are considered wrong if the number of inliers of E is less than this fraction
-    # of the number of inliers of F; 0..1.
+    # The focal lengths are considered wrong if the number of inliers of E is clearly less than this
+    # fraction of the number of inliers of F, see estimateTwoViewGeometry; 0..1.
     calibrationRatio: float = 0.95
 
     def check(self) -> None:
-        """Raises usacv20.error that names the first invalid field."""
+        """Raises usacv20.error, whose message names the first invalid field, if there is one."""
         self._native.check()
 
     def samples(self, params: Params, sampleSize: int, matches: int) -> int:
         """Returns the number of samples needed to find the model of an acceptable pair, at least
         500, regardless of params.maxIterations.
 
-        params -- options; only `confidence` is used, and whether the search (sampler, score, local
-        optimization and polishing) is that of USACV20
+        params -- options, of which only `confidence` matters, and whether sampler, score, local
+        optimization and polishing are those of USACV20
         sampleSize -- number of points in a sample: 5 for E, 7 for F, 4 for H
         matches -- number of matches of the pair
 
         Samples are drawn without replacement: with I inliers among N matches, a sample of m points
-        consists of inliers with probability C(I, m) / C(N, m). I is inlierRatio times N, but at
-        least minInliers. With k `ratios`, the confidence is met on average over k pairs with these
-        ratios and one more pair, whose ratio is uniformly distributed between inlierRatio and the
-        smallest of `ratios`. The additional pair has the weight 1 / (k + 1), which is the
-        probability that a new pair has a smaller ratio than k others. For E and F with the search
+        consists of inliers with probability C(I, m) / C(N, m). I is inlierRatio times N, rounded up,
+        but at least minInliers. With k `ratios`, the confidence is met on average over k pairs with
+        these ratios and one more pair, whose ratio is uniformly distributed between inlierRatio and
+        the smallest of `ratios`. The additional pair has the weight 1 / (k + 1), which is the
+        probability that a new pair has a smaller ratio than k others. For E and F with these options
         of USACV20, a sample counts as up to four samples, because models are also found from samples
         with an outlier."""
         return int(self._native.samples(optionsOf(params), sampleSize, matches))
@@ -192,12 +192,12 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
 
     If both focal lengths are known, an essential matrix E is estimated, and then a fundamental
     matrix F starting from E; otherwise only F. If E is rejected, F is searched for with 500
-    samples, and its report.chance must be at most the square of the significance. If F shows that
-    the focal lengths are wrong, E is estimated once more, starting from F. H is estimated from the
-    inliers of E or F or, if both were rejected, from all matches. The focal lengths are accepted if
-    E has at least rules.calibrationRatio of the inliers of F, not counting the inliers that F gains
-    by chance, or if most inliers are on a plane. An invalid argument raises usacv20.error, whose
-    message names the argument."""
+    samples, and its report.chance must be at most the square of the significance. If F is accepted,
+    and E is rejected or explains clearly fewer matches, E is estimated once more, starting from F. H
+    is estimated from the inliers of E or F or, if both were rejected, from all matches. The focal
+    lengths are accepted if E has at least rules.calibrationRatio of the inliers of F, not counting
+    the inliers that F gains by chance, or if most inliers of E are on a plane. An invalid argument
+    raises usacv20.error, whose message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
 
@@ -209,7 +209,7 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
 
     pairs -- TwoViewPair(points1, points2, ...); the numbers of matches can differ, and pairs with
     and without cameras can be mixed
-    params, rules -- for all pairs; scores are taken from the pairs
+    params, rules -- for all pairs; the `scores` of a pair, if any, are used instead of params.scores
     threads -- number of pairs that are processed at once, at most the number of OpenCV's threads; 0:
     the number of OpenCV's threads. The results do not depend on this number
     returnExceptions -- what happens if the estimation of a pair raises an exception. True: the

@@ -49,7 +49,7 @@ _DISTORTIONS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 # lenses need 3 to 6 steps for full precision.
 _STEPS = 30
 # Newton's method has converged if the radius of the distorted point differs by less than this value
-# from the given one, in units of the focal length; 10^-6 pixels for a focal length of 10^4 pixels.
+# from the given radius, in units of the focal length; 10^-6 pixels for a focal length of 10^4 pixels.
 _TOLERANCE = 1e-10
 
 

@@ -21,8 +21,8 @@ from ._loops import Edge
 from ._pair import CollectionError, Configuration, Key, TwoView
 from ._sqlite import checkInput, columns, connect, explained
 
-# Version of the additional tables and of the contents of rows. Version 1 had zeros for unknown
-# matrices, version 2 no rotations.
+# Version of the additional tables and of the contents of rows. Version 1 stored zeros for
+# unknown matrices; versions 1 and 2 stored no rotations.
 VERSION = 3
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
@@ -41,7 +41,7 @@ _NEEDED = ("pair_id", "rows", "cols", "data", "config")
 _LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # configurations with a unique, well-determined rotation
 _MATRICES = ("F", "E", "H", "qvec", "tvec")  # COLMAP before 3.8 has only some of these columns
 # Prefix of the reasons of pairs that contradict other pairs. --resume estimates these pairs again,
-# because not all contradictions are known until a run has ended.
+# because new pairs may support them.
 CONTRADICTED = "loop: "
 _SIZES = {"F": 9, "E": 9, "H": 9, "qvec": 4, "tvec": 3}
 
@@ -52,7 +52,8 @@ class DatabaseSink:
     path -- path of the database
     settings -- settings that the results depend on; values are JSON values
     resume -- True: results of earlier runs with the same settings are kept. Raises CollectionError
-    if the last run had other settings. If there was no run, a new run is started
+    if the last run had other settings or was made by another version of the tool. If there was no
+    run, a new run is started
     keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them.
     If `keep` is false and no run is resumed, the first commit removes all old rows of
     two_view_geometries
@@ -239,7 +240,7 @@ class DatabaseSink:
         begun = self._resumed or self._keep
         for statement in (_GEOMETRIES,) + (() if begun else ("DROP TABLE IF EXISTS {}".format(PAIRS),)) + _OWN:
             self._connection.execute(statement)
-        if "rotations" not in columns(self._connection, PAIRS):  # the table was made by version 2 of this tool
+        if "rotations" not in columns(self._connection, PAIRS):  # the table was made by an older version of this tool
             self._connection.execute("ALTER TABLE {} ADD COLUMN rotations BLOB".format(PAIRS))
         if not begun:
             self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
@@ -287,8 +288,8 @@ def _now() -> str:
 
 
 def lastRun(connection: sqlite3.Connection) -> Optional[Dict[str, Any]]:
-    """Returns a dictionary of the columns of the last run, in which the settings are a dictionary,
-    too; None if there was no run."""
+    """Returns the columns of the last run as a dictionary, in which the settings are converted to a
+    dictionary; None if there was no run."""
     if not columns(connection, RUNS):
         return None
     rows = connection.execute("SELECT run_id, version, settings, state, started, updated FROM {} "

@@ -175,7 +175,7 @@ class _Run:
                 continue
             try:
                 outcomes.append(future.result())
-            except BaseException as error:  # it is raised after the results of the other chunks are stored
+            except BaseException as error:  # raised after the results of the other chunks are stored
                 self.failure = self.failure or self.workers.explain(error)
         if not outcomes:
             return
@@ -202,7 +202,7 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
         scheduler: str = "", progress: Optional[bool] = None) -> Summary:
     """Estimates all pairs of the source that the sink does not have yet.
 
-    verify -- function that takes (pairs, settings) and returns a result for each pair. It must be
+    verify -- function of (pairs, settings) that returns a result for each pair. It must be
     defined at the top level of a module, so that it can be pickled
     threads -- number of threads of this process; 0: one for each core
     chunk -- number of pairs that are estimated and stored together

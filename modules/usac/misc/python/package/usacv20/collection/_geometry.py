@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Two-view geometry of pairs by usacv20.estimateTwoViewGeometries. doc/collections.md describes the
+"""Estimates pairs with usacv20.estimateTwoViewGeometries. doc/collections.md describes the
 rules by which models are accepted, and how they differ from COLMAP's rules."""
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ def _taken(view: View) -> Optional[npt.NDArray[np.float64]]:
 
 
 def _scores(pair: Pair) -> Optional[npt.NDArray[np.float64]]:
-    """Returns the scores of the matches with such a sign that higher is better, as Settings.params
-    expects; None if there are no scores."""
+    """Returns the scores of the matches, negated if lower scores are better, because
+    Settings.params declares higher scores to be better; None if there are no scores."""
     return pair.scores if pair.scores is None or pair.higherIsBetter else -pair.scores
 
 

@@ -5,16 +5,16 @@
 """Results of the command `pairs` as arrays in an NPZ or HDF5 file, written and read in blocks.
 
 For N pairs in the order of their names:
-- names: N texts; images: N x 2 texts, empty for pairs whose image names are unknown; without such
-  names in any pair, the array is missing
-- configurations: N numbers of COLMAP, see Configuration; matches, iterations, chances,
+- names: N texts; images: N x 2 texts, empty for pairs whose image names are unknown; if the image
+  names of all pairs are unknown, the array is missing
+- configurations: N integers, see Configuration; matches, iterations, chances,
   milliseconds: N numbers each, see TwoView
 - F, E, H: N x 3 x 3, quaternions: N x 4, translations: N x 3; NaN: not estimated or not found
 - reasons: the distinct reasons as texts; reason: N indices into `reasons`. An empty text means that
   the pair is not refused
-- inliers: the inliers of all pairs, one pair after the other, as indices of keypoints in both
-  images, or of matches if there are no keypoints; offsets: N + 1 numbers, the inliers of pair i are
-  inliers[offsets[i]:offsets[i + 1]]
+- inliers: a row for each inlier, ordered by pairs, with the indices of its keypoints in both images
+  or, if there are no keypoints, twice the index of the match; offsets: N + 1 numbers;
+  the inliers of pair i are inliers[offsets[i]:offsets[i + 1]]
 - settings: a JSON text with the settings that the results depend on"""
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     _Array = npt.NDArray[Any]
 
-_BLOCK = 4096  # number of pairs in memory
+_BLOCK = 4096  # maximum number of pairs in memory at a time
 _MODELS = (("quaternions", "quaternion", (4,)), ("translations", "translation", (3,)), ("F", "F", (3, 3)), ("E", "E", (3, 3)),
            ("H", "H", (3, 3)))
 _NUMBERS = (("configurations", "configuration", "<i4"), ("matches", "matches", "<i8"), ("iterations", "iterations", "<i8"),

@@ -58,7 +58,8 @@ def _view(name: str, points: _Points, matrix: Optional[_Points], size: Optional[
 
 def _numbers(array: Any, name: str, columns: int) -> npt.NDArray[np.float64]:
     """Converts an array to N x columns numbers of double precision, or to N numbers if columns is
-    0. Raises CollectionError if the shape does not fit or a number is not finite."""
+    0. Raises CollectionError if the array is not numeric, its shape does not fit, or a number is
+    not finite."""
     try:
         numbers = np.ascontiguousarray(array, np.float64)
     except (TypeError, ValueError):
@@ -143,8 +144,8 @@ def _scores(get: _Get, rows: npt.NDArray[np.int64], count: int) -> Tuple[Optiona
 
 def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
     """Returns the pair of an NPZ file or of an HDF5 group. `read` returns an array by its name and
-    is called once for each name. `names` are the names of the two images. Raises CollectionError if
-    arrays are missing or invalid."""
+    is called at most once for each name. `names` are the names of the two images. Raises
+    CollectionError if arrays are missing or invalid."""
     known: Dict[str, Optional[_Array]] = {}
 
     def get(name: str) -> Optional[_Array]:
@@ -197,7 +198,7 @@ def _sides(key: Key) -> Tuple[str, str]:
 
 def _rowByRow(lines: List[str]) -> _Points:
     """Parses the lines of a .corr file. This is slower than numpy.loadtxt, but allows lines with and
-    without a score, and error messages name the line."""
+    without a score in one file, and its error messages name the line."""
     rows: List[List[float]] = []
     for number, line in enumerate(lines, 1):
         try:
@@ -229,8 +230,8 @@ def _correspondences(path: str) -> _Points:
 
 
 def _description(path: str) -> Dict[str, Any]:
-    """Returns the JSON object in the .json file next to a .corr file, at `path`; empty if there is
-    no such file."""
+    """Returns the JSON object in `path`, the .json file next to a .corr file; an empty dictionary
+    if there is no such file."""
     if not os.path.exists(path):
         return {}
     try:

@@ -134,7 +134,7 @@ class Groups:
 
 class _Features:
     """hloc's file of features. It has a group for each image, with the arrays keypoints and
-    image_size. In the names of pairs, `-` replaces the `/` of the names of images."""
+    image_size. The names of pairs contain the names of images with `-` instead of `/`."""
 
     def __init__(self, path: str) -> None:
         self._groups = Groups(path)
@@ -212,8 +212,9 @@ class Hloc:
 
 
 def openHdf5(path: str, features: Optional[str]) -> Union[Groups, Hloc]:
-    """Opens a file as a Container. `features` is the path of hloc's file of features, if `path` is
-    hloc's file of matches. Raises CollectionError if the file has none of the formats."""
+    """Opens a file as a Container (see _lists.py). `features` is the path of hloc's file of
+    features, if `path` is hloc's file of matches. Raises CollectionError if a file cannot be
+    opened, or if `features` is None and the file has matches, but no keypoints."""
     if features is not None:
         return Hloc(path, features)
     groups = Groups(path)

@@ -161,7 +161,7 @@ class ArraySink:
     """An NPZ or HDF5 file of results, which is made from OUTPUT.part at the end of a run."""
 
     def __init__(self, path: str, source: _ListSource, run: typing.Mapping[str, object], resume: bool) -> None:
-        """Takes the same arguments as SqliteSink."""
+        """Has the same arguments as SqliteSink."""
         _list_columns.check(path)
         self._path, self._part = path, path + ".part"
         there, begun = os.path.exists(path), os.path.exists(self._part)
@@ -196,8 +196,9 @@ class ArraySink:
         self._rows.commit(results)
 
     def close(self, finished: bool = True) -> None:
-        """Writes the file from OUTPUT.part. finished -- False: some pairs are not done; OUTPUT.part
-        is kept for --resume instead"""
+        """Writes the file from OUTPUT.part if there are new results, and removes OUTPUT.part.
+        finished -- False: some pairs are not done; OUTPUT.part with new results is kept for
+        --resume instead"""
         if self._rows is None:
             return
         self._rows.close()
@@ -213,8 +214,8 @@ class ArraySink:
 def openResults(path: str, source: _ListSource, run: typing.Mapping[str, object],
                 resume: bool = False) -> Union[SqliteSink, ArraySink]:
     """Returns the sink for a file, chosen by the extension of its name. `run` contains the settings,
-    that is, everything other than the pairs that results depend on. `resume` continues a run only if
-    that run had the same settings. Raises CollectionError if the file cannot be used."""
+    that is, everything that the results depend on, except for the pairs. `resume` continues a run
+    only if that run had the same settings. Raises CollectionError if the file cannot be used."""
     checkExtension(path)
     if _extension(path) in ARRAYS:
         return ArraySink(path, source, run, resume)

@@ -6,17 +6,18 @@
 for each pair.
 
 LIST is one of
-- a folder with a file for each pair, including subfolders: `.corr` files, a match on each line, `x1
-  y1 x2 y2 score`, with optional `.json` files for the sizes and camera matrices of the images (see
-  doc/benchmark.md); or `.npz` files; or `.h5` or `.hdf5` files,
+- a folder with a file for each pair, including subfolders: `.corr` files with a match on each line,
+  `x1 y1 x2 y2 score` (lower scores are better; the score can be missing), and optional `.json`
+  files for the sizes and camera matrices of the images (see doc/benchmark.md); or `.npz` files; or
+  `.h5` or `.hdf5` files,
 - a `.list` file that names such files without extension, one on each line. The names are relative
   to the folder of the list or, if that folder is called `lists`, to its parent folder,
-- an `.npz` file with arrays PAIR/NAME, or an `.h5` or `.hdf5` file with arrays NAME in groups PAIR;
-  or such a file of a single pair,
+- an `.npz` file with arrays PAIR/NAME, or an `.h5` or `.hdf5` file with arrays NAME in groups PAIR
+  (for each NAME see below); or such a file with the arrays of a single pair,
 - hloc's `.h5` file of matches together with its file of features.
 
 Arrays, all in pixels and without distortion:
-- points1, points2 (or mkpts0, mkpts1): N x 2, row i of one array matches row i of the other,
+- points1, points2 (or mkpts0, mkpts1): N x 2; row i of one array matches row i of the other,
 - or keypoints0, keypoints1 (or keypoints1, keypoints2): likewise; or keypoints together with
   matches0 or matches, which contains for each keypoint of image 1 the index of its match (negative:
   no match), or M x 2 indices,
@@ -103,7 +104,8 @@ class Folder:
     def __init__(self, path: str) -> None:
         self._path = path
         self._extension = ""
-        # All files are listed once, in any order, to find their extension, which must be the same.
+        # All files are listed once, in any order, to find their extension, which all files must
+        # share.
         for file in self._walk("", self._scanned):
             extension = os.path.splitext(file)[1]
             self._extension = self._extension or extension

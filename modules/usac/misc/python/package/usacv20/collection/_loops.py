@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Finds pairs whose rotation contradicts pairs with more matches. Such pairs are due to repeated
+"""Finds pairs whose rotation contradicts pairs with more inliers. Such pairs are due to repeated
 structure, which cannot be detected from a single pair.
 
 Matches between similar windows of different facades agree with a motion as correct matches do, and
@@ -34,7 +34,7 @@ _Rotation = Tuple[float, float, float, float]
 # doc/measurements/collections_tables.md lists results with half and twice these values.
 
 STRONGER = 2.0  # minimum ratio of the number of inliers of a link to that of the tested pair
-LARGEST = 20.0  # maximum rotation error of an accepted pair in degrees
+LARGEST = 20.0  # degrees; a pair with a larger rotation error contradicts the path
 LONGEST = 32  # maximum number of links in a path; longer paths are not used, because errors add up
 
 _NONE: _Rotation = (1.0, 0.0, 0.0, 0.0)

@@ -66,7 +66,7 @@ class Fault(typing.NamedTuple):
     """Replaces a Pair that cannot be read."""
 
     key: Key
-    reason: str  # one line that names the images
+    reason: str  # one line that names the pair or its images
 
 
 class TwoView(typing.NamedTuple):
@@ -74,7 +74,7 @@ class TwoView(typing.NamedTuple):
 
     key: Key
     configuration: Configuration  # UNDEFINED: the pair is a fault
-    inliers: npt.NDArray[np.uint32]  # K x 2: the rows of Pair.matches of the inliers
+    inliers: npt.NDArray[np.uint32]  # K x 2: the rows of Pair.matches that are inliers
     F: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
     E: Optional[npt.NDArray[np.float64]]  # 3 x 3, for normalized image planes; None: not estimated or not found
     H: Optional[npt.NDArray[np.float64]]  # 3 x 3, for points without distortion; None: not estimated or not found
@@ -92,8 +92,8 @@ class TwoView(typing.NamedTuple):
 
 
 class Source(typing.Protocol):
-    """Base class of sources of pairs. Objects must be picklable; each process opens the files
-    itself at their first use."""
+    """Interface of sources of pairs. Sources must be picklable; each process opens the files of a
+    source itself at their first use."""
 
     def keys(self) -> typing.Iterator[Key]:
         """Yields the keys of all pairs in a fixed order."""
@@ -110,10 +110,10 @@ class Source(typing.Protocol):
 
 
 class Sink(typing.Protocol):
-    """Base class of sinks, which store results. A sink is used by one thread only."""
+    """Interface of sinks, which store results. A sink is used by one thread only."""
 
     def done(self, key: Key) -> bool:
-        """Returns True if an earlier run has stored the pair (--resume)."""
+        """Returns True if an earlier run has processed the pair and --resume can skip the pair."""
 
     def commit(self, results: typing.Sequence[TwoView]) -> None:
         """Stores all of the results or none of them."""

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     _Numbers = npt.NDArray[np.int64]
 
 CELLS = 1000  # maximum number of rows and columns of the matrix of pairs
-NAMED = 40  # names are shown next to the matrix only up to this number of images, with which its rows are 0.2 inch high
+NAMED = 40  # maximum number of images whose names are shown next to the matrix; its rows are then at least 0.2 inch high
 
 
 def _ranked(blocks: typing.Iterable[_Numbers], ranks: _Numbers) -> typing.Iterator[_Numbers]:
@@ -36,7 +36,7 @@ class Pictures:
 
     def __init__(self, folder: str) -> None:
         """Creates the folder. Raises CollectionError if matplotlib is missing."""
-        # pyplot is not used, because it needs a display and keeps all figures in memory.
+        # pyplot is not used, because it can require a display and keeps all figures in memory.
         self._figure = need("matplotlib.figure", "for --pictures").Figure
         self._canvas = need("matplotlib.backends.backend_agg", "for --pictures").FigureCanvasAgg
         self._colors = need("matplotlib.colors", "for --pictures")

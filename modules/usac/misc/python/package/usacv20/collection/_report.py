@@ -7,8 +7,8 @@ pictures.
 
 It lists some pairs that should be checked, the first few of each kind:
 - refused pairs with the most matches,
-- verified pairs whose probability of being a chance result is at least a hundredth of the limit
-  (Settings.significance), those with the largest probability first,
+- verified pairs whose chance (the probability that random matches give a result as good) is at
+  least a hundredth of the limit (Settings.significance), those with the largest chance first,
 - verified pairs with an inlier ratio below 0.2, those with the most inliers first; possible reasons
   are repeated structure and a moving part of the images,
 - pairs that are the only link between two parts of at least two images each, sorted by the number of

@@ -72,9 +72,9 @@ def graphOf(count: int, links: typing.Iterable[Edge]) -> Graph:
 
 
 def _neighbors(count: int, edges: List[Edge]) -> Tuple[_Numbers, _Numbers, _Numbers]:
-    """Returns arrays (start, neighbors, edges): the neighbors of node i are
-    neighbors[start[i]:start[i + 1]], and the same part of `edges` contains the indices of the edges
-    to these neighbors."""
+    """Returns arrays (start, neighbors, indices): the neighbors of node i are
+    neighbors[start[i]:start[i + 1]], and indices[start[i]:start[i + 1]] are the indices in `edges`
+    of the edges to these neighbors."""
     ends = np.array(edges, np.int64).reshape(-1, 2)
     origins, targets = ends.T.ravel(), ends[:, ::-1].T.ravel()
     order = np.argsort(origins, kind="stable")

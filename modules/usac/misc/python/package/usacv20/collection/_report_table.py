@@ -27,7 +27,7 @@ FAULT, REFUSED, VERIFIED = 0, 1, 2
 
 _IMAGES = 2147483647  # COLMAP's pair_id is this number times the smaller image_id, plus the larger image_id
 _NUMBER = re.compile(r"(?<![A-Za-z0-9_])[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?", re.IGNORECASE)
-_BLOCK = 4096  # number of rows in memory
+_BLOCK = 4096  # maximum number of rows in memory at a time
 _NAMES = "(SELECT name FROM images WHERE image_id = {})"
 _OF_COLMAP = ("IFNULL({}, '?') || ' - ' || IFNULL({}, '?') AS name, p.pair_id / {} AS first, p.pair_id % {} AS second".format(
     _NAMES.format("p.pair_id / {}".format(_IMAGES)), _NAMES.format("p.pair_id % {}".format(_IMAGES)), _IMAGES, _IMAGES))
@@ -141,8 +141,9 @@ class Results:
             yield _row(row)
 
     def reasons(self, most: int) -> List[Tuple[str, int, str]]:
-        """Returns (reason, count, example) for each kind of reason, the most frequent kinds first.
-        In the reason, N replaces numbers, and the name of the pair is removed."""
+        """Returns (reason, count, example) for each kind of reason of the pairs that are not
+        verified, the most frequent kinds first. In the reason, N replaces numbers, and the name of
+        the pair is removed. The example is the name of such a pair."""
         prefix = "substr(reason, 1, length(name) + 2) = name || ': '"
         kind = "withoutNumbers(CASE WHEN {} THEN substr(reason, length(name) + 3) ELSE reason END)".format(prefix)
         return [(reason, count, example) for reason, count, example in self.rows(

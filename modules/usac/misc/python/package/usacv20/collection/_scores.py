@@ -81,7 +81,8 @@ def _groupNames(first: str, second: str) -> typing.Iterator[str]:
 
 
 class ColumnScores:
-    """A column of the table `matches` of the database, with a float32 or float64 for each match."""
+    """Scores in a column of the table `matches` of the database, whose blobs have one float32 or
+    float64 for each match of the pair."""
 
     def __init__(self, column: str, higherIsBetter: bool) -> None:
         if '"' in column:

@@ -23,7 +23,8 @@ METHODS = {flag.name: flag for flag in UsacV20Method if flag not in (UsacV20Meth
 
 @dataclasses.dataclass(frozen=True)
 class Settings:
-    """Options of the verification. Defaults are those of COLMAP unless a comment says otherwise."""
+    """Options of the verification. Numerical defaults are those of COLMAP unless a comment says
+    otherwise."""
 
     threshold: float = 4.0  # maximum error of an inlier in pixels; USACV20_AUTO: upper limit of the estimated threshold
     method: str = "USACV20"  # one of METHODS

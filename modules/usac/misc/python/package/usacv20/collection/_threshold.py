@@ -9,12 +9,12 @@ sufficient.
 
 1. Some pairs are chosen by a hash of their keys.
 2. For each of these pairs, E (both focal lengths known) or F is estimated with a threshold that is
-   estimated from its matches (Params.automatic()). Only the errors of the matches are used. A plane
-   or a rotation leaves F undetermined, but not these errors, so H is not needed. Report.sigma is
-   the standard deviation of accurately located matches, the core noise. Report.threshold is the
-   error that a fraction `QUANTILE` of all correct matches does not exceed, including badly located
-   matches, which are 20 to 40 % of the matches in photographs. Report.threshold divided by
-   `IN_SIGMAS` is called the total noise.
+   estimated from its matches (Params.automatic()). The model itself is not used: a plane or a
+   rotation leaves F undetermined, but not the errors of the matches, so H is not needed.
+   Report.sigma is the standard deviation of accurately located matches, the core noise.
+   Report.threshold is the error that a fraction `QUANTILE` of all correct matches does not exceed,
+   including badly located matches, which are 20 to 40 % of the matches in photographs.
+   Report.threshold divided by `IN_SIGMAS` is called the total noise.
 3. The noise of the collection is the product of two statistics of the pairs: the median of the core
    noise, and the quantile `FEW_PAIRS` of the ratio of total noise to core noise. A low quantile is
    used, because in some pairs wrong matches close to correct matches increase the ratio. All pairs
@@ -61,15 +61,15 @@ SIGNIFICANCE = 1e-4  # largest Report.chance of a pair that is used
 MOST = 1000  # maximum number of matches of a pair that are used
 
 # If fewer pairs are used, a warning is given. Estimates from three pairs differ by at most 10 % from
-# the noise. So do 79 % of the estimates from a single pair, but the worst one is wrong by a factor
-# of 3.8.
+# the true noise. So do 79 % of the estimates from a single pair, but the worst one is wrong by a
+# factor of 3.8.
 ENOUGH = 3
 
 LEAST_INLIERS = 30  # minimum number of inliers of a pair that is used, in addition to the number of the model's parameters
 FEW_PAIRS = 0.25  # quantile of the ratio of total noise to core noise
 
-# Smallest threshold in pixels: the smallest value that can be estimated with WIDEST. It is ten times
-# the float32 rounding error of coordinates up to 2^14.
+# Smallest threshold in pixels: the smallest value that can be estimated with WIDEST. It is about
+# ten times the float32 rounding error of coordinates up to 2^14.
 SMALLEST = 0.012
 
 
@@ -78,7 +78,7 @@ class ThresholdEstimate:
     """The threshold and its statistics over the sampled pairs."""
 
     threshold: float  # pixels, rounded to three digits, so that the printed value is equal to the used value
-    sigma: float  # pixels, standard deviation of a coordinate for normal noise with the same QUANTILE
+    sigma: float  # pixels, noise of the collection, see the top of this file
     spread: float  # half of the interquartile range over the pairs, relative to sigma
     asked: int  # number of pairs in the sample
     used: int  # number of pairs with an estimate of the noise
@@ -133,8 +133,8 @@ def estimateThreshold(pairs: typing.Sequence[Pair], settings: Settings) -> Thres
 class _Noise(typing.NamedTuple):
     """The estimated noise of a pair."""
 
-    core: float  # pixels, standard deviation of accurately located matches
-    sigma: float  # pixels, standard deviation of the normal distribution with the same QUANTILE as all correct matches
+    core: float  # pixels, core noise: Report.sigma, see the top of this file
+    sigma: float  # pixels, total noise: Report.threshold / IN_SIGMAS
     ratio: float  # inlier ratio
 
 

@@ -38,14 +38,15 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     path -- path of the database. Of COLMAP's tables, only two_view_geometries is written
     output -- path of a copy that is made and written instead; with `resume` the copy can exist
     already
-    threshold -- maximum error of an inlier in pixels. None: estimated from a sample of the pairs,
-    or, with `resume`, that of the last run. With the method USACV20_AUTO each pair has its own
-    threshold, and this value is the upper limit, 12 by default
+    threshold -- maximum error of an inlier in pixels. None: estimated from a sample of the pairs
+    or, with `resume`, equal to the threshold of the last run. With the method USACV20_AUTO each
+    pair has its own threshold, and this value is the upper limit, 12 by default
     pairs -- file with two image names on each line: only these pairs are verified, and rows of
     other pairs do not change
-    resume -- True: pairs that a run with the same settings has processed are skipped
+    resume -- True: pairs that a run with the same settings has processed are skipped, except for
+    pairs that could not be read and pairs that were refused because they contradict other pairs
     scores -- source of the scores of the matches; None: there are no scores
-    loops -- False: pairs whose rotation contradicts that of pairs with more matches are not refused
+    loops -- False: pairs whose rotation contradicts that of pairs with more inliers are not refused
     threads -- number of threads of this process; 0: one for each core
     workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
     a running scheduler, tcp://HOST:PORT
@@ -57,9 +58,9 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     watermarks, seed: as on the command line
 
     Returns the summary of the run. Pairs that cannot be read are counted in the summary, and the
-    first 20 of these pairs are named on stderr. Raises CollectionError if nothing can be done, and
-    KeyboardInterrupt if the run was interrupted, after the results of the pairs in progress are
-    stored."""
+    first 20 of these pairs are named on stderr. Raises CollectionError if the run cannot start or
+    continue, and KeyboardInterrupt if the run was interrupted, after the results of the pairs in
+    progress are stored."""
     summary = verifyDatabase(path, output, threshold, pairs, resume, scores, loops, settings, say or _silent, threads=threads,
                              workers=workers, scheduler=scheduler, chunk=chunk, progress=progress)
     if summary.interrupted:

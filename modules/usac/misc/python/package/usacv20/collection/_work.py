@@ -35,7 +35,7 @@ class Future(typing.Protocol):
 
 
 class Workers(typing.Protocol):
-    """Base class of the workers, which process chunks."""
+    """Interface of the workers, which process chunks."""
 
     def capacity(self) -> int:
         """Returns the maximum number of chunks that are submitted, but not finished, at the same time.
@@ -95,8 +95,8 @@ _lock = threading.Lock()
 
 
 def unpickled(source: bytes) -> Source:
-    """Unpickles a source in a process of a cluster. The same bytes always give the same object, so
-    that its files are opened only once."""
+    """Unpickles a source in a process of a cluster. The last source is kept, so that the
+    files of a source are opened only once during a run."""
     digest = hashlib.sha256(source).hexdigest()
     with _lock:
         if digest not in _kept:
