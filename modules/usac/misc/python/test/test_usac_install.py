@@ -7,6 +7,7 @@
 error message that names what is missing."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -66,14 +67,22 @@ class MissingTest(unittest.TestCase):
         self.assertEqual(run.stderr, b"usacv20: Python 3.8 or later is needed, this is 3.6\n")
 
     def test_builds_at_the_same_time(self):
-        """Each build of the same sources must wait for the others and leave no files."""
-        before = sorted(os.listdir(ROOT))
-        runs = [subprocess.Popen([sys.executable, os.path.join(ROOT, "setup.py"), "-q", "egg_info"], cwd=ROOT, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT, universal_newlines=True) for _ in range(6)]
-        for run in runs:
-            output = run.communicate()[0]
-            self.assertEqual(run.returncode, 0, output)
-        self.assertEqual(sorted(os.listdir(ROOT)), before)
+        """Each build of the same sources must wait for the others and leave no files. The sources are a
+        copy, because other programs might build the package from the original ones."""
+        with tempfile.TemporaryDirectory() as folder:
+            copy = os.path.join(folder, "modules", "usac")
+            for part in ("cmake", "misc", "include"):
+                shutil.copytree(os.path.join(ROOT, part), os.path.join(copy, part))
+            for name in ("setup.py", "pyproject.toml", "MANIFEST.in", "README.md"):
+                shutil.copy(os.path.join(ROOT, name), copy)
+            shutil.copy(os.path.join(ROOT, "..", "..", "LICENSE"), folder)
+            before = sorted(os.listdir(copy))
+            runs = [subprocess.Popen([sys.executable, "setup.py", "-q", "egg_info"], cwd=copy, stdout=subprocess.PIPE,
+                                     stderr=subprocess.STDOUT, universal_newlines=True) for _ in range(6)]
+            for run in runs:
+                output = run.communicate()[0]
+                self.assertEqual(run.returncode, 0, output)
+            self.assertEqual(sorted(os.listdir(copy)), before)
 
     def test_compiled_part_of_another_python(self):
         with tempfile.TemporaryDirectory() as folder:

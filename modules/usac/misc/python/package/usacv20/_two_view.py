@@ -240,3 +240,4 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
 
 for _type in (TwoViewRules, TwoViewPair, TwoViewGeometry):
     _type.__module__ = __name__.rpartition(".")[0]
+del _type
