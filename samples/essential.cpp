@@ -23,11 +23,11 @@ struct Stereo
 
 bool findCorners(const cv::Mat& image, cv::Size board, std::vector<cv::Point2f>& corners)
 {
-    cv::Mat grey;
-    cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-    if (!cv::findChessboardCorners(grey, board, corners))
+    cv::Mat gray;
+    cv::cvtColor(image, gray, cv::COLOR_BGR2GRAY);
+    if (!cv::findChessboardCorners(gray, board, corners))
         return false;
-    cv::cornerSubPix(grey, corners, cv::Size(11, 11), cv::Size(-1, -1),
+    cv::cornerSubPix(gray, corners, cv::Size(11, 11), cv::Size(-1, -1),
                      cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01));
     return true;
 }

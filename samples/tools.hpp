@@ -183,12 +183,12 @@ inline cv::Mat sideBySide(const cv::Mat& image1, const cv::Mat& image2)
 {
     cv::Mat canvas(std::max(image1.rows, image2.rows), image1.cols + image2.cols, CV_8UC3,
                    cv::Scalar::all(255)),
-        grey;
+        gray;
     image1.copyTo(canvas(cv::Rect(cv::Point(), image1.size())));
     image2.copyTo(canvas(cv::Rect(cv::Point(image1.cols, 0), image2.size())));
-    cv::cvtColor(canvas, grey, cv::COLOR_BGR2GRAY);
-    grey.convertTo(grey, -1, 0.7, 76);
-    cv::cvtColor(grey, canvas, cv::COLOR_GRAY2BGR);
+    cv::cvtColor(canvas, gray, cv::COLOR_BGR2GRAY);
+    gray.convertTo(gray, -1, 0.7, 76);
+    cv::cvtColor(gray, canvas, cv::COLOR_GRAY2BGR);
     return canvas;
 }
 

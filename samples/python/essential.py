@@ -96,7 +96,7 @@ def main() -> int:
     # the maximum number of samples of findEssentialMat.
     ours = results[-1]
     _, _, report = usacv20.estimateEssential(points1, points2, stereo.K1, stereo.K2, stereo.dist1, stereo.dist2,
-                                                 tools.usacv20_params(args, 1000))
+                                             tools.usacv20_params(args, 1000))
     ours.iterations = report.iterations
     tools.print_table(len(points1), results, args.runs)
     print("USACV20: " + report.describe())

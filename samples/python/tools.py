@@ -145,8 +145,8 @@ def _side_by_side(image1: Image, image2: Image) -> Image:
     canvas = np.full((max(image1.shape[0], image2.shape[0]), image1.shape[1] + image2.shape[1], 3), 255, np.uint8)
     canvas[:image1.shape[0], :image1.shape[1]] = image1
     canvas[:image2.shape[0], image1.shape[1]:] = image2
-    grey = cv2.convertScaleAbs(cv2.cvtColor(canvas, cv2.COLOR_BGR2GRAY), alpha=0.7, beta=76)
-    result: Image = cv2.cvtColor(grey, cv2.COLOR_GRAY2BGR)
+    gray = cv2.convertScaleAbs(cv2.cvtColor(canvas, cv2.COLOR_BGR2GRAY), alpha=0.7, beta=76)
+    result: Image = cv2.cvtColor(gray, cv2.COLOR_GRAY2BGR)
     return result
 
 

@@ -42,7 +42,7 @@ String Report::describe() const
         "no model is significantly better than those of random points",
         "the order of the points",
         "Params::maxTime",
-        "cancelled",
+        "canceled",
         "no search"};
     const char* reason = stop >= STOP_NOT_RUN && stop <= STOP_NO_SEARCH ? reasons[stop]
                                                                         : "unknown reason";

@@ -141,7 +141,7 @@ TwoViewGeometry geometryOf(const TwoViewPair& pair, const Params& params, const 
     {
         found.configuration = models.cancelled ? TWO_VIEW_UNDEFINED : TWO_VIEW_DEGENERATE;
         found.mask = Mat::zeros(models.size(), 1, CV_8U);
-        found.reason = models.cancelled ? String("cancelled") : models.reason();
+        found.reason = models.cancelled ? String("canceled") : models.reason();
     }
     found.milliseconds = (getTickCount() - start) / getTickFrequency() * 1e3;
     return found;
@@ -192,7 +192,7 @@ std::vector<TwoViewGeometry> estimateTwoViewGeometries(const std::vector<TwoView
     };
     const auto leave = [&](int i) {
         results[i].report.stop = STOP_CANCELLED;
-        results[i].reason = "cancelled";
+        results[i].reason = "canceled";
     };
     forEachTask((int)pairs.size(), threads, estimate, leave);
     return results;

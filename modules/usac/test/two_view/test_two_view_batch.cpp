@@ -99,7 +99,7 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
         const TwoViewGeometry found = estimateTwoViewGeometry(pair);
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
-            EXPECT_EQ("cancelled", found.reason);
+            EXPECT_EQ("canceled", found.reason);
             ++cancelled;
             continue;
         }
@@ -122,7 +122,7 @@ TEST(Usac_TwoViewBatch, cancelled)
          estimateTwoViewGeometries(pairs, Params(), TwoViewRules(), 1))
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
-            EXPECT_EQ("cancelled", found.reason);
+            EXPECT_EQ("canceled", found.reason);
             EXPECT_EQ(0, found.inliers);
             ++undefined;
         }

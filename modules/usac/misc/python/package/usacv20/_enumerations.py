@@ -75,7 +75,7 @@ class SamplerType(enum.IntEnum):
 
 
 class NeighborhoodType(enum.IntEnum):
-    """Which points are neighbors in the joint space (x1, y1, x2, y2)."""
+    """Which points are neighbors in the joint space of both arrays, such as (x1, y1, x2, y2)."""
 
     NEIGHBORHOOD_GRID = 0  # points in the same cell of a grid with layers of finer and coarser cells
     NEIGHBORHOOD_KNN = 1  # the Params.neighbors nearest points, through cv2.flann
@@ -85,8 +85,8 @@ class NeighborhoodType(enum.IntEnum):
 class ResidualType(enum.IntEnum):
     """Error of a point that is minimized and compared with the threshold."""
 
-    # H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose: reprojection error. 3-D motions:
-    # distance between a mapped point and its counterpart
+    # H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose: reprojection error in the original
+    # (distorted) image. 3-D motions: distance between a mapped point and its counterpart
     RESIDUAL_STANDARD = 0
     # H, affine maps: root of the sum of the squared transfer errors in both images. F, E: root of the sum of the squared
     # distances to both epipolar lines. Absolute pose, 3-D motions: raises usacv20.error
@@ -97,7 +97,7 @@ class OrderingType(enum.IntEnum):
     """Where the order of the points ("best first") comes from."""
 
     ORDERING_AUTO = 0  # Params.scores if given, else the local density
-    ORDERING_DENSITY = 1  # local density of the points in the 4-D joint space, densest first
+    ORDERING_DENSITY = 1  # local density of the points in the joint space, densest first
     # the caller has sorted the points, best first; if Params.scores are given, they determine the order instead
     ORDERING_INPUT_ORDER = 2
     ORDERING_NONE = 3  # a fixed pseudo-random order
@@ -155,7 +155,7 @@ class TerminationFlags(enum.IntFlag):
     # all-inlier with probability C(I, m) / C(N, m) instead of (I / N)^m
     TERMINATION_EXACT = 32
     # PROSAC's criterion, if inliers of the best model come early in a known order and samples of its outliers yield no better
-    # model; no effect if runnersUp is 0 or orderedEvery is 1
+    # model; needs PROSAC or P-NAPSAC with orderedEvery above 1, local optimization and runnersUp above 0, else no effect
     TERMINATION_ORDER = 64
 
 
@@ -166,8 +166,8 @@ class DegeneracyFlags(enum.IntFlag):
     # F: if a plane dominates a sample, F is computed by plane and parallax. E: twice as many samples are drawn if most inliers
     # are on a plane
     DEGENERACY_DEGENSAC = 2
-    # rejects samples in which two matches share a point (up to noise, if there are many such matches), and counts many
-    # occurrences of one match as a single inlier
+    # rejects samples in which two matches have the same point in an array (nearly the same, if there are many such matches);
+    # many matches to one point, or many copies of one match, count as a single inlier
     DEGENERACY_REPEATED = 4
 
 

@@ -19,7 +19,7 @@ _made: List[Type[Exception]] = []
 _ABOUT = """A mistake in the arguments, named in the message, or a failure of a component.
 
 A subclass of cv2.error where cv2 can be imported. Errors that the compiled part has found have the attributes code, err, file,
-func, line and msg, as those of cv2."""
+func, line and msg, like those of cv2."""
 
 
 def _cv2Error() -> Type[Exception]:

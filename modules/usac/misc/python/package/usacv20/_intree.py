@@ -96,7 +96,7 @@ class Native:
 
         def one(i: int, control: Any) -> Tuple[Any, ...]:
             if control is not None and control.cancelled():
-                return failed(self._functions.notBegun()[2], "cancelled", "")
+                return failed(self._functions.notBegun()[2], "canceled", "")
             try:
                 found: Tuple[Any, ...] = self._functions.entered(control, lambda: self._geometry(pairs[i], params, rules))
                 return found

@@ -88,8 +88,8 @@ class Params:
     scores = Scores(np.float32, """Score of each correspondence, an array of N float32, or of none. Lists of numbers of shape
         N, N x 1 or 1 x N are copied into it; its elements can be changed in place. NaN is the worst score;
         SAMPLER_IMPORTANCE takes scores as probabilities and raises usacv20.error for NaN. Default none.""")
-    sigmas = Scores(np.float32, """Relative standard deviation of the error of each correspondence, such as the scale of its
-        key point; N numbers, 1e-6..1e6, or none. Errors are divided by it in score, fits, mask and covariance: threshold,
+    sigmas = Scores(np.float32, """Standard deviation of the error of each correspondence, up to a common factor, such as the scale of its
+        keypoint; N numbers, 1e-6..1e6, or none. Errors are divided by it in score, fits, mask and covariance: threshold,
         Report.threshold, Report.sigma and Usac.errors are in this unit. Default none: all are 1.""")
     initialModel = Numbers(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
         array of float64, or of none; see setInitialModel(). It is scored and optimized before the first sample, like a model

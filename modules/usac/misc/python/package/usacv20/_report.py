@@ -60,8 +60,9 @@ class Report:
     droppedModels = Field[int]("""Number of models no better than the best one so far; up to Params.runnersUp of these are
         optimized nevertheless.""")
     localOptimizations = Field[int]("Number of local optimizations.")
-    localImprovements = Field[int]("Number of local optimizations that improved their model.")
-    degenerate = Field[bool]("True if, at any time of the search, the best F came from a sample dominated by a plane.")
+    localImprovements = Field[int]("Number of local optimizations whose result was better than the best model so far.")
+    degenerate = Field[bool]("""True if DEGENERACY_DEGENSAC found a dominant plane in the sample or among the inliers of a model that it
+        examined (F only).""")
     inliers = Field[int]("Number of inliers: rows of the mask that are 1.")
     sample = Sample("""The minimal sample of the search that led to the model, as row indices of the caller's points. Empty if
         there is no model, or if the model did not come from a minimal sample, for example from Params.initialModel.""")
