@@ -11,8 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant. The gain of a model is
-// defined in Alternative.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant. The
+// gain of a model is defined in Alternative.
 
 //! The gain of an alternative is at least this fraction of the largest gain of all models.
 constexpr double NEAR = 0.94;

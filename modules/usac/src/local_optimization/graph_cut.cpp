@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! Maximum number of points of a fit to the inliers (MAX_INNER_FIT), and of a fit to the points
 //! within a shrinking threshold (MAX_SHRINK). While the inliers still change, fits to more points

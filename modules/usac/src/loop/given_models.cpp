@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! START_SAMPLES: number of samples whose models are compared by their errors. START_MODELS:
 //! maximum number of these models, the best ones, from each of which a least-squares fit starts.

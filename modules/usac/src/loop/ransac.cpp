@@ -15,7 +15,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! Number of samples in the largest batch: enough work for several threads.
 constexpr int LARGEST_BATCH = 256;

@@ -38,7 +38,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of the number of
 //! samples drawn so far, or LEAST_SAMPLES if this is more.

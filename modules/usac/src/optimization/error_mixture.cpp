@@ -11,7 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving and doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving and doubling each constant.
 
 //! The noise of inliers in the tail has TAIL times the standard deviation of the noise of the other
 //! inliers. At most the fraction LARGEST_TAIL of all inliers are in the tail.

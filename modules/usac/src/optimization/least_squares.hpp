@@ -129,7 +129,7 @@ private:
         return step.allFinite();
     }
 
-    // doc/constants.md lists the effects of halving or doubling each constant.
+    // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
     //! Number of unsuccessful steps (the cost does not decrease) that are allowed in addition to
     //! the requested iterations.

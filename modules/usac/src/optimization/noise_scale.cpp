@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! The EM algorithm starts with this variance (in squared thresholds) and this inlier ratio, and
 //! takes STEPS steps. Halving any one of the three constants raises the errors of H by 3 to 8 % on

@@ -15,7 +15,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! Fraction of the inliers to which the first fit is made: the inliers with the lowest leverage.
 constexpr double BULK = 0.85;

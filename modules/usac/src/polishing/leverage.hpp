@@ -52,7 +52,7 @@ public:
     void improve(Model& model, Quality& quality);
 
 private:
-    //! doc/constants.md lists the effects of halving or doubling each constant.
+    //! doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
     enum {
         MOST = 200,  //!< maximum number of inliers in the first fit
         STARTS = 4   //!< number of samples; the best of their models is another start of a fit

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! Number of samples from which fits start: RESTARTS samples of inliers and, for each outlier that
 //! is tried, RESTARTS_OUTSIDE samples of this outlier and inliers.

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 /** Support of the biweight in standard deviations of the noise. With 5.3, fits are 1.6 % (F, E) or
 2.3 % (H) less accurate than least squares under Gaussian noise. */

@@ -17,7 +17,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/constants.md lists the effects of halving and doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving and doubling each constant.
 
 //! The smallest threshold that can be estimated is the upper bound `widest` divided by FINEST; data
 //! without noise give this threshold.

@@ -18,7 +18,8 @@ namespace {
 //! in these bins fits the match in any case, which is not evidence for the epipole.
 constexpr int NEAR = 2;
 
-/* doc/constants.md lists the effects of halving or doubling the following constants. */
+/* doc/measurements/constants_tables.md lists the effects of halving or doubling the following
+ * constants. */
 
 //! Assumed fraction of the correct matches whose lines lead to the epipole despite noise.
 constexpr double GOOD_LINES = 0.5;

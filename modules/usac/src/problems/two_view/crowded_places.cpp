@@ -14,8 +14,8 @@ namespace usacv20 {
 namespace {
 
 // In this file, a place is a small region of array 2, at most a few thresholds wide, to which many
-// different points of array 1 are matched. doc/constants.md lists the effects of halving and
-// doubling these constants.
+// different points of array 1 are matched. doc/measurements/constants_tables.md lists the effects
+// of halving and doubling these constants.
 
 //! The first FIRST_SEEN points, a random subset, are compared with each other. One of these points
 //! can be the center of a place if at least SEEN of the other points are near it in array 2 and far

@@ -14,7 +14,7 @@ namespace usacv20 {
 namespace {
 
 // In this file, the two ends of a match are its point in image 1 and its point in image 2.
-// doc/constants.md lists the effects of halving and doubling these constants.
+// doc/measurements/constants_tables.md lists the effects of halving and doubling these constants.
 
 //! The quality is lowered only if at least FEW of the first LOOKED_AT points are matches that would
 //! be inliers for every position of one of their ends.
