@@ -51,7 +51,7 @@ public:
     //! Sets the thresholds of search and mask to `factor` times their values before the run. The
     //! search threshold has a lower bound.
     void scaleThreshold(double factor);
-    //! Restores the thresholds and the reach after a run, which can have changed them.
+    //! Restores the thresholds and the reach after a run, which may have changed them.
     void restoreThreshold();
     //! The reach, that is, the ratio of the search threshold to the mask threshold. Its initial
     //! value is Params::reach.

@@ -28,7 +28,7 @@ struct InlierNoise
     double threshold;  //!< error that few inliers exceed
     double part;       //!< fraction of inliers among the points
     int beyond;        //!< number of inliers minus the sample size: the larger it is, the more
-                       //!< precise is sigma
+                       //!< precise sigma is
 };
 
 /** @brief Quick estimate: sigma from the median of the inliers' errors, and a threshold of 2.2

@@ -19,7 +19,7 @@ namespace {
 constexpr int MOST_FOR_SIDES = 500;
 
 //! Selects, from the four motions of an essential matrix, the motion with the largest number of
-//! matches in front of both cameras.
+//! inliers in front of both cameras.
 Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;

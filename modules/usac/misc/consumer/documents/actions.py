@@ -20,7 +20,7 @@ from blocks import Block, commandsOf
 HERE = os.path.dirname(os.path.abspath(__file__))
 NUMBER = r"(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)?"
 UNUSED = "Manually-specified variables were not used by the project"
-DEADLINE = 1200  # time limit of a block in seconds
+DEADLINE = 1200  # time limit, in seconds, of each process that Place.call() runs
 
 
 class Wrong(Exception):

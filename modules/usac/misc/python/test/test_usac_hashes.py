@@ -28,10 +28,11 @@ PRESETS = ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac"
 
 
 def scene(seed, count):
-    """Returns seven arrays of corresponding points, a third of them outliers: points of space; their
-    pixels in camera 1, in camera 2, and in camera 2 with lens distortion; the points of space moved by
-    a similarity; the pixels of camera 1 moved by a similarity and by a translation. All are rounded to
-    multiples of 1/64, so that rounding errors of NumPy's functions do not change them."""
+    """Returns seven arrays of corresponding points, in which a third of the rows are outliers: points of
+    space; their pixels in camera 1, in camera 2, and in camera 2 with lens distortion; the points of
+    space moved by a similarity; the pixels of camera 1 moved by a similarity; and the pixels of camera 1
+    moved by a translation. All are rounded to multiples of 1/64, so that rounding errors of NumPy's
+    functions do not change them."""
     rng = np.random.RandomState(seed)
     X = np.rint(rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (count, 3)) * 64) / 64
     r, t = [0.03, -0.1, 0.05], [-0.8, 0.1, 0.1]

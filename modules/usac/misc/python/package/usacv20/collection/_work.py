@@ -69,7 +69,7 @@ def process(source: Source, keys: typing.Sequence[Key], verify: Verify, settings
 
 
 def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings: Any, reading: float) -> Outcome:
-    """Estimates the pairs among the loaded items. Faults become results without models. `reading`
+    """Estimates the geometry of the pairs among the loaded items. Faults become results without models. `reading`
     is the number of seconds that loading took."""
     start = time.perf_counter()
     pairs = [item for item in items if isinstance(item, Pair)]
