@@ -330,7 +330,7 @@ String PairModels::reason() const
 
 const PairModel* PairModels::base() const
 {
-    if (!E || !F || mostlyOnPlane(E))
+    if (!E || !F || (mostlyOnPlane(E) && mostlyOnPlane(F)))
         return E ? &E : F ? &F : H ? &H : 0;
     const double surplus = rules.calibrationRatio * F.inliers - E.inliers - FREEDOM_MORE;
     if (surplus <= 0)
