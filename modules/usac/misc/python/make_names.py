@@ -115,7 +115,8 @@ class Arguments:
 
 
 POINTS = ("points1, points2 -- N points of each image{}: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and "
-          "memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise usacv20.error")
+          "memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not all 1 "
+          "(confidences) raises usacv20.error")
 ARGUMENTS = {
     "IMAGES": Arguments(("points1", "points2"), ("points1", "points2"), POINTS.format("")),
     "SPACES": Arguments(("points1", "points2"), ("points1", "points2"),

@@ -29,8 +29,8 @@ struct Hypotheses
     //! (preTest(), or the first block of points), summed over the models.
     int firstInliers, firstTested;
     int stopped;               //!< number of models that the verifier rejected during scoring
-    double costs[MAX_MODELS];  //!< costs of these rejected models before the last block of points
-                               //!< that was evaluated; 0 for a score of whole models
+    double costs[MAX_MODELS];  //!< of each `stopped` model, the cost before its last block of
+                               //!< points; 0 for a score that needs all errors of a model at once
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.

@@ -91,7 +91,7 @@ TEST_P(Usac_RigidHostile, all_rows_of_one_number)
 }
 
 //! The unit of space 1, of space 2 or of both spaces changes. If both units change, or the scale of
-//! the motion is free, the motion must be found as long as squares are in the range of double.
+//! the motion is free, the motion must be found with the units 1e-75 to 1e75.
 TEST_P(Usac_RigidHostile, any_unit)
 {
     for (double unit : {1e-290, 1e-150, 1e-75, 1e-30, 1e-10, 1e10, 1e30, 1e75, 1e150, 1e290})

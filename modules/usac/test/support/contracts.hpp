@@ -49,7 +49,8 @@ std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Runs every preset on the points, both with the estimate function and with Usac::create, and
 every flag with the find functions (if the problem has flags). Expects no exception, bitwise
-identical results from all of these, and a result with all documented properties (checkResult).
+identical results of all ways to run the same preset, and results with all documented properties
+(checkResult).
 @return the models of the presets */
 std::vector<Mat> checkEveryWay(ProblemType problem, const std::vector<Point2d>& points1,
                                const std::vector<Point2d>& points2, double pixels = 1.5,

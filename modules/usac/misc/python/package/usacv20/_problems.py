@@ -33,7 +33,8 @@ def estimateHomography(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     """Estimates the homography that maps image 1 to image 2.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
-        memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise usacv20.error
+        memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
+        all 1 (confidences) raises usacv20.error
     params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
@@ -69,7 +70,8 @@ def estimateFundamental(points1: npt.ArrayLike, points2: npt.ArrayLike, params: 
     """Estimates the fundamental matrix F with x2^T F x1 = 0.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
-        memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise usacv20.error
+        memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
+        all 1 (confidences) raises usacv20.error
     params -- Params; None: the default. params.threshold is the Sampson distance in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
@@ -99,8 +101,8 @@ def estimateEssential(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatr
     estimateEssential(points1, points2, cameraMatrix1, cameraMatrix2[, distCoeffs1[, distCoeffs2[, params[, mask]]]])
 
     points1, points2 -- N points of each image in pixels: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any
-        type and memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise
-        usacv20.error
+        type and memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1
+        that are not all 1 (confidences) raises usacv20.error
     cameraMatrix1, cameraMatrix2 -- 3x3 camera matrices of image 1 and image 2; cameraMatrix2 None: the same as cameraMatrix1
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and camera 2, as in cv2.undistortPoints;
         None: no distortion
@@ -137,7 +139,8 @@ def estimateAffinity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     """Estimates the affine map from image 1 to image 2, x2 = A x1 + t.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
-        memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise usacv20.error
+        memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
+        all 1 (confidences) raises usacv20.error
     params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
@@ -163,7 +166,8 @@ def estimateSimilarity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
     """Estimates the similarity (rotation, uniform scale and translation) from image 1 to image 2.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
-        memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise usacv20.error
+        memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
+        all 1 (confidences) raises usacv20.error
     params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
@@ -272,7 +276,8 @@ def estimateTranslation2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params
     """Estimates the translation from image 1 to image 2, x2 = x1 + t.
 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
-        memory layout. With 3 coordinates instead of 2, the points are homogeneous; rows (x, y, confidence) raise usacv20.error
+        memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
+        all 1 (confidences) raises usacv20.error
     params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
