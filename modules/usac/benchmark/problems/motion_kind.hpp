@@ -9,10 +9,9 @@
 
 namespace benchmark {
 
-/** Problems whose model is a 3x4 motion matrix (P, R, M). The error of a model is the angle between
-its rotation and the true one in degrees. An estimate is a failure if this error is above 5 degrees
-or the center error is above 5 %.
- */
+/** Problems whose model is a 3x4 motion matrix (P, R, M). The error of a model is the angle, in
+degrees, between its rotation and the true one. An estimate is a failure if this error is above 5
+degrees, or if the center error, which doc/benchmark.md defines, is above 5 %. */
 class MotionKind : public ProblemKind
 {
 public:

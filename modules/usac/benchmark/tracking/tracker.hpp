@@ -48,7 +48,8 @@ public:
 
 private:
     Estimate estimate(const ImagePair& frame, const cv::usacv20::Params& with);
-    //! Repeats an estimate, outside of the measured time, to add its number of samples.
+    //! Repeats an estimate, outside of the measured time, to add its number of samples to
+    //! `samples`.
     void count(const ImagePair& frame, const cv::usacv20::Params& with);
     void judge(const ImagePair& frame, const Estimate& found, bool afterJump);
 
