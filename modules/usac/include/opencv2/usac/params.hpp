@@ -282,7 +282,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! `runnersUp` they decide between models of nearly equal cost. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** Standard deviation of the error of each correspondence, in pixels or up to a common factor
-    (such as keypoint scales); N values from 1e-6 to 1e6, or none. With sigmas, `threshold`,
+    (such as keypoint scales); N values from 1e-6 to 1e6, or no sigmas; with sigmas, `threshold`,
     Usac::errors, Report::threshold and Report::sigma are in units of the sigmas, and a residual of
     a program must weight its errors, see Correspondences. Default none. */
     CV_PROP_RW std::vector<float> sigmas;
