@@ -330,7 +330,8 @@ String PairModels::reason() const
 
 const PairModel* PairModels::base() const
 {
-    if (!E || !F || (mostlyOnPlane(E) && mostlyOnPlane(F)))
+    // A plane does not determine the epipole, so that F adapts to wrong matches.
+    if (!E || !F || mostlyOnPlane(E))
         return E ? &E : F ? &F : H ? &H : 0;
     const double surplus = rules.calibrationRatio * F.inliers - E.inliers - FREEDOM_MORE;
     if (surplus <= 0)

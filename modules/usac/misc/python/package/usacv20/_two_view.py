@@ -196,7 +196,7 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     and E is rejected or explains clearly fewer matches, E is estimated once more, starting from F. H
     is estimated from the inliers of E or F or, if both were rejected, from all matches. The focal
     lengths are accepted if E has at least rules.calibrationRatio of the inliers of F, not counting
-    the inliers that F gains by chance, or if most inliers of E and F are on one plane. An invalid argument
+    the inliers that F gains by chance, or if most inliers of E are on a plane. An invalid argument
     raises usacv20.error, whose message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
