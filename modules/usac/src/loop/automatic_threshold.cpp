@@ -248,11 +248,13 @@ void AutomaticThreshold::adapt(const Context& context, ProblemData& data, const 
     for (int round = 0; state.bestQuality.cost <= DBL_MAX; ++round)
     {
         const double now = context.points.threshold / params.reach;
-        const Model better = polished(context, state.best);
-        latest = preciseNoise(context, better, widest);
-        if (searchThreshold(latest) > SAME * now && !errorsGoOn(context, better, now, SAME))
+        // A local optimizer has fitted the best model to many points already.
+        const Model fitted = context.components.localOptimizer ? state.best
+                                                               : polished(context, state.best);
+        latest = preciseNoise(context, fitted, widest);
+        if (searchThreshold(latest) > SAME * now && !errorsGoOn(context, fitted, now, SAME))
         {
-            latest = preciseNoise(context, better, std::min(SAME * now, widest));
+            latest = preciseNoise(context, fitted, std::min(SAME * now, widest));
             return;
         }
         const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest / UNKNOWN,

@@ -16,9 +16,10 @@ namespace {
 //! The noise of inliers in the tail has TAIL times the standard deviation of the noise of the other
 //! inliers. At most the fraction LARGEST_TAIL of all inliers are in the tail.
 constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
-//! Number of halvings of the interval that contains a quantile. After them, its length is 2^-30 of
-//! the largest possible quantile.
-constexpr int BISECTIONS = 30;
+//! Number of halvings of the interval that contains a quantile. Before them, the upper bound of the
+//! interval is at most twice the quantile or one standard deviation; the error is at most 2^-20 of
+//! it.
+constexpr int BISECTIONS = 20;
 
 }  // namespace
 
@@ -86,13 +87,18 @@ double ErrorMixture::sigma() const { return std::sqrt(variance); }
 
 double ErrorMixture::quantile(double part) const
 {
-    double low = 0, high = TAIL * std::sqrt(chiSquareQuantile(part, degrees));
+    const auto within = [&](double radius) {
+        const double square = radius * radius;
+        return (1 - tail) * chiSquareDistribution(square, degrees) +
+               tail * chiSquareDistribution(square / (TAIL * TAIL), degrees);
+    };
+    double low = 0, high = 1;  // in standard deviations
+    for (; within(high) < part; high *= 2)
+        low = high;
     for (int i = 0; i < BISECTIONS; ++i)
     {
-        const double middle = (low + high) / 2, square = middle * middle;
-        const double within = (1 - tail) * chiSquareDistribution(square, degrees) +
-                              tail * chiSquareDistribution(square / (TAIL * TAIL), degrees);
-        (within < part ? low : high) = middle;
+        const double middle = (low + high) / 2;
+        (within(middle) < part ? low : high) = middle;
     }
     return high * sigma();
 }
