@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "numeric/tails.hpp"
 #include "numeric/unit_norm.hpp"
 #include "control/batch_tasks.hpp"
 #include "input/read_arrays.hpp"
@@ -24,7 +25,7 @@ const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 
 //! Additional degrees of freedom of F (seven) compared with E (five). With each additional degree
 //! of freedom, F can fit one more match, right or wrong.
-constexpr double FREEDOM_MORE = 2;
+constexpr int FREEDOM_MORE = 2;
 /* If E was rejected although the cameras are known, a valid F would mean that the focal lengths are
 wrong. To accept only strong evidence, the search for F then uses the significance raised to the
 power ALONE, which is 10^-8 by default. This search draws at most LEAST_SAMPLES samples. */
@@ -33,6 +34,15 @@ constexpr double ALONE = 2;
 //! number of inliers that is expected by chance. By chance, about one surplus in a thousand is that
 //! large.
 constexpr double DEVIATIONS = 3;
+//! If most inliers of E are on a plane, F is preferred only if chanceOfEpipole() is at most this
+//! probability, the usual limit of Report::chance.
+constexpr double CHANCE = 0.01;
+//! Matches whose errors are between one and this many thresholds show how many matches have smaller
+//! errors by chance.
+constexpr double BESIDE = 3;
+//! An inlier of E whose error of F exceeds this many thresholds is lost if F replaces E. The errors
+//! of right matches are seldom that large, even if the threshold is narrow for their noise.
+constexpr double LOST = 1.5;
 //! Maximum number of samples of a search for F that starts from E, or for E that starts from F. Few
 //! samples are enough, because local optimization finds the model.
 constexpr int SAMPLES_FROM_E = 10;
@@ -151,7 +161,7 @@ void PairModels::search()
     if (isCalibrated)
         searchEssential();
     searchFundamental();
-    if (isCalibrated && F && base() == &F)
+    if (isCalibrated && F && (!E || explainsMore()))
         improveEssential();
     searchHomography();
 }
@@ -330,18 +340,63 @@ String PairModels::reason() const
 
 const PairModel* PairModels::base() const
 {
-    // A plane does not determine the epipole, so that F adapts to wrong matches.
-    if (!E || !F || mostlyOnPlane(E))
-        return E ? &E : F ? &F : H ? &H : 0;
+    if (E && F && contradictsCameras())
+        return &F;
+    return E ? &E : F ? &F : H ? &H : 0;
+}
+
+bool PairModels::explainsMore() const
+{
     const double surplus = rules.calibrationRatio * F.inliers - E.inliers - FREEDOM_MORE;
     if (surplus <= 0)
-        return &E;
+        return false;
     const std::vector<double> errors = sampsonDistances(fundamental(E.matrix), points1, points2);
+    const double within = withinDistances(errors, params.threshold);
     // The range of errors from one to three thresholds is twice as wide as that of the inliers.
     // Therefore beside / 2 matches are expected among the inliers by chance.
-    const int beside = withinDistances(errors, 3 * params.threshold) -
-                       withinDistances(errors, params.threshold);
-    return surplus <= DEVIATIONS * std::sqrt(beside / 2.) ? &E : &F;
+    const double beside = withinDistances(errors, BESIDE * params.threshold) - within;
+    return surplus > DEVIATIONS * std::sqrt(beside / 2.);
+}
+
+bool PairModels::contradictsCameras() const
+{
+    if (!explainsMore())
+        return false;
+    const double threshold = params.threshold;
+    const std::vector<double> ofE = sampsonDistances(fundamental(E.matrix), points1, points2),
+                              ofF = sampsonDistances(F.matrix, points1, points2);
+    int lost = 0, beside = 0;
+    for (size_t i = 0; i < ofF.size(); ++i)
+        if (ofF[i] > LOST * threshold)
+        {
+            lost += ofE[i] <= threshold;
+            beside += ofE[i] > threshold && ofE[i] <= BESIDE * threshold;
+        }
+    const double byChance = beside / 2. + 1;
+    if (lost - byChance > (1 - rules.calibrationRatio) * E.inliers)
+        return false;
+    return !mostlyOnPlane(E) || chanceOfEpipole(ofE, ofF) <= CHANCE;
+}
+
+double PairModels::chanceOfEpipole(const std::vector<double>& ofE,
+                                   const std::vector<double>& ofF) const
+{
+    const double threshold = params.threshold;
+    const std::vector<double> ofH = mapDistances(H.matrix, points1, points2);
+    int unexplained = 0, gained = 0, beside = 0;
+    for (size_t i = 0; i < ofF.size(); ++i)
+    {
+        if (ofE[i] <= threshold || ofH[i] <= planarDistance() * threshold)
+            continue;
+        ++unexplained;
+        gained += ofF[i] <= threshold;
+        beside += ofF[i] > threshold && ofF[i] <= BESIDE * threshold;
+    }
+    gained -= FREEDOM_MORE;
+    if (gained <= 0)
+        return 1;
+    const double choices = 0.5 * unexplained * (unexplained - 1);
+    return std::min(choices * binomialTail(gained, gained + beside, 1 / BESIDE), 1.);
 }
 
 int PairModels::withinDistances(const std::vector<double>& errors, double limit) const

@@ -86,8 +86,7 @@ private:
     void checkTaken(const Mat& given, const char* name) const;
     void searchEssential();
     void searchFundamental();
-    //! Searches for E again, starting from F: if F explains more than E, either the focal lengths
-    //! are wrong, or the search for E has missed the model that the search for F found.
+    //! Searches for E again, starting from F, in case the search for E has missed the best model.
     void improveEssential();
     void searchHomography();
     //! Searches for H among the inliers of E or F.
@@ -104,6 +103,23 @@ private:
     //! @param reach ratio of the threshold of the model to that of the pair
     void settle(const Report& report, double reach);
     void refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report);
+    //! True if F has clearly more inliers than E: either the focal lengths are wrong, or the search
+    //! for E has missed the best model, or F fits wrong matches that agree with each other.
+    bool explainsMore() const;
+    //! True if F shows that the focal lengths are wrong: it explains clearly more than E, and also
+    //! nearly all that E explains. An F that fits wrong matches no longer fits some right ones.
+    bool contradictsCameras() const;
+    /** The probability that F explains by chance as many more matches than E as it does, if most
+    inliers of E are on a plane: a plane does not determine the epipole, so that F can adapt to
+    wrong matches. Only matches that neither E nor H explains count.
+
+    Two of these matches determine the epipole of F if the plane is given. If F explains the others
+    by chance, their errors are as dense just beyond the threshold as within it, also if wrong
+    matches lie together. Thus, of those with errors of up to three thresholds, each is within one
+    threshold with probability 1/3. The tail of this binomial distribution is multiplied by the
+    number of pairs of matches that could have determined the epipole.
+    @param ofE, ofF errors of all matches */
+    double chanceOfEpipole(const std::vector<double>& ofE, const std::vector<double>& ofF) const;
     int withinDistances(const std::vector<double>& errors, double limit) const;
 
     bool isCalibrated;

@@ -180,10 +180,10 @@ starting from E; otherwise only F. If E is rejected, F is searched for with 500 
 only if its Report::chance is at most the square of `significance`. If F is accepted, and E is
 rejected or explains clearly fewer matches, E is estimated once more, starting from F. H is
 estimated from the inliers of E or F or, if both were rejected, from all matches. The focal lengths
-are accepted if E has at least `calibrationRatio` of the inliers of F, not counting the inliers that
-F gains by chance, or if most inliers of E are on a plane. These are the rules of COLMAP, with
-differences listed in doc/collections.md. The threshold of H is larger than that of E because the
-error of H has two coordinates.
+are rejected if E has clearly less than `calibrationRatio` of the inliers of F, and F loses hardly
+any inlier of E, and (if most inliers of E are on a plane) the gain of F is not by chance. These are
+the rules of COLMAP, with differences listed in doc/collections.md. The threshold of H is larger
+than that of E because the error of H has two coordinates.
 
 Raises cv::Exception for lists of different lengths, points of the wrong shape, invalid cameras,
 distortion without a camera, and invalid options. */

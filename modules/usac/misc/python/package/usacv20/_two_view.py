@@ -195,8 +195,9 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     samples, and its report.chance must be at most the square of the significance. If F is accepted,
     and E is rejected or explains clearly fewer matches, E is estimated once more, starting from F. H
     is estimated from the inliers of E or F or, if both were rejected, from all matches. The focal
-    lengths are accepted if E has at least rules.calibrationRatio of the inliers of F, not counting
-    the inliers that F gains by chance, or if most inliers of E are on a plane. An invalid argument
+    lengths are rejected if E has clearly less than rules.calibrationRatio of the inliers of F, and F
+    loses hardly any inlier of E, and (if most inliers of E are on a plane) the gain of F is not by
+    chance. An invalid argument
     raises usacv20.error, whose message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
