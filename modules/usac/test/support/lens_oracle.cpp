@@ -20,7 +20,7 @@ namespace {
 //! Largest residual of Newton's method relative to 1 plus the distorted radius: twice the module's
 //! limit of 1e-11.
 const double LEFT = 2e-11;
-const int STEPS = 2000;
+const int STEPS = 2000, FOLD_STEPS = 100;
 
 }  // namespace
 
@@ -95,6 +95,21 @@ Vec2d LensOracle::distort(const Vec2d& point, Matx22d& J, double& rounding) cons
     return Vec2d(image[0].x, image[0].y);
 }
 
+//! Returns true if the distortion preserves orientation at FOLD_STEPS equidistant points between
+//! the center and a point. Otherwise a fold may hide the point from the camera.
+bool LensOracle::unfolded(const Vec2d& point) const
+{
+    Matx22d J;
+    double rounding;
+    for (int i = 1; i <= FOLD_STEPS; ++i)
+    {
+        distort(point * ((double)i / FOLD_STEPS), J, rounding);
+        if (!(determinant(J) > 0))
+            return false;
+    }
+    return true;
+}
+
 LensOracle::Answer LensOracle::invert(Bounded& x, Bounded& y) const
 {
     const Vec2d seen((double)x.value, (double)y.value);
@@ -116,7 +131,7 @@ LensOracle::Answer LensOracle::invert(Bounded& x, Bounded& y) const
             point -= J.inv() * left;
     }
     if (!(cv::norm(left) <= LEFT * (1 + cv::norm(seen))) ||
-        !grows(cv::norm(point) * (1 + OFF_FOLD)))
+        !grows(cv::norm(point) * (1 + OFF_FOLD)) || !unfolded(point * (1 + OFF_FOLD)))
         return UNDECIDED;
     const double bound = 2 * cv::norm(J.inv()) *
                          (LEFT * (1 + cv::norm(seen)) + rounding + (double)(x.error + y.error));

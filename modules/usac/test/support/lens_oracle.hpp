@@ -24,7 +24,7 @@ const double OFF_FOLD = 1e-3;
 Newton's method with the values and derivatives of cv::projectPoints. The largest accepted residual
 gives a bound of the point's error. If the distortion is only radial, a point is not seen if its
 distorted radius exceeds the first maximum of the distorted radius. With other distortion, the
-oracle does not decide about such points. */
+oracle does not decide about such points, nor about points behind a fold of the other terms. */
 class LensOracle
 {
 public:
@@ -40,6 +40,7 @@ public:
 private:
     double radial(double radius) const;
     bool grows(double radius) const;
+    bool unfolded(const cv::Vec2d& point) const;
     Answer startOf(const cv::Vec2d& seen, cv::Vec2d& point) const;
     cv::Vec2d distort(const cv::Vec2d& point, cv::Matx22d& J, double& rounding) const;
 
