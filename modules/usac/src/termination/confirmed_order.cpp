@@ -109,13 +109,11 @@ class ConfirmedOrderTermination : public Termination
 {
 public:
     ConfirmedOrderTermination()
-        : randomRatio(1), cost(0), orderedNeeded(INT_MAX), enough(INT_MAX), late(0),
-          manyRepeated(false)
+        : cost(0), orderedNeeded(INT_MAX), enough(INT_MAX), late(0), manyRepeated(false)
     {}
 
-    void start(const Context& context) CV_OVERRIDE
+    void start(const Context&) CV_OVERRIDE
     {
-        randomRatio = context.randomInlierRatio();
         cost = std::numeric_limits<double>::infinity();
         orderedNeeded = enough = INT_MAX;
     }
@@ -198,9 +196,10 @@ private:
                             keptProbability(context, state.bestQuality.inliers) *
                             state.successProbability;
         int length;
-        orderedNeeded = prosacSamples(
-            inliers, repeated, size, m, kept, randomRatio, std::log(1 - context.params.confidence),
-            (context.params.termination & TERMINATION_EXACT) != 0, length, &context);
+        orderedNeeded = prosacSamples(inliers, repeated, size, m, kept, context.randomInlierRatio(),
+                                      std::log(1 - context.params.confidence),
+                                      (context.params.termination & TERMINATION_EXACT) != 0, length,
+                                      &context);
     }
 
     //! Number of uniform samples that the standard criterion still needs.
@@ -276,7 +275,7 @@ private:
                              std::log(1 - context.params.confidence));
     }
 
-    double randomRatio, cost;
+    double cost;
     int orderedNeeded;  //!< number of samples that must follow the order; INT_MAX: such samples do
                         //!< not end the search
     int enough;         //!< number of samples after which the search can end; INT_MAX: not known

@@ -81,10 +81,6 @@ inliers, if both conditions hold after the first one. */
 class ProsacTermination : public Termination
 {
 public:
-    ProsacTermination() : randomRatio(1) {}
-
-    void start(const Context& context) CV_OVERRIDE { randomRatio = context.randomInlierRatio(); }
-
     int iterations(const Context& context, const State& state) const CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
@@ -102,6 +98,7 @@ public:
         const double kept = share * every * keptProbability(context, state.bestQuality.inliers);
         const bool exact = (context.params.termination & TERMINATION_EXACT) != 0;
         const double logFailure = std::log(1 - context.params.confidence);
+        const double randomRatio = context.randomInlierRatio();
         int length;
         const int samples = prosacSamples(inliers, 0, size, m, kept, randomRatio, logFailure, exact,
                                           length, &context);
@@ -140,8 +137,6 @@ private:
         std::fill(repeated, repeated + p.size, (uchar)0);
         markRepeated(p, order, inliers, p.size, context.inlierThreshold(), repeated, context.arena);
     }
-
-    double randomRatio;
 };
 
 }  // namespace

@@ -309,6 +309,29 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     return iterations;
 }
 
+//! If the threshold changes during the search (Params::widestReach, THRESHOLD_ESTIMATED), the
+//! support must be tested with the probability of a random inlier at the new threshold.
+TEST(Usac_TerminationProsac, heedsAChangedThreshold)
+{
+    SceneOptions options;
+    options.inliers = 30;
+    options.outliers = 60;
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    const Params params = sortedParams(scene, SAMPLER_PROSAC, 0.02);
+    const Ptr<Usac> usac = createUsac(scene, params);
+    Arena arena;
+    Correspondences points = usac->points();
+    const Context context(points, usac->components(), params, arena);
+    usac->components().start(context);
+    points.threshold *= 60;
+    State state;
+    state.bestFirst(context);
+    state.best = toInternal(points, scene.model);
+    state.bestQuality = context.rate(state.best);
+    const Termination& termination = *usac->components().terminations[0];
+    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "chance explains the support";
+}
+
 //! Sampling without repetition, T(d,d) and the local samples of P-NAPSAC must each increase the
 //! number of samples that the criterion asks for.
 TEST(Usac_TerminationProsac, heedsTheOptions)
