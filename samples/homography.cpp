@@ -129,11 +129,11 @@ int sample(const cv::CommandLineParser& parser)
         drawOutline(picture, ours.model, image1.size());
         if (!report.covariance.empty())
             drawCorners(picture, ours.model, report.covariance, image1.size());
-        tools::writePicture(parser, picture,
-                            cv::format("USACV20: %d of %d matches are inliers (green, some "
-                                       "joined); orange: image 1 in image 2, blue: 10 times the "
-                                       "errors of its corners",
-                                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
+        tools::writePicture(
+            parser, picture,
+            cv::format("USACV20: %d of %d inliers (green, some joined); orange: image "
+                       "1; blue: 10 x corner errors",
+                       cv::countNonZero(ours.mask), (int)ours.mask.total()));
     }
     return tools::exitCode(ours, tools::failureLimit(image2));
 }
