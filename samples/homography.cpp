@@ -9,8 +9,8 @@
 
 namespace {
 
-//! Maps the points of a grid in image 1 with both homographies. @return mean distance between the
-//! results in image 2, in pixels
+//! Maps the points of a grid in image 1 with both homographies. @return mean distance, in pixels of
+//! image 2, between the two results for a point
 double meanDistance(const cv::Mat& H, const cv::Mat& truth, cv::Size size)
 {
     std::vector<cv::Point2d> grid, mapped, expected;
@@ -131,8 +131,8 @@ int sample(const cv::CommandLineParser& parser)
             drawCorners(picture, ours.model, report.covariance, image1.size());
         tools::writePicture(parser, picture,
                             cv::format("USACV20: %d of %d matches are inliers (green, some "
-                                       "joined); orange: image 1 in image 2, blue: 10 times the "
-                                       "errors of its corners",
+                                       "joined); orange: outline of image 1, blue: 95 %% "
+                                       "ellipses of its corners, enlarged 10 times",
                                        cv::countNonZero(ours.mask), (int)ours.mask.total()));
     }
     return tools::exitCode(ours, tools::failureLimit(image2));

@@ -83,7 +83,8 @@ def main() -> int:
         draw_outline(picture, ours.model, image1.shape)
         if report.covariance is not None:
             draw_corners(picture, ours.model, report.covariance, image1.shape)
-        tools.write_picture(args.output, picture, ours, " (green, some joined); orange: image 1 in image 2")
+        tools.write_picture(args.output, picture, ours, " (green, some joined); orange: outline of image 1, blue: 95 % "
+                            "ellipses of its corners, enlarged 10 times")
     return tools.exit_code(ours, tools.failure_limit(image2))
 
 

@@ -88,8 +88,8 @@ def _lists(given: Any, name: str) -> List[Any]:
         given = list(given)
         onePair = any(np.ndim(point) == 0 and np.size(point) == 1 for entry in given[:1] for point in _some(entry))
     if onePair:
-        raise fail("{}: a list with the points of each pair is expected; one pair, as here, is for the function of one, "
-                   "estimateHomography and so on".format(name))
+        raise fail("{}: a list with the points of each pair is expected; for a single pair, as here, there are "
+                   "estimateHomography and similar functions".format(name))
     return list(given)
 
 
