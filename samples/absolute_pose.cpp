@@ -237,7 +237,9 @@ int findPose(const cv::Mat& object, const Scene& scene, const cv::CommandLinePar
                 "%.2f deg, %.4f", results[i].error,
                 cv::norm(results[i].model.col(3), scene.truth.col(3)));
         }
-    std::cout << "error: rotation, place of the object in its widths" << std::endl;
+    std::cout << "error: angle of the rotation; distance from the true position, in widths of the "
+                 "object"
+              << std::endl;
     tools::printTable(matches, results, settings.runs);
     const tools::Result& ours = results.back();
     before = ours.model;
@@ -295,22 +297,22 @@ int main(int argc, char** argv)
 {
     const std::string
         keys = "{help h usage ? |                   | print this help}"
-               "{@object        |                   | image of a flat object, as box.png; none: a "
-               "board is made}"
+               "{@object        |                   | image of a flat object, such as box.png; "
+               "none: a synthetic board and two photographs of it are made}"
                "{@scene         | box_in_scene.png  | image with the object in it}"
-               "{@next          |                   | the scene a moment later, found from the "
-               "pose before}"
+               "{@next          |                   | image of the scene a moment later; the pose "
+               "in the first scene is its initial model}"
                "{camera         |                   | file with camera_matrix and "
-               "distortion_coefficients; none: a guess}"
-               "{focal          | 0                 | focal length in pixels of the guess; 0: 1.2 "
-               "times the longer side}"
+               "distortion_coefficients; none: no distortion, focal length see `focal`}"
+               "{focal          | 0                 | focal length in pixels, without `camera`; 0: "
+               "1.2 times the longer side of the image}"
                "{threshold      | 2                 | inlier threshold in pixels}"
                "{iterations     | 2000              | largest number of samples}"
-               "{ratio          | 0.8               | largest ratio of the distances of the best "
-               "and the second best match}"
-               "{features       | 8000              | largest number of features of an image}"
-               "{confidence     | 0.99              | probability that the model is the best one}"
-               "{runs           | 11                | runs of which the median time is printed}"
+               "{ratio          | 0.8               | largest ratio of the descriptor distances "
+               "of the best and the second best match}"
+               "{features       | 8000              | largest number of features per image}"
+               "{confidence     | 0.99              | probability of finding the best model}"
+               "{runs           | 11                | number of runs; the median time is printed}"
                "{width          | 1400              | largest width of the picture}"
                "{output o       | absolute_pose.jpg | picture to write}";
     return tools::runSample(argc, argv, keys, "Pose of a camera from the image of a flat object.",

@@ -13,13 +13,14 @@
 
 int main(int argc, char** argv)
 {
-    cv::CommandLineParser parser(argc, argv,
-                                 "{help h usage ? |     | print this help}"
-                                 "{@matches       |     | text file with a match x1 y1 x2 y2 a "
-                                 "row, test_data/graf.txt for example}"
-                                 "{threshold      | 10  | inlier threshold in pixels: no affine "
-                                 "map is exact where the camera has turned}");
-    parser.about("A problem of one's own: the affine map between two images.");
+    cv::CommandLineParser parser(
+        argc, argv,
+        "{help h usage ? |     | print this help}"
+        "{@matches       |     | text file with a row x1 y1 x2 y2 for "
+        "each match, such as test_data/graf.txt}"
+        "{threshold      | 10  | inlier threshold in pixels; wide, "
+        "because the true map between two views of a plane is not affine}");
+    parser.about("A user-defined problem: the affine map between two images.");
     if (parser.has("help") || !parser.has("@matches"))
     {
         parser.printMessage();

@@ -35,10 +35,10 @@ int main(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv,
                                  "{help h usage ? |     | print this help}"
-                                 "{@matches       |     | text file with a match x1 y1 x2 y2 a "
-                                 "row, test_data/graf.txt for example}"
+                                 "{@matches       |     | text file with a row x1 y1 x2 y2 for "
+                                 "each match, such as test_data/graf.txt}"
                                  "{threshold      | 2   | inlier threshold in pixels}");
-    parser.about("Homography with a quality function of one's own.");
+    parser.about("Homography with a user-defined quality function.");
     if (parser.has("help") || !parser.has("@matches"))
     {
         parser.printMessage();

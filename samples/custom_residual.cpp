@@ -35,10 +35,10 @@ int main(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv,
                                  "{help h usage ? |     | print this help}"
-                                 "{@matches       |     | text file with a match x1 y1 x2 y2 a "
-                                 "row, test_data/office01_F.txt for example}"
+                                 "{@matches       |     | text file with a row x1 y1 x2 y2 for "
+                                 "each match, such as test_data/office01_F.txt}"
                                  "{threshold      | 1   | inlier threshold in pixels}");
-    parser.about("Fundamental matrix with an error of one's own.");
+    parser.about("Fundamental matrix with a user-defined error.");
     if (parser.has("help") || !parser.has("@matches"))
     {
         parser.printMessage();

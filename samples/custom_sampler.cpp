@@ -50,12 +50,12 @@ int main(int argc, char** argv)
                "{@image1        | graf1.png | image 1, a path or the name of one of OpenCV's "
                "sample images}"
                "{@image2        | graf3.png | image 2}"
-               "{ratio          | 0.8       | largest ratio of the distances of the best and the "
-               "second best match}"
-               "{features       | 8000      | largest number of features of an image}"
-               "{confidence     | 0.99      | probability that the model is the best one}"
+               "{ratio          | 0.8       | largest ratio of the descriptor distances of the "
+               "best and the second best match}"
+               "{features       | 8000      | largest number of features per image}"
+               "{confidence     | 0.99      | probability of finding the best model}"
                "{threshold      | 2         | inlier threshold in pixels}"
                "{iterations     | 10000     | largest number of samples}";
     return tools::runSample(argc, argv, keys,
-                            "Homography of two images with a sampler of one's own.", sample);
+                            "Homography of two images with a user-defined sampler.", sample);
 }

@@ -160,8 +160,9 @@ int main(int argc, char** argv)
         keys = tools::keys("left01.jpg", "right01.jpg", "essential.jpg") +
                "{chessboards    | stereo_calib.xml | list of pairs of chessboard images of the "
                "same two cameras}"
-               "{columns        | 9                | inner corners of the chessboard in a row}"
-               "{rows           | 6                | and in a column}"
+               "{columns        | 9                | number of inner corners in a row of the "
+               "chessboard}"
+               "{rows           | 6                | number of inner corners in a column}"
                "{threshold      | 1                | inlier threshold in pixels}";
     return tools::runSample(argc, argv, keys,
                             "Essential matrix of two images of calibrated cameras.", sample);

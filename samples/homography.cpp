@@ -9,8 +9,8 @@
 
 namespace {
 
-//! Maps the points of a grid in image 1 with both homographies. @return mean distance between the
-//! results in image 2, in pixels
+//! Maps the points of a grid in image 1 with both homographies. @return mean distance, in pixels of
+//! image 2, between the two results for a point
 double meanDistance(const cv::Mat& H, const cv::Mat& truth, cv::Size size)
 {
     std::vector<cv::Point2d> grid, mapped, expected;
@@ -132,7 +132,7 @@ int sample(const cv::CommandLineParser& parser)
         tools::writePicture(
             parser, picture,
             cv::format("USACV20: %d of %d inliers (green, some joined); orange: image "
-                       "1; blue: 10 x corner errors",
+                       "1; blue: 10 x 95 %% ellipses",
                        cv::countNonZero(ours.mask), (int)ours.mask.total()));
     }
     return tools::exitCode(ours, tools::failureLimit(image2));

@@ -46,7 +46,8 @@ Sequence readFolder(const std::string& folder)
         const cv::Mat frame = cv::imread(files[i]);
         if (frame.empty() ||
             (!sequence.frames.empty() && frame.size() != sequence.frames[0].size()))
-            std::cerr << files[i] << ": no image of the size of the others, left out" << std::endl;
+            std::cerr << files[i] << ": left out: not an image of the size of the first one"
+                      << std::endl;
         else
             sequence.frames.push_back(frame);
     }
@@ -205,8 +206,8 @@ int sample(const cv::CommandLineParser& parser)
     for (size_t k = 1; k < sequence.frames.size(); ++k)
         matches.push_back(tools::match(sequence.frames[k - 1], sequence.frames[k], parser));
     std::cout << sequence.frames.size() << " frames\n\n"
-              << cv::format("%-10s %-18s %11s %6s %11s\n", "method", "error mean, worst",
-                            "inliers %", "lost", "ms a frame");
+              << cv::format("%-10s %-18s %11s %6s %11s\n", "method", "mean, worst error",
+                            "inliers %", "lost", "ms/frame");
     std::vector<cv::Matx23d> motions;
     double error = 0;
     estimate("RANSAC", cv::RANSAC, sequence, matches, settings, motions, error);
@@ -217,8 +218,7 @@ int sample(const cv::CommandLineParser& parser)
         sequence.frames, corrections(motions, sequence.frames[0].size(), parser.get<int>("radius")),
         parser.get<std::string>("frames"));
     std::cout << std::endl;
-    tools::writePicture(parser, picture,
-                        "mean of all frames: left as they are, right on the smooth path");
+    tools::writePicture(parser, picture, "mean of all frames: original (left), stabilized (right)");
     if (found && error < 1)
         return 0;
     std::cerr << "USACV20: " << (found ? "the error is too large" : "a motion has not been found")
@@ -232,21 +232,20 @@ int main(int argc, char** argv)
 {
     const std::string
         keys = "{help h usage ? |               | print this help}"
-               "{@folder        |               | images, frames by the order of their names; "
-               "none: made of `image`}"
-               "{image          | graf1.png     | image of which a sequence is made}"
-               "{radius         | 15            | frames before and after over which the path is "
-               "smoothed}"
-               "{frames         |               | folder, which exists, for the frames on the "
-               "smooth path}"
+               "{@folder        |               | folder of images, the frames in the order of "
+               "their names; none: frames are made from `image`}"
+               "{image          | graf1.png     | image from which a sequence is made}"
+               "{radius         | 15            | number of frames before and after a frame over "
+               "which the path is averaged}"
+               "{frames         |               | existing folder, to which the stabilized frames "
+               "are written}"
                "{threshold      | 2             | inlier threshold in pixels}"
-               "{ratio          | 0.8           | largest ratio of the distances of the best and "
-               "the second best match}"
-               "{features       | 1000          | largest number of features of a frame}"
-               "{confidence     | 0.99          | probability that the model is the best one}"
-               "{runs           | 3             | runs of which the median time is printed}"
+               "{ratio          | 0.8           | largest ratio of the descriptor distances of the "
+               "best and the second best match}"
+               "{features       | 1000          | largest number of features per frame}"
+               "{confidence     | 0.99          | probability of finding the best model}"
+               "{runs           | 3             | number of runs; the median time is printed}"
                "{width          | 1400          | largest width of the picture}"
                "{output o       | stabilize.jpg | picture to write}";
-    return tools::runSample(argc, argv, keys, "Takes the shake out of a sequence of images.",
-                            sample);
+    return tools::runSample(argc, argv, keys, "Stabilizes a sequence of images.", sample);
 }

@@ -78,7 +78,7 @@ inline cv::Mat readImage(const std::string& name)
 {
     const cv::Mat image = cv::imread(findFile(name));
     if (image.empty())
-        CV_Error(cv::Error::StsError, name + ": no image");
+        CV_Error(cv::Error::StsError, name + ": not a readable image");
     return image;
 }
 
@@ -309,11 +309,11 @@ inline std::string keys(const char* image1, const char* image2, const char* outp
         "{help h usage ? |    | print this help}"
         "{@image1        | %s | image 1, a path or the name of one of OpenCV's sample images}"
         "{@image2        | %s | image 2}"
-        "{ratio          | 0.8  | largest ratio of the distances of the best and the second best "
-        "match}"
-        "{features       | 8000 | largest number of features of an image}"
-        "{confidence     | 0.99 | probability that the model is the best one}"
-        "{runs           | 11   | runs of which the median time is printed}"
+        "{ratio          | 0.8  | largest ratio of the descriptor distances of the best and the "
+        "second best match}"
+        "{features       | 8000 | largest number of features per image}"
+        "{confidence     | 0.99 | probability of finding the best model}"
+        "{runs           | 11   | number of runs; the median time is printed}"
         "{width          | 1400 | largest width of the picture}"
         "{output o       | %s | picture to write}",
         image1, image2, output);

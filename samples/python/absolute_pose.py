@@ -152,7 +152,7 @@ def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
         if truth is not None and result.model is not None:
             error = result.error = angle_between(result.model, truth)
             result.errorText = "%.2f deg, %.4f" % (error, np.linalg.norm(result.model[:, 3] - truth[:, 3]))
-    print("error: rotation, place of the object in its widths")
+    print("error: angle of the rotation; distance from the true position, in widths of the object")
     tools.print_table(len(pixels), results, args.runs)
     ours = results[-1]
     if ours.model is None:
@@ -163,9 +163,9 @@ def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
 
 def main() -> int:
     parser = tools.arguments(__doc__, None, "box_in_scene.png", "absolute_pose_py.jpg", 2.0)
-    parser.add_argument("next", nargs="?", help="the scene a moment later, found from the pose before")
-    parser.add_argument("--camera", help="file with camera_matrix and distortion_coefficients; none: a guess")
-    parser.add_argument("--focal", type=float, help="focal length in pixels of the guess; none: 1.2 times the longer side")
+    parser.add_argument("next", nargs="?", help="image of the scene a moment later; the pose in the first scene is its initial model")
+    parser.add_argument("--camera", help="file with camera_matrix and distortion_coefficients; none: no distortion, see --focal")
+    parser.add_argument("--focal", type=float, help="focal length in pixels, without --camera; none: 1.2 times the longer side")
     parser.add_argument("--iterations", type=int, default=2000, help="largest number of samples")
     args = parser.parse_args()
     if args.image1:

@@ -76,8 +76,8 @@ def draw(image1: Image, image2: Image, points1: Array, points2: Array, stereo: S
 def main() -> int:
     parser = tools.arguments(__doc__, "left01.jpg", "right01.jpg", "essential_py.jpg", 1.0)
     parser.add_argument("--chessboards", default="stereo_calib.xml", help="list of pairs of chessboard images")
-    parser.add_argument("--columns", type=int, default=9, help="inner corners of the chessboard in a row")
-    parser.add_argument("--rows", type=int, default=6, help="and in a column")
+    parser.add_argument("--columns", type=int, default=9, help="number of inner corners in a row of the chessboard")
+    parser.add_argument("--rows", type=int, default=6, help="number of inner corners in a column")
     args = parser.parse_args()
     image1, image2 = tools.read_image(args.image1), tools.read_image(args.image2)
     stereo = Stereo(args.chessboards, (args.columns, args.rows))

@@ -83,7 +83,7 @@ def main() -> int:
         draw_outline(picture, ours.model, image1.shape)
         if report.covariance is not None:
             draw_corners(picture, ours.model, report.covariance, image1.shape)
-        tools.write_picture(args.output, picture, ours, " (green, some joined); orange: image 1; blue: 10 x corner errors")
+        tools.write_picture(args.output, picture, ours, " (green, some joined); orange: image 1; blue: 10 x 95 % ellipses")
     return tools.exit_code(ours, tools.failure_limit(image2))
 
 

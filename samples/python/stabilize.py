@@ -87,7 +87,8 @@ def estimate(name: str, matches: List[Tuple[Array, Array]], truth: Any, shape: T
 
 def corrections(motions: List[Array], shape: Tuple[int, ...], radius: int) -> List[Array]:
     """Returns the transformations that move each frame onto the smooth path, which consists of moving
-    averages of x, y, angle and log scale."""
+    averages of the position of the frame's middle (x, y), the angle and the log scale, each over the frame
+    itself and `radius` frames before and after it."""
     middle = np.array([shape[1] / 2, shape[0] / 2, 1])
     path, to_first = [np.zeros(4)], np.eye(3)
     for motion in motions:
@@ -106,13 +107,13 @@ def corrections(motions: List[Array], shape: Tuple[int, ...], radius: int) -> Li
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
-    parser.add_argument("input", nargs="?", help="folder of images, by the order of their names, or a video")
-    parser.add_argument("--image", default="graf1.png", help="image of which a sequence is made")
-    parser.add_argument("--radius", type=int, default=15, help="frames before and after over which the path is smoothed")
+    parser.add_argument("input", nargs="?", help="folder of images, frames in the order of their names, or a video")
+    parser.add_argument("--image", default="graf1.png", help="image from which a sequence is made")
+    parser.add_argument("--radius", type=int, default=15, help="frames before and after a frame over which the path is averaged")
     parser.add_argument("--threshold", type=float, default=2.0, help="inlier threshold in pixels")
-    parser.add_argument("--confidence", type=float, default=0.99, help="probability that the model is the best one")
-    parser.add_argument("--ratio", type=float, default=0.8, help="largest ratio of the best and second best distance")
-    parser.add_argument("--features", type=int, default=1000, help="largest number of features of a frame")
+    parser.add_argument("--confidence", type=float, default=0.99, help="probability of finding the best model")
+    parser.add_argument("--ratio", type=float, default=0.8, help="largest ratio of the best and second best descriptor distance")
+    parser.add_argument("--features", type=int, default=1000, help="largest number of features per frame")
     parser.add_argument("--output", default="stabilize_py.jpg", help="picture to write")
     args = parser.parse_args()
     truth = None
@@ -124,7 +125,7 @@ def main() -> int:
         sys.exit("%s: two images or more are expected" % args.input)
     matches = [tools.match(a, b, args) for a, b in zip(frames, frames[1:])]
 
-    print("%d frames\n\n%-10s %-18s %11s %6s %11s" % (len(frames), "method", "error mean, worst", "inliers %", "lost", "ms a frame"))
+    print("%d frames\n\n%-10s %-18s %11s %6s %11s" % (len(frames), "method", "mean, worst error", "inliers %", "lost", "ms/frame"))
     for name in ("RANSAC", "LMEDS", "USACV20"):
         motions, error, found = estimate(name, matches, truth, frames[0].shape, args)
     moves = corrections(motions, frames[0].shape, args.radius)
@@ -133,7 +134,7 @@ def main() -> int:
     picture = np.hstack([np.mean(frames, axis=0), np.mean(stable, axis=0)]).astype(np.uint8)
     if not cv2.imwrite(args.output, picture):
         sys.exit(args.output + ": cannot be written")
-    print("\npicture: %s (mean of all frames: left as they are, right on the smooth path)" % args.output)
+    print("\npicture: %s (mean of all frames: original on the left, stabilized on the right)" % args.output)
     if found and error < 1:
         return 0
     print("USACV20: " + ("the error is too large" if found else "a motion has not been found"), file=sys.stderr)

@@ -51,7 +51,7 @@ def find_file(name: str) -> str:
 def read_image(name: str) -> Image:
     image: Optional[Image] = cv2.imread(find_file(name))
     if image is None:
-        sys.exit(name + ": no image")
+        sys.exit(name + ": not a readable image")
     return image
 
 
@@ -61,11 +61,11 @@ def arguments(about: Optional[str], image1: Optional[str], image2: str, output: 
     parser = argparse.ArgumentParser(description=about, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("image1", nargs="?", default=image1, help="a path or the name of one of OpenCV's sample images")
     parser.add_argument("image2", nargs="?", default=image2)
-    parser.add_argument("--ratio", type=float, default=0.8, help="largest ratio of the best and second best distance")
-    parser.add_argument("--features", type=int, default=8000, help="largest number of features of an image")
+    parser.add_argument("--ratio", type=float, default=0.8, help="largest ratio of the best and second best descriptor distance")
+    parser.add_argument("--features", type=int, default=8000, help="largest number of features per image")
     parser.add_argument("--threshold", type=float, default=threshold, help="inlier threshold in pixels")
-    parser.add_argument("--confidence", type=float, default=0.99, help="probability that the model is the best one")
-    parser.add_argument("--runs", type=int, default=11, help="runs of which the median time is printed")
+    parser.add_argument("--confidence", type=float, default=0.99, help="probability of finding the best model")
+    parser.add_argument("--runs", type=int, default=11, help="number of runs; the median time is printed")
     parser.add_argument("--output", default=output, help="picture to write")
     return parser
 
@@ -137,7 +137,8 @@ def exit_code(result: Result, limit: float) -> int:
 
 
 def failure_limit(image: Image) -> float:
-    """Returns the limit of the error as in the paper: 1 % of the diagonal of the image, in pixels."""
+    """Returns the largest error, in pixels, of an estimation that the paper counts as successful: 1 % of
+    the diagonal of the image."""
     return 0.01 * float(np.hypot(image.shape[0], image.shape[1]))
 
 

@@ -60,7 +60,7 @@ if F is not None:
         axis.axis("off")
     good = mask.ravel() != 0
     axes[2].hist([ratios[good], ratios[~good]], bins=40, label=["inliers", "outliers"], stacked=True)
-    axes[2].set_xlabel("ratio of the best and the second best distance")
+    axes[2].set_xlabel("ratio of the best and the second best descriptor distance")
     axes[2].legend()
     figure.tight_layout()
     figure.savefig(args.output)

@@ -7,8 +7,8 @@
 
 namespace benchmark {
 
-/** Does all that usac_benchmark does. A program with methods of its own registers these first
-(registry.hpp):
+/** Does all that the program usac_benchmark does. A program with methods of its own registers them
+first (registry.hpp):
 
     int program(int argc, char** argv)
     {

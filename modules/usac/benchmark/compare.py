@@ -10,7 +10,7 @@ pair uses all pairs. The error of a method on a pair is the median over its runs
 least half of the runs fail. The table goes to the standard output, in Markdown. For each list it has:
 
 - the ratio of the errors of the first method to those of another method, as a geometric mean over the
-  pairs on which both errors are finite and above 0, with its 95 % interval (bootstrap over these pairs);
+  pairs on which both errors are finite and above 0, with a 95 % interval (bootstrap over these pairs);
 - the numbers of pairs on which the first method is better and worse: its error differs by more than
   2 %, or is finite for only one of the two methods;
 - the number of pairs on which the first method is worse although its model has the lower cost. A
@@ -86,8 +86,9 @@ class Comparison:
 
 
 def print_table(results, method, others, out):
-    print("# `%s` pair by pair\n\nError over that of the other method, geometric mean over pairs (95 %% interval), pairs better : worse, "
-          "those of the worse ones where the cost is lower.\n" % method, file=out)
+    print("# `%s` pair by pair\n\nRatio of its error to that of the other method, geometric mean over pairs (95 %% interval); "
+          "numbers of pairs on which it is better : worse; number of the latter on which its model has the lower "
+          "cost.\n" % method, file=out)
     print("| list | pairs | %s |\n|---|---|%s" % (" | ".join("`%s`" % o for o in others), "---|" * len(others)), file=out)
     for (problem, name), pairs in results.items():
         comparisons = [Comparison(pairs, method, other) for other in others]
@@ -98,9 +99,11 @@ def print_table(results, method, others, out):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("runs", nargs="+", metavar="FILE", help="of usac_benchmark --runs; several are taken together")
-    parser.add_argument("--method", default="USACV20", help="default: %(default)s")
-    parser.add_argument("--other", action="append", default=[], help="compared with it, repeatable; default: all")
+    parser.add_argument("runs", nargs="+", metavar="FILE",
+                        help="file that usac_benchmark --runs has written; several files are taken together")
+    parser.add_argument("--method", default="USACV20", help="method that is compared with the others (default: %(default)s)")
+    parser.add_argument("--other", action="append", default=[],
+                        help="method to compare with; may be repeated (default: all other methods)")
     options = parser.parse_args(arguments)
     try:
         results = read_pairs(options.runs)

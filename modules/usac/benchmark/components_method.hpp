@@ -12,13 +12,14 @@
 
 namespace benchmark {
 
-/** Replaces components of an estimator that cv::usacv20::Usac::create has just made:
+/** A function that replaces components of an estimator that cv::usacv20::Usac::create has just
+made:
 
     usac.components().sampler = cv::makePtr<MySampler>();
 
 The function is called for each run, within the measured time. It must make new components each
-time, since components keep data about the points. The components must always behave in the same
-way, since the timed run and a second run, which makes the report, must give the same model. */
+time, since components keep data about the points. The components must be deterministic: after the
+timed run, a second run with the same seed makes the report, and must give the same model. */
 typedef std::function<void(cv::usacv20::Usac& usac)> ComponentChange;
 
 /** An estimator of this module with user-defined components. `+scores` and `{field=value}` in the
@@ -45,7 +46,7 @@ private:
 @param params selects the other components and their options. Its threshold, confidence, limit of
 iterations and seed are replaced by those of the command line; its scores, by those of the pair if
 the method's name has `+scores`, otherwise by none.
-@param change the function; if it is empty, std::runtime_error is raised
+@param change the function that replaces components; std::runtime_error is raised if it is empty
 @param problems the problems that the components can be used for */
 MethodFactory withComponents(const cv::usacv20::Params& params, const ComponentChange& change,
                              const ProblemSet& problems = ProblemSet());

@@ -29,8 +29,8 @@ READERS = {"homogr": ground_truth.homogr, "evd": ground_truth.evd, "kusvod2": gr
            "strecha": ground_truth.strecha, "kitti": ground_truth.kitti, "tum": ground_truth.tum,
            "tanks_and_temples": ground_truth.tanks_and_temples, "cpc": ground_truth.cpc, "1dsfm": ground_truth.one_dsfm}
 VIDEOS = ("kitti", "tum")
-# Default limits of the distance of a right match from the ground truth in pixels: for H, and for F
-# and E.
+# Default upper limits of the distance of a right match from the ground truth in pixels: transfer error
+# for H, Sampson distance for F and E.
 TOLERANCE_H, TOLERANCE_F = 3.0, 1.0
 
 
@@ -82,7 +82,7 @@ def match(features1, features2, ratio, most):
 
 def _undistort(points, K, distortion):
     """Returns the pixels at which a camera with the same K, but without distortion, would see the
-    points. `distortion` None: there is none."""
+    points. `distortion` is None if the camera has no distortion."""
     if distortion is None or not len(points):
         return points
     return cv2.undistortPoints(points.reshape(-1, 1, 2), K, np.array(distortion, float), P=K).reshape(-1, 2)
@@ -159,22 +159,26 @@ def parse(arguments):
     add = common.add_argument
     for name, what in (("--images", "the data set as it was published"), ("--out", "pairs go to DIR/pairs, lists to DIR/lists")):
         add(name, required=True, default=argparse.SUPPRESS, metavar="DIR", help=what)
-    add("--pairs", type=int, default=0, metavar="N", help="stop after so many pairs, drawn at random; 0: all pairs in order")
-    add("--seed", type=int, default=1, help="of the draw")
-    add("--ratio", type=float, default=0.85, help="largest ratio of the best and second best distance")
-    add("--max", type=int, default=0, metavar="N", help="most matches of a pair, the best by ratio; 0: no limit")
-    add("--features", type=int, default=8000, metavar="N", help="most features of an image")
-    add("--least", type=int, default=20, metavar="N", help="fewest matches of a pair")
-    add("--right", type=int, default=8, metavar="N", help="fewest points of ground truth of a pair")
+    add("--pairs", type=int, default=0, metavar="N", help="number of pairs, chosen at random; 0: all pairs")
+    add("--seed", type=int, default=1, help="seed of the random choice of --pairs")
+    add("--ratio", type=float, default=0.85,
+        help="upper limit of the ratio of the distances to the nearest and the second nearest descriptor")
+    add("--max", type=int, default=0, metavar="N",
+        help="largest number of matches of a pair; those with the smallest ratios are kept; 0: no limit")
+    add("--features", type=int, default=8000, metavar="N", help="largest number of features of an image")
+    add("--least", type=int, default=20, metavar="N", help="smallest number of matches; pairs with fewer are left out")
+    add("--right", type=int, default=8, metavar="N",
+        help="smallest number of points of ground truth; pairs with fewer are left out")
     add("--tolerance", type=float, default=0, metavar="PX",
-        help="distance to the ground truth up to which a match is right; 0: %g for H, %g for F and E" % (TOLERANCE_H, TOLERANCE_F))
+        help="upper limit of the distance of a right match from the ground truth in pixels; 0: %g for H, %g for F and E" %
+        (TOLERANCE_H, TOLERANCE_F))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="dataset", required=True, metavar="DATASET")
     for name, reader in READERS.items():
         command = commands.add_parser(name, parents=[common], description=reader.__doc__, formatter_class=_Help,
                                       help=reader.__doc__.split("\n\n")[0].split(":")[0])
         if name in VIDEOS:
-            command.add_argument("--step", type=int, default=1, metavar="N", help="frames from image 1 to image 2")
+            command.add_argument("--step", type=int, default=1, metavar="N", help="number of frames from image 1 to image 2")
     args = parser.parse_args(arguments)
     if getattr(args, "step", 1) < 1 or min(args.pairs, args.max, args.tolerance) < 0 or args.ratio <= 0:
         parser.error("numbers must not be negative, --step and --ratio not zero")

@@ -14,7 +14,8 @@
 
 namespace benchmark {
 
-//! The input of an Estimator: settings and a pair without its ground truth.
+//! The input of an Estimator: settings and a pair without its ground truth. Letters stand for
+//! problems, see letterOf(): P absolute pose; R, M rigid motion and similarity of 3D space.
 struct Task
 {
     Settings settings;
@@ -22,7 +23,7 @@ struct Task
     std::vector<cv::Point3f> objectPoints;      //!< P, R, M: used instead of points1
     std::vector<cv::Point3f> spacePoints2;      //!< R, M: used instead of points2
     std::vector<float> scores;  //!< one for each match, lower is better; empty without `+scores`
-    cv::Matx33d K1, K2;  //!< E: camera matrices; P: K2 is the camera matrix; otherwise the identity
+    cv::Matx33d K1, K2;  //!< E: both camera matrices; P: K2 is that of the image; else the identity
     std::vector<double> distortion;  //!< P: lens distortion coefficients; empty: none
     std::map<std::string, double>
         fields;  //!< EstimatorTraits::fields, with the values that the method's name sets

@@ -43,7 +43,7 @@ def number(value, form):
 
 
 def cell(row, digits=3, auc=True):
-    """Returns the table cell of a list and a method: median error / failures in % / median CPU
+    """Returns the text of the table cell for a list and a method: median error / failures in % / median CPU
     milliseconds, and the AUC at 10 degrees if it is known and `auc` is True."""
     parts = [number(row["median_error"], "%%.%df" % digits), number(row["failures_percent"], "%.1f"),
              number(row["median_cpu_ms"], "%.2f")]

@@ -15,7 +15,7 @@ PARTS = {"cpp": "C++", "perf": "performance", "python": "Python inside OpenCV", 
          "python_package_alone": "package without `cv2`", "benchmark": "benchmark", "opencv": "OpenCV's own", "sanitized": "C++ with sanitizers",
          "sources": "rules of the sources", "tsan": "ThreadSanitizer", "assertions": "assertions of libstdc++", "valgrind": "valgrind",
          "coverage": "coverage", "fuzz": "fuzzer", "lint": "lint"}
-# The parts of the gate: those that run_tests.sh runs and that have tests.
+# The gate consists of those parts that run_tests.sh runs and that have tests.
 GATE = ("cpp", "perf", "python", "consumer", "python_package", "python_package_alone", "benchmark", "opencv", "sanitized")
 TOOLS = ("sanitized", "tsan", "assertions", "valgrind")
 COLUMNS = ("part", "passed", "failed", "more", "processor s", "commit", "date", "results")

@@ -43,7 +43,7 @@ def transfer_error(H, points1, points2):
 
 def in_front(K1, K2, R, t, points1, points2):
     """Returns for each correspondence whether its point is in front of both cameras: the depths a and b
-    in a R x1 + t = b x2 are positive for normalized coordinates x1, x2."""
+    in a R x1 + t = b x2 are positive, where x1 and x2 are normalized homogeneous coordinates."""
     rays1 = _homogeneous(points1) @ np.linalg.inv(K1).T @ R.T
     rays2 = _homogeneous(points2) @ np.linalg.inv(K2).T
     normals = np.cross(rays1, rays2)

@@ -196,9 +196,9 @@ def tum(folder, step=1):
     """TUM RGB-D of Sturm et al.: color images i and i + step of each sequence, among those that
     have a pose.
 
-    <folder>/<...freiburg1, 2 or 3...>/groundtruth.txt: lines `time tx ty tz qx qy qz qw`, camera ->
+    <folder>/<name with freiburg1, freiburg2 or freiburg3>/groundtruth.txt: lines `time tx ty tz qx qy qz qw`, camera ->
     world
-    <folder>/<...>/rgb.txt: lines `time file`
+    <folder>/<the same name>/rgb.txt: lines `time file`
 
     <folder> can also be the folder of a sequence. The name of this folder determines the camera.
 
@@ -221,7 +221,7 @@ def tum(folder, step=1):
 def _tum_views(root, file):
     camera = [known for name, known in _TUM_CAMERAS.items() if name in os.path.basename(root)]
     if not camera:
-        raise DataError(root + ": the name tells no camera, expected freiburg1, freiburg2 or freiburg3 in it")
+        raise DataError(root + ": the name tells no camera; it must contain freiburg1, freiburg2 or freiburg3")
     (fx, fy, cx, cy), distortion = camera[0]
     K = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]])
     poses = np.array(sorted(_floats(file, number, words, 8).tolist() for number, words in _lines(file)))

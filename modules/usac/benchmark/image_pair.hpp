@@ -14,7 +14,9 @@ namespace benchmark {
 
 using cv::usacv20::ProblemType;
 
-//! The letter of a problem in names and tables, see problemLetters().
+//! The letter of a problem in names and tables: H homography; F, E fundamental and essential
+//! matrix; A affinity, S similarity, T translation of the image; P absolute pose; R rigid motion, M
+//! similarity of 3D space.
 char letterOf(ProblemType problem);
 
 //! Finds the problem of a letter. @return false for an unknown letter.
@@ -34,7 +36,7 @@ struct ImagePair
     bool hasHomography, hasCamera1, hasCamera2, hasPose;  //!< true if H; K1; K2; R and t are known
     cv::Matx33d H;                                        //!< image 1 -> image 2
     cv::Matx33d K1, K2;
-    std::vector<double> distortion;  //!< P: lens distortion as in calib3d; empty: none
+    std::vector<double> distortion;  //!< P: distortion coefficients of calib3d; empty: none
     cv::Matx33d R;                   //!< point in camera 2 = R * point in camera 1 (P: object) + t
     cv::Vec3d t;                     //!< R and M: point of space 2 = scale R * point of space 1 + t
     double scale;            //!< problem M: scale of space 2 relative to space 1; otherwise 1
@@ -53,8 +55,8 @@ struct ImagePair
 
     //! Number of correspondences.
     int size() const { return (int)(points2.size() + spacePoints2.size()); }
-    //! Returns the points in another order (point i of the result is point order[i]), with the
-    //! camera matrices and the distortion, without the scores and the ground truth.
+    //! Returns the matches in another order (match i of the result is match order[i]), with the
+    //! camera matrices and the distortion, but without the scores and the ground truth.
     ImagePair reordered(const std::vector<int>& order) const;
 };
 

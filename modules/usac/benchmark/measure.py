@@ -227,8 +227,9 @@ def measure_automatic(run):
     text = run.call("threshold.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), run.times(3), "--estimated=" + AUTO,
                     "--plot=" + os.path.join(ROOT, THRESHOLD_PICTURE), *["--list=" + path for path in run.lists("HFE")])
     run.commands = ["threshold.py --data=DATA --repeats=%d --estimated=USACV20_AUTO (lists of H, F and E)" % run.repeats]
-    return ("Right thresholds: H 2 px, F and E 1 px. Given: `USACV20`. Geometric mean over lists of the median error over the smallest one with a given "
-            "threshold, of the mean CPU time over that with the right threshold; mean over lists of failures and AUC.\n" +
+    return ("Right thresholds: H 2 px, F and E 1 px. Given thresholds: `USACV20`. Errors: ratio of the median error to the "
+            "smallest median error with a given threshold. CPU: ratio of the mean CPU time to that with the right threshold. "
+            "Both are geometric means over lists; failures and AUC are means over lists.\n" +
             block("automatic/table", text.strip()))
 
 
@@ -237,12 +238,14 @@ def measure_pose(run):
                "cv:PNP_EPNP")
     found, _, _ = run.benchmark("pose", *["--list=" + path for path in run.lists("P")], run.times(7), "--baseline=" + FAST,
                                 "--methods=" + ",".join(methods))
-    return "\n".join("%d views. Error: degrees between the rotations, median; centers: percent of the depth.\n\n%s" % (
+    return "\n".join("%d views. Error: angle between the rotations in degrees, median; center error: percent of the depth of "
+                     "the scene, median.\n\n%s" % (
         table["USACV20"]["pairs"], block("pose/" + name, tables.ratios(table, methods, FAST))) for (_, name), table in found.items())
 
 
 def measure_affine(run):
-    body = "1000 matches, noise of half a pixel, uniform wrong matches, 20 pairs a list. Median error in pixels / failures in %; CPU: median.\n"
+    body = ("1000 matches, noise of half a pixel, uniform wrong matches, 20 pairs per list. Median error in pixels / failures in "
+            "%; CPU time: median.\n")
     for letter, scene, flag in (("A", "affinity", "cv:RANSAC"), ("S", "similarity", "cv:RANSAC")):
         for part in ("0.5", "0.2"):
             run.scenes(scene, "%s_%s" % (scene, part), "--inliers=" + part, "--pairs=20")
@@ -253,8 +256,9 @@ def measure_affine(run):
 
 
 def measure_rigid(run):
-    body = ("Noise of half a unit at a width of 200, uniform wrong matches, 20 pairs a list; lists by number of matches and part of right ones. Error: "
-            "degrees between the rotations, median / failures in %; CPU: median.\n")
+    body = ("Noise of half a unit; the cloud of points is 200 units wide; uniform wrong matches, 20 pairs per list. The names "
+            "of lists have the number of matches and the fraction of right ones. Error: angle between the rotations in degrees, "
+            "median / failures in %; CPU time: median.\n")
     for letter, scene in (("R", "rigid"), ("M", "rigidScaled")):
         for size in (200, 1000, 10000):
             for part in ("0.1", "0.2", "0.5", "0.8"):
@@ -268,8 +272,9 @@ def measure_rigid(run):
 def measure_tracking(run):
     run.repeats = run.chosen or 5
     run.call("usac_tracking", "--sequences=%d" % run.repeats, "--csv=" + run.path("tracking.csv"))
-    return ("Median error (degrees; pixels) / failures in % of the frames / samples a frame / CPU time to that of the defaults without a model / "
-            "frames lost behind the jump.\n\n" + block("tracking/table", tables.tracking(run.path("tracking.csv"))))
+    return ("Median error (P degrees, H pixels) / failures in % of the frames / samples per frame / ratio of the CPU time to "
+            "that with the default limit without a model / failed frames after the jump until the first success.\n\n" +
+            block("tracking/table", tables.tracking(run.path("tracking.csv"))))
 
 
 def measure_scale(run):
@@ -285,26 +290,30 @@ def measure_phases(run):
     run.repeats = 1
     text = run.call("phases.py", "--build=" + run.build)
     run.commands = ["phases.py --build=BUILD"]
-    return ("`USACV20` on synthetic scenes, ten of each kind: instructions of a call, and the part of each phase in percent. Samples: their points, with the order "
-            "of the points; graph cut: with the neighborhoods; rest: reading, normalization, runners-up, termination, mask.\n\n" +
+    return ("`USACV20` on synthetic scenes, ten of each kind: instructions of a call, and the percentage of them in each phase. "
+            "Samples: drawing their points, with the ordering of the points; graph cut: with the neighborhoods of the points; "
+            "rest: reading, normalization, runners-up, termination, mask.\n\n" +
             block("phases/table", text.strip()))
 
 
 def measure_threads(run):
     found, _, _ = run.two_views(("USACV20", "USACV20_PARALLEL"), run.times(3), "--threads=2", "--baseline=USACV20")
     rows = [["%s %s" % key, "%.2f" % (t["USACV20"]["mean_wall_ms"] / t["USACV20_PARALLEL"]["mean_wall_ms"])] for key, t in found.items()]
-    return "Mean wall time of `USACV20` over that of `USACV20_PARALLEL`; a machine with other work cannot tell it.\n\n" + block(
-        "threads/table", tables.markdown(["list", "times faster"], rows, True))
+    return ("Mean wall time of `USACV20`, divided by that of `USACV20_PARALLEL`; meaningless if other programs use the "
+            "processors.\n\n" + block("threads/table", tables.markdown(["list", "times faster"], rows, True)))
 
 
 def measure_covariance(run):
     """Measures how well Report::covariance describes the errors on synthetic scenes."""
     run.repeats = 1
     text = run.call("usac_covariance", "--scenes=%d" % (run.chosen or 10000))
-    return ("Scenes of each problem, in equal parts of each cell: shapes, 20 to 1000 matches, 10 to 95 % right (F, E: 30 to 95 %), noise of 0.1, 0.3 and 1 "
-            "thresholds in each component. Wrong: right matches without noise are more than a threshold off, root mean square. Of the other models, mean "
-            "/ d: mean squared Mahalanobis distance of the true model over the number of parameters, aim 0.9 to 1.1; within 95 %: part of the true models "
-            "in this region, aim 93 to 97 %; noise: mean of `Report::sigma` over the true one. Planes with N percent of the right matches: planeN.\n\n" +
+    return ("Scenes of each problem, the same number for each combination of shape, number of matches (20 to 1000), fraction of "
+            "right matches (10 to 95 %; F, E: 30 to 95 %) and noise (standard deviation of each component of 0.1, 0.3 and 1 "
+            "thresholds). Wrong: models with a root mean square error of more than a threshold on the noise-free right matches. "
+            "For the other models, mean / d: mean squared Mahalanobis distance of the true model, divided by the number of "
+            "parameters, aim 0.9 to 1.1; within 95 %: percentage of the true models in the 95 % confidence region, aim 93 to "
+            "97 %; noise: mean ratio of `Report::sigma` to the true noise. planeN: N percent of the right matches are on a "
+            "plane.\n\n" +
             block("covariance/table", text.strip()))
 
 
@@ -313,9 +322,10 @@ def measure_sigmas(run):
     times the noise of the other matches."""
     run.repeats = 1
     text = run.call("usac_covariance", "--spread=5", "--noises=0.1,0.3", "--by=problem,ratio", "--scenes=%d" % (run.chosen or 2000))
-    return ("Scenes as in [covariance.md](covariance.md), with noise of 0.1 and 0.3 thresholds, five times that in every second match; the estimator gets "
-            "it as `Params::sigmas`. Error: geometric mean of the error over that of least squares over the right matches, weighted by their true noise, "
-            "aim 1.1; without sigmas: the same of the estimator that gets five times the threshold instead.\n\n" +
+    return ("Scenes as in [covariance.md](covariance.md), with noise of 0.1 and 0.3 thresholds; every second match has five "
+            "times this noise, and the estimator gets these ratios as `Params::sigmas`. Error: geometric mean of the ratio of "
+            "the error to that of least squares over the right matches with weights from their true noise, aim 1.1; without "
+            "sigmas: the same for an estimator that gets no sigmas, but five times the threshold.\n\n" +
             block("sigmas/table", text.strip()))
 
 
@@ -436,7 +446,7 @@ def check(out):
         print(mistake, file=out)
     older = [] if state_of_all.mistakes else [name for name in state_of_all.older() if not KINDS[name].current]
     if older:
-        print("of older results: %s" % ", ".join(older), file=sys.stderr)
+        print("measurements of older results: %s" % ", ".join(older), file=sys.stderr)
     return len(mistakes)
 
 
@@ -445,8 +455,8 @@ def main(arguments=None):
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(name for name, kind in KINDS.items() if kind.measure))
     parser.add_argument("--build", metavar="DIR")
     parser.add_argument("--data", metavar="DIR", help="not needed by affine, rigid, tracking, scale, covariance and phases")
-    parser.add_argument("--repeats", type=int, help="other than the measurement has")
-    parser.add_argument("--logs", metavar="DIR", help="of run_tests.sh or sanitize.sh")
+    parser.add_argument("--repeats", type=int, help="number of repeats, instead of the default of each measurement")
+    parser.add_argument("--logs", metavar="DIR", help="folder with the logs of run_tests.sh and sanitize.sh")
     parser.add_argument("--copied", metavar="NAME", help=", ".join(COPIED))
     parser.add_argument("--structured", nargs="*", metavar="SECTION")
     parser.add_argument("--fill", action="store_true")

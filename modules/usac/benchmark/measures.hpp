@@ -10,7 +10,7 @@
 
 namespace benchmark {
 
-/** Error of an estimate; infinite without a model.
+/** Error of an estimate; infinite without a model. Letters stand for problems, see letterOf().
 
 P, R and M: the angle between the estimated and the true rotation in degrees. Other problems: root
 mean square over the true correspondences, in pixels, of one of these errors. H, A, S and T:

@@ -12,7 +12,7 @@
 namespace benchmark {
 
 //! Settings that all methods get. Defaults: confidence 0.99, seed 1; threshold and maxIterations of
-//! the ProblemKind, which for H, F and E are those of the paper.
+//! the ProblemKind, which for H, F and E are those of the USACv20 paper.
 struct Settings
 {
     explicit Settings(ProblemType problem = cv::usacv20::HOMOGRAPHY);
@@ -49,8 +49,8 @@ public:
     virtual void prepare(const ImagePair& pair, const Settings& settings) = 0;
     //! The call whose time is measured.
     virtual void run(const ImagePair& pair, Estimate& estimate) = 0;
-    //! Adds what the method reports about its last run, such as the number of iterations; not
-    //! included in the measured time.
+    //! Adds to the estimate of the last run what the method reports about this run, such as the
+    //! number of iterations; not included in the measured time.
     virtual void tell(const ImagePair&, Estimate&) {}
 
 private:
@@ -66,7 +66,7 @@ private:
 
 `+scores` after a name passes the scores of the correspondences to the method; among the flags of
 calib3d only cv:USAC_PROSAC allows this. `{field=value,...}` after a name of the first two kinds
-sets numeric fields of cv::usacv20::Params; after a custom name it sets the fields of that method.
+sets numeric fields of cv::usacv20::Params; after a custom name, options of that method.
 An unknown name raises std::runtime_error. */
 cv::Ptr<Method> createMethod(const std::string& name);
 

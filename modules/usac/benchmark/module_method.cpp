@@ -59,7 +59,7 @@ ModuleMethod::ModuleMethod(const MethodName& name, const Params& params_)
     setFields(base, fields);  // so that wrong field names and values are reported before any run
     Params checked = base;
     if (useScores)
-        checked.scores.assign(1, 1.f);  // some options are valid only with scores
+        checked.scores.assign(1, 1.f);  // stands for the pair's scores; some options need scores
     checked.check();
 }
 

@@ -15,14 +15,14 @@ namespace benchmark {
 
 A flag is run through its cv::usacv20::Params, because the function that takes a flag has no
 argument for the seed; estimate and time are the same. The report comes from a second run, which
-must give the same model. With `+scores`, Params::ordering is ORDERING_AUTO, so that the order of
-the points follows from the scores, even with a preset for sorted points.
+must give the same model. With `+scores`, Params::ordering is ORDERING_AUTO, so that the points are
+ordered by their scores, even by a preset that expects sorted points.
 */
 class ModuleMethod : public Method
 {
 public:
     //! @param name the base name, with or without `+scores` and `{fields}`, which change `params`
-    //! @param params the parameters that belong to the base name
+    //! @param params the parameters that the base name stands for
     ModuleMethod(const MethodName& name, const cv::usacv20::Params& params);
 
     bool solves(ProblemType) const CV_OVERRIDE { return true; }

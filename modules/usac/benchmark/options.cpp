@@ -14,31 +14,27 @@ namespace {
 
 const char KEYS
     [] = "{help h usage ? | | print this }"
-         "{list           | | list of pairs, <dataset>.<letter of its problem>.list; may be "
+         "{list           | | file with a list of pairs, <dataset>.<letter of the problem>.list; "
+         "may be repeated }"
+         "{data           | | folder of data; all lists in its folder 'lists' are used; may be "
          "repeated }"
-         "{data           | | folder of data: all lists in its folder 'lists'; may be repeated }"
-         "{problem        | | H, F, E, A, S, P, R, M or T: problem of all lists (default: as the "
-         "name "
-         "of each list "
-         "tells); of --data only its lists }"
+         "{problem        | | H, F, E, A, S, P, R, M or T: problem of all lists (default: the "
+         "letter in the name of each list); from --data, only the lists of this problem are used }"
          "{methods        "
          "|USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
-         "| names with commas; may be repeated; see below }"
-         "{baseline       | | method that times and errors are compared with (default: the first "
-         "cv: "
-         "method, else the first) }"
-         "{threshold      | | inlier threshold in pixels, R and M: units of length (default: H 2, "
-         "F and E 1, A, S and T 3, P "
-         "4, R and M 3) }"
-         "{maxIters       | | most iterations (default: H, R and M 10000, F, E and P 1000, A, S "
-         "and T "
-         "2000) }"
-         "{confidence     |0.99| confidence }"
+         "| names separated by commas; may be repeated; see below }"
+         "{baseline       | | method by whose times and errors those of all methods are divided "
+         "(default: the first cv: method or, without one, the first method) }"
+         "{threshold      | | inlier threshold in pixels; R and M: in the unit of the points of "
+         "space 2 (default: H 2; F and E 1; A, S and T 3; P 4; R and M 3) }"
+         "{maxIters       | | limit of iterations (default: H, R and M 10000; F, E and P 1000; "
+         "A, S and T 2000) }"
+         "{confidence     |0.99| confidence of the termination criterion }"
          "{repeats        |5| runs of each method on each pair }"
-         "{seed           |1| seed of the first repeat, the next ones count up }"
-         "{threads        |1| given to cv::setNumThreads; -1: all processors }"
-         "{csv            | | file for the tables }"
-         "{runs           | | file for all single runs }";
+         "{seed           |1| seed of the first repeat; each further repeat adds 1 }"
+         "{threads        |1| argument of cv::setNumThreads; -1: all processors }"
+         "{csv            | | CSV file for the tables }"
+         "{runs           | | CSV file for the single runs }";
 
 std::string defaultBaseline(const std::vector<std::string>& methods)
 {
@@ -66,13 +62,17 @@ bool Options::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Runs robust estimators on lists of image pairs and reports accuracy and time.\n"
-                 "Methods: " +
-                 knownMethods() +
-                 ".\n"
-                 "+scores behind a name hands over the scores; {field=value,...} sets fields of "
-                 "cv::usacv20::Params"
-                 " or what a custom: method has.");
+    parser.about(
+        "Runs robust estimators on lists of image pairs and reports accuracy and time.\n"
+        "Methods: " +
+        knownMethods() +
+        ".\n"
+        "+scores after a name passes the scores of the matches; {field=value,...} after a "
+        "name sets fields of cv::usacv20::Params or, for a custom: method, its own "
+        "fields.\n"
+        "Problems: H homography, F and E fundamental and essential matrix, A affinity, S "
+        "similarity, T translation, P absolute pose, R rigid motion of 3D space, M the same "
+        "with a scale.");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();

@@ -20,8 +20,8 @@ struct Options
     char problem;              //!< a letter; '\0': taken from the name of each list
     int repeats, seed, threads;
 
-    //! The settings that the methods get for a problem. A threshold or limit of iterations that is
-    //! missing from the command line has the problem's default.
+    //! The settings that the methods get for a problem. If the threshold or the limit of iterations
+    //! is not on the command line, it is the problem's default.
     Settings settings(ProblemType of) const;
 
     /** Reads the command line. @return false if the command line is empty or asks for help; the

@@ -52,7 +52,7 @@ PairList readPairList(const std::string& file, char letter)
     if (!problemOf(letter ? letter : letterOfName, list.problem))
         throw std::runtime_error(
             file +
-            ": the name tells no problem (.H.list, .F.list and so on), --problem is not given");
+            ": neither the name (.H.list, .F.list and so on) nor --problem tells the problem");
 
     std::ifstream in(file.c_str());
     if (!in)

@@ -14,7 +14,7 @@ namespace benchmark {
 /** A list of image pairs. Each line of the file has the path of a pair without extension. Empty
 lines and lines that start with # are skipped.
 
-Relative paths begin at the folder of the list, or at the parent of this folder if it is called
+Relative paths refer to the folder of the list, or to the parent of this folder if it is called
 `lists`. A letter in the file name determines the problem: `<dataset>.H.list`, `<dataset>.F.list`
 and so on.
 */

@@ -10,7 +10,7 @@ import os
 import numpy as np
 
 PROBLEMS = ("H", "F", "E", "A", "S", "T")  # problems of image pairs
-LISTS = PROBLEMS + ("P", "R", "M")  # problems that have lists; views.py is for the files of P, spaces.py for those of R and M
+LISTS = PROBLEMS + ("P", "R", "M")  # problems that have lists; views.py reads the files of P, spaces.py those of R and M
 KINDS = ("annotated", "labels", "homography", "pose", "exact")
 _MATRICES = ("H", "K1", "K2", "R")
 
@@ -57,13 +57,13 @@ class Pair:
     def _check_models(self):
         require("E" not in self.problems or (self.K1 is not None and self.K2 is not None), "K1, K2: needed for E")
         require(self.gt_kind != "homography" or self.H is not None, "H: needed where gt_kind is homography")
-        require((self.R is None) == (self.t is None), "R and t come together")
+        require((self.R is None) == (self.t is None), "R and t come together, but only one is given")
         for name in ("H", "K1", "K2"):
             value = getattr(self, name)
             require(value is None or abs(np.linalg.det(value)) > 0, name + ": singular")
         if self.R is not None:
             require(np.abs(self.R @ self.R.T - np.eye(3)).max() < 1e-3 and np.linalg.det(self.R) > 0, "R: no rotation")
-            require(np.linalg.norm(self.t) > 0, "t: zero, there is no epipolar geometry")
+            require(np.linalg.norm(self.t) > 0, "t: zero, so there is no epipolar geometry")
 
 
 def require(condition, what):

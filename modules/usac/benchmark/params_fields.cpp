@@ -26,8 +26,8 @@ struct Enumerators
     bool flags;  //!< true: the values are 1, 2, 4, 8, ...; false: 0, 1, 2, ...
 };
 
-//! For each field of Params that has an enumeration, except `thresholdType`, the names of the
-//! enumerators in the order of their values, without the prefix that they share.
+//! For each field of Params that has an enumeration, the names of the enumerators in the order of
+//! their values, without the prefix that they share.
 const std::vector<Enumerators>& enumerators()
 {
     static const std::vector<Enumerators> all = {
@@ -59,9 +59,9 @@ std::string normalized(std::string name)
     return name;
 }
 
-//! Finds the value of "prosac", or of "sprt|standard" for a field with flags. `all` gets all names
-//! of the enumeration. @return false if the text is empty or has an unknown name, or several names
-//! for a field without flags
+//! Finds the value of a text such as "prosac" or, for a field with flags, "sprt|standard". `all`
+//! gets all names of the enumeration. @return false if the text is empty, if it has an unknown
+//! name, or if it has several names for a field without flags
 bool valueOf(const Enumerators& of, const std::string& text, double& value, std::string& all)
 {
     std::istringstream in(text);

@@ -15,8 +15,8 @@ namespace benchmark {
 struct Field
 {
     //! Raises std::runtime_error unless the text has the form name=value. The value is a number or,
-    //! for a field of Params with an enumeration (except `thresholdType`), an enumerator without
-    //! the prefix: "sampler=prosac". Fields of flags accept several: "termination=sprt|standard".
+    //! for a field of Params with an enumeration, an enumerator without the prefix:
+    //! "sampler=prosac". Fields of flags accept several: "termination=sprt|standard".
     explicit Field(const std::string& assignment);
 
     //! The value; raises std::runtime_error if it is not an integer.

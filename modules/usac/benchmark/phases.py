@@ -86,7 +86,8 @@ def main():
     parser.add_argument("--build", required=True, metavar="DIR")
     parser.add_argument("--problems", default="".join(SCENES), metavar="LETTERS", help="some of %(default)s")
     parser.add_argument("--sizes", nargs="+", type=int, default=[100, 1000, 10000], help="numbers of matches (default %(default)s)")
-    parser.add_argument("--parts", nargs="+", type=float, default=[0.9, 0.5], help="parts of right matches (default %(default)s)")
+    parser.add_argument("--parts", nargs="+", type=float, default=[0.9, 0.5],
+                        help="fractions of right matches (default %(default)s)")
     parser.add_argument("--pairs", type=int, default=10, help="scenes of each kind (default %(default)s)")
     parser.add_argument("--method", default="USACV20")
     args = parser.parse_args()

@@ -31,7 +31,7 @@ from rows import read_rows
 
 # Colors of Okabe and Ito, which color-blind people can distinguish. The number of markers has no common
 # divisor with the number of colors, and the line style changes each time the colors start again, so
-# that the combinations differ.
+# that different methods have different combinations.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9")
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<", ">", "h")
 TITLES = {"H": "homography", "F": "fundamental matrix", "E": "essential matrix", "A": "affinity",
@@ -292,8 +292,10 @@ def add_options(parser):
     """Adds the options that all drawing programs share."""
     parser.add_argument("--out", required=True, metavar="DIR", help="folder for the pictures")
     parser.add_argument("--format", choices=("png", "svg"), default="png")
-    parser.add_argument("--time", choices=("cpu", "wall"), default="cpu", help="of the process, or of the clock")
-    parser.add_argument("--method", action="append", metavar="NAME", help="only this one; may be repeated, gives the order")
+    parser.add_argument("--time", choices=("cpu", "wall"), default="cpu",
+                        help="processor time or wall time of a run (default: cpu)")
+    parser.add_argument("--method", action="append", metavar="NAME",
+                        help="draw only this method; may be repeated; the legend has the methods in this order")
 
 
 def run(draw):
@@ -309,7 +311,8 @@ def run(draw):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("runs", nargs="+", metavar="FILE", help="of usac_benchmark --runs; several are taken together")
+    parser.add_argument("runs", nargs="+", metavar="FILE",
+                        help="file that usac_benchmark --runs has written; several files are taken together")
     add_options(parser)
     args = parser.parse_args(arguments)
     return run(lambda: draw_all(read_runs(args.runs, args.time, args.method or []), args.out, args.format, args.time))

@@ -16,7 +16,7 @@ from matplotlib.ticker import LogFormatterMathtext
 from plot import plt
 from rows import read_rows
 
-SWEEPS = {"size": "matches", "inliers": "part of right matches"}
+SWEEPS = {"size": "matches", "inliers": "fraction of right matches"}
 COLUMNS = ("sweep", "problem", "size", "inliers", "method", "median_cpu_ms", "median_wall_ms", "median_error", "failures_percent")
 
 
@@ -91,7 +91,7 @@ def draw_all(results, folder, form, time):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("csv", metavar="FILE", help="of usac_scale --csv")
+    parser.add_argument("csv", metavar="FILE", help="file that usac_scale --csv has written")
     plot.add_options(parser)
     args = parser.parse_args(arguments)
     return plot.run(lambda: draw_all(read_scale(args.csv, args.method or []), args.out, args.format, args.time))

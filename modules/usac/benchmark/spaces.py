@@ -13,7 +13,7 @@ from pairs import PairError, read_description, read_scored_rows, require, to_arr
 
 
 class Motion:
-    """Points of two spaces and the motion between them, X2 = scale R X1 + t.
+    """Matched points of two spaces and the motion between them, X2 = scale R X1 + t.
 
     points1, points2: N x 3. scores: N, lower is better. R, t: rotation and translation. scale: must be
     1 for the problem R (rigid motion). right: indices of the right matches, None if unknown. extra:
@@ -53,8 +53,9 @@ class Motion:
             require(np.isfinite(value).all(), name + ": not finite")
         require(np.isfinite(self.scale) and self.scale > 0, "s: expected a number above 0")
         require(np.abs(self.R @ self.R.T - np.eye(3)).max() < 1e-3 and np.linalg.det(self.R) > 0, "R: no rotation")
-        require(self.right is None or all(0 <= i < count for i in self.right), "gt_mask: expected numbers of matches")
-        require(self.size() > 0, "gt_mask: the scene is one point")
+        require(self.right is None or all(0 <= i < count for i in self.right),
+                "gt_mask: expected numbers of matches, counted from 0")
+        require(self.size() > 0, "gt_mask: the scene is one point, because all right points of space 2 are equal")
 
 
 def write_motion(path, motion, problem=None):

@@ -22,23 +22,25 @@ struct Summary
                           //!< could be read
     int errorLists;       //!< number of lists over which `medianError` is averaged
     double medianError;   //!< pixels; P, R and M: degrees; a failure counts as infinite
-    double medianCenter;  //!< median of ProblemKind::centerError; a failure counts as infinite
+    double medianCenter;  //!< median of ProblemKind::centerError, percent; a failure counts as
+                          //!< infinite
     double failures;      //!< percent of the runs
     double medianCpu, meanCpu, medianWall, meanWall;  //!< milliseconds
     /** Mean of max(0, 1 - pose error / limit) in percent: the area under the cumulative
-    distribution of the pose error from 0 to the limit, without interpolation between its steps.
-    `auc1` is known for P, R and M, the others are known for F and E; the number in the name is the
-    limit in degrees. */
+    empirical distribution of the pose error from 0 to the limit, divided by the limit. `auc1` is
+    known for P, R and M (absolute pose, motions of 3D space), the others are known for F and E; the
+    number in the name is the limit in degrees. */
     double auc1, auc5, auc10, auc20;
     double medianIterations;
     double errorRatio, medianCpuRatio, meanCpuRatio, medianWallRatio,
         meanWallRatio;  //!< the figures divided by those of the baseline
 };
 
-//! Summaries of all methods on one list. @param baseline index of a method.
+//! Summaries of all methods on one list. @param baseline index of the method by whose figures the
+//! ratios divide
 std::vector<Summary> summarize(const ListResult& result, int baseline);
 
-/** Averages over lists for all methods, as in Table 2 of the paper.
+/** Averages over lists for all methods, as in Table 2 of the USACv20 paper.
 
 The errors (also of the center) are averaged over the lists on which every method that was run
 succeeds in more than half of the runs. The average of ratios is the geometric mean, that of all

@@ -17,7 +17,7 @@ namespace {
 
 struct Column
 {
-    const char *title, *csvName, *format;  //!< title: null omits the column in Markdown tables
+    const char *title, *csvName, *format;  //!< a null title omits the column in Markdown tables
     double Summary::*figure;
     bool ofAll;  //!< false: a CSV file has the column only if the results contain a problem whose
                  //!< error is in degrees (P, R, M)
@@ -133,26 +133,23 @@ void Tables::markdown(std::ostream& out) const
     out << "# USAC benchmark\n\nOpenCV " << cv::getVersionString() << "; " << options.repeats
         << " repeats, seed " << options.seed << ", threads " << options.threads
         << ".\n\n"
-           "Error: median in pixels, a failure counts as infinite. Failures: percent of the runs. "
-           "Times: ms of the "
-           "call alone, "
-           "of each pair the median over its repeats; CPU: of the process, all threads together. "
-           "AUC: of the pose "
-           "error, "
-           "percent. Iterations: median. Ratios: to "
+           "Error: median in pixels; a failure counts as infinite. Failures: percent of the runs. "
+           "Times: milliseconds of the call alone; a pair's time is the median over its repeats, "
+           "median and mean are over the pairs; CPU: processor time of the process, the sum over "
+           "all threads. AUC@5 and so on: area under the cumulative distribution of the pose error "
+           "up to this number of degrees, in percent. Iterations: median. Ratios: divided by the "
+           "figures of "
         << options.baseline
-        << ", below 1 is better.\n\n"
-           "Averages: means over lists, of the error over those lists only where no method failed "
-           "on half of the runs "
-           "or "
-           "more (their number is in brackets); of the ratios geometric means.\n";
+        << "; below 1 is better.\n\n"
+           "Averages: arithmetic means over lists, for ratios geometric means. The error is "
+           "averaged only over lists on which every method succeeded in more than half of the "
+           "runs; the number of these lists is in brackets.\n";
     if (inDegrees)
         out << "\nP, R, M: the error is that of the rotation in degrees, so it is left out of "
-               "averages over lists of "
-               "other problems, too; center error: of the camera, percent of the depth of the "
-               "scene, R, M: RMS "
-               "distance "
-               "of the right points, percent of the size of the scene; AUC: of the rotation.\n";
+               "averages that include lists of other problems. Center error: P: distance between "
+               "the estimated and the true camera center, in percent of the depth of the scene; R, "
+               "M: RMS distance between the right points moved by the estimated and by the true "
+               "motion, in percent of the size of the scene. AUC: of the error of the rotation.\n";
     for (size_t i = 0; i < tables.size(); ++i)
         markdownTable(out, tables[i]);
 }

@@ -116,7 +116,7 @@ class CustomTest(FolderTest):
             rows, _ = self.runs("usac_test_methods", [base, custom])
             for problem in "HF":
                 self.assertEqual([figures(row) for row in rows[problem][custom]], [figures(row) for row in rows[problem][base]])
-            self.assertEqual(list(rows["E"]), [base], "custom:same is for H and F")
+            self.assertEqual(list(rows["E"]), [base], "custom:same is registered for H and F only")
 
     @unittest.skipUnless(os.path.isfile(program("example_usac_custom_quality")), "there is no such sample beside USAC_BENCHMARK")
     def test_same_quality_as_the_program_beside(self):

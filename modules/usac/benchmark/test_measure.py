@@ -225,7 +225,7 @@ class StructuredTablesTest(unittest.TestCase):
         self.assertEqual(calls, [["--a=1", "--b=2"], ["--c=3"]])
         self.assertEqual(new, self.BODY.replace("`0123456`, of an earlier state", "`abcdef0`").replace(
             "| old |\n|---|\n\n| old, too |", "| --a=1 |\n|---|\n| 1 |\n\n| --c=3 |\n|---|\n| 1 |"))
-        self.assertEqual(structured_tables.renewed(new, ["Fir"], "abcdef0", run), new, "another run changes nothing")
+        self.assertEqual(structured_tables.renewed(new, ["Fir"], "abcdef0", run), new, "a second run must change nothing")
 
     def test_unknown_sections(self):
         for name in ("Second", "Third"):  # the section "Second" has no command

@@ -95,7 +95,8 @@ class SyntheticMotionTest(ProgramTest):
             self.assertEqual((len(distances), len(motion.right), motion.problem), (100, 30, letter))
             self.assertLess(distances[motion.right].max(), 1e-3)
             self.assertGreater(np.median(np.delete(distances, motion.right)), 50)
-            self.assertLess(motion.scores[motion.right].max(), np.delete(motion.scores, motion.right).min(), "--scores=1 tells all")
+            self.assertLess(motion.scores[motion.right].max(), np.delete(motion.scores, motion.right).min(),
+                            "with --scores=1, all right matches must have better scores")
             # The points fill a cube of side 200, for which size() is half of the side.
             self.assertAlmostEqual(motion.size() / (motion.scale * 100), 1, delta=0.15)
 
@@ -130,7 +131,7 @@ class SyntheticMotionTest(ProgramTest):
         spaces.write_motion(self.path("pairs", "rigid", "0000"), alone)
         row = self.benchmark(["USACV20"], "--threshold=2")[0]["USACV20"][0]
         self.assertTrue(49 <= int(row["inliers"]) <= 52, row)
-        self.assertEqual(row["failed"], "1", "a motion that is not the right one")
+        self.assertEqual(row["failed"], "1", "the second motion is not the right one")
 
     def test_same_options_write_the_same(self):
         texts = []

@@ -54,7 +54,8 @@ class StructuredTest(FolderTest):
         self.assertEqual([row["method"] for row in rows], methods)
         one, many = rows
         self.assertEqual((one["calls"], one["limited"], float(one["mean_iterations"])), ("50", "50", 1))
-        self.assertEqual((one["failures"], one["failures_low"], one["failures_high"]), ("0", "0", "1"), "none ended by itself")
+        self.assertEqual((one["failures"], one["failures_low"], one["failures_high"]), ("0", "0", "1"),
+                         "all searches must end at the limit of iterations, so no call is left for this proportion")
         self.assertGreaterEqual(int(one["limited_failures"]), 46)
         self.assertGreaterEqual(int(one["wrong"]), 40)
         self.assertLess(int(many["failures"]) + int(many["limited_failures"]), 15)
@@ -94,7 +95,7 @@ class StructuredTest(FolderTest):
         for problem, kind in {key[:2] for key in of}:
             self.assertLessEqual(of[problem, kind, methods[0]][0], 1, (problem, kind))
             self.assertEqual(of[problem, kind, methods[1]], (10, 10), (problem, kind))
-        self.assertEqual(len(text.split("| H |")), 3, "one line for each kind")
+        self.assertEqual(len(text.split("| H |")), 3, "the table must have one line for each of the two kinds")
         for option in ("--ratios=0.5", "--motions=general", "--orders=none", "--noises=1", "--problems=P"):
             done = self.run_program("--mode=random", option)
             self.assertEqual(done.returncode, 1, option)
@@ -105,12 +106,13 @@ class StructuredTest(FolderTest):
             self.assertIn("--motions: %s is unknown" % motion, self.run_program("--mode=accuracy", "--motions=" + motion).stderr)
         rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=baseline1,general", "--noises=0.2", "--ratios=1", "--runs=20")
         short, long = (float(row["median_pose"]) for row in rows if row["method"] == "USACV20")
-        self.assertGreater(short, 10 * long, "the direction of a hundredth of the baseline is less certain")
+        self.assertGreater(short, 10 * long, "the error of the translation's direction must be much larger")
 
     def test_counts_are_consistent(self):
         rows, _ = self.rows("--problems=H,E", "--methods=USACV20_FAST,cv:RANSAC", "--kinds=clustered,copies,second",
                             "--orders=none,0.05", "--sizes=20,50", "--ratios=0.5,0.9", "--runs=6")
-        self.assertEqual(len(rows), 2 * (2 + 1) * (2 * 2 + 2 * 2 + 2), "OpenCV's flag takes no scores; `second` has no ratio")
+        self.assertEqual(len(rows), 2 * (2 + 1) * (2 * 2 + 2 * 2 + 2), "cv:RANSAC uses no scores; ratios do not apply to "
+                                                                       "`second`")
         for row in rows:
             counts = {name: int(row[name]) for name in COUNTS}
             self.assertEqual(counts["calls"], 6)
@@ -129,7 +131,7 @@ class StructuredTest(FolderTest):
         rows, text = self.rows("--by=kind", *arguments)
         lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("|")]
         self.assertEqual([line[0] for line in lines], ["kind", "---", "generic", "plane95"])
-        self.assertEqual(len({len(line) for line in lines}), 1, "columns of head and body")
+        self.assertEqual(len({len(line) for line in lines}), 1, "head and body must have the same number of columns")
         for line in lines[2:]:
             cells = [row for row in rows if row["kind"] == line[0]]
             self.assertEqual(int(line[2]), sum(int(row["calls"]) for row in cells))
@@ -138,8 +140,8 @@ class StructuredTest(FolderTest):
             self.assertEqual(line[4].split(":")[0], "%.1f" % (10 * worst) if worst else "-")
         _, brief = self.rows("--by=kind", "--table=brief", *arguments)
         for line, cells in zip(lines[2:], [line.split(" | ") for line in brief.splitlines() if line.startswith("|")][2:]):
-            self.assertEqual(["| " + line[0], line[2], line[3] + " |"], cells, "the same figures")
-        self.assertGreater(sum(int(row["failures"]) for row in rows), 0, "with a confidence of 0.3")
+            self.assertEqual(["| " + line[0], line[2], line[3] + " |"], cells, "both tables must have the same figures")
+        self.assertGreater(sum(int(row["failures"]) for row in rows), 0, "with a confidence of 0.3, some searches must fail")
 
     def test_is_deterministic(self):
         arguments = ("--problems=E", "--kinds=line", "--orders=0.8", "--sizes=50", "--ratios=0.5", "--runs=5")

@@ -113,7 +113,8 @@ class SyntheticViewTest(ProgramTest):
             self.assertLess(errors[view.right].max(), 1e-3)
             self.assertGreater(np.median(np.delete(errors, view.right)), 50)
             self.assertTrue(4 - 1e-5 < depths.min() < 5 and 8 < depths.max() < 9 + 1e-5, depths)
-            self.assertLess(view.scores[view.right].max(), np.delete(view.scores, view.right).min(), "--scores=1 tells all")
+            self.assertLess(view.scores[view.right].max(), np.delete(view.scores, view.right).min(),
+                            "with --scores=1, all right matches must have better scores")
             self.assertTrue((view.points > 0).all() and (view.points < (640, 480)).all())
 
     def test_plane(self):
@@ -144,7 +145,7 @@ class SyntheticViewTest(ProgramTest):
         views.write_view(self.path("pairs", "view", "0000"), alone)
         row = self.benchmark(["cv:USAC_DEFAULT"], "--threshold=1")[0]["cv:USAC_DEFAULT"][0]
         self.assertTrue(50 <= int(row["inliers"]) <= 52, row)
-        self.assertEqual(row["failed"], "1", "a pose that is not the right one")
+        self.assertEqual(row["failed"], "1", "the second pose is not the right one")
 
     def test_same_options_write_the_same(self):
         texts = []
@@ -183,7 +184,7 @@ class SyntheticViewTest(ProgramTest):
             self.assertEqual((table["auc5"], table["auc10"], table["auc20"]), ("", "", ""))
         self.assertEqual({row["problem"] for row in runs["cv:RANSAC"]}, {"H"})
         self.assertEqual(tables["average", "cv:USAC_FAST"]["median_error"], tables["planar", "cv:USAC_FAST"]["median_error"],
-                         "degrees and pixels have no mean")
+                         "errors in degrees must not be averaged with errors in pixels")
         self.assertNotEqual(tables["average.P", "cv:USAC_FAST"]["median_error"], "")
 
     def test_threshold_is_in_pixels_of_the_image(self):

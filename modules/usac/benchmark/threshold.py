@@ -97,8 +97,9 @@ def print_lists(errors, factors, methods, out):
 
 
 def print_ratios(errors, factors, methods, out):
-    print("\n## Error over that with the right threshold\n\nGeometric mean over lists (their number; broken: fails on half of the "
-          "runs or more, but not with the right threshold).\n", file=out)
+    print("\n## Error over that with the right threshold\n\nRatio of the median errors, geometric mean over lists. In brackets: "
+          "the number of these lists and, if there are any, of broken lists (at least half of the runs fail, but not with the "
+          "right threshold).\n", file=out)
     print("| threshold | problem | %s |\n|---|---|%s" % (" | ".join(methods), "---|" * len(methods)), file=out)
     problems = [p for p in RIGHT if any(key[0] == p for key in errors)]
     for k, factor in enumerate(factors[1:], 1):
@@ -133,8 +134,8 @@ def estimated_row(problem, name, rows, best, usual):
 
 
 def draw(curves, file):
-    """Draws `curves`, which is {problem: {"given" or "estimated": {factor of the threshold: ratio of
-    errors}}}."""
+    """Draws `curves`, which is {problem: {"given" or "estimated": {factor of the right threshold:
+    ratio of errors}}}."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
@@ -142,8 +143,8 @@ def draw(curves, file):
     for axis, (problem, lines) in zip(axes[0], curves.items()):
         for name, style in (("given", "o-"), ("estimated", "s--")):
             axis.plot(list(lines[name]), list(lines[name].values()), style, label="USACV20" if name == "given" else "USACV20_AUTO")
-        axis.set(xscale="log", yscale="log", title=problem, xlabel="(largest) threshold / usual one", xticks=[0.25, 1, 3, 10],
-                 yticks=[1, 1.2, 1.5, 2, 3])
+        axis.set(xscale="log", yscale="log", title=problem, xlabel="(largest) threshold / right threshold",
+                 xticks=[0.25, 1, 3, 10], yticks=[1, 1.2, 1.5, 2, 3])
         axis.set_xticklabels(["1/4", "1", "3", "10"])
         axis.set_yticklabels(["1", "1.2", "1.5", "2", "3"])
         axis.minorticks_off()
@@ -202,12 +203,17 @@ def run(args, out):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="usac_benchmark", metavar="FILE", help="usac_benchmark, if it is not in the path")
+    parser.add_argument("--program", default="usac_benchmark", metavar="FILE",
+                        help="path of usac_benchmark, needed if it is not on the PATH")
     parser.add_argument("--data", action="append", metavar="DIR", help="folder of data; may be repeated")
     parser.add_argument("--list", action="append", metavar="FILE", help="list of pairs; may be repeated")
-    parser.add_argument("--methods", default=METHODS, help="as for usac_benchmark (default: %(default)s)")
-    parser.add_argument("--factors", default="1,2,4", help="of the threshold, the right one first (default: %(default)s)")
-    parser.add_argument("--estimated", metavar="METHOD", help="as USACV20_AUTO; --methods and --factors have no effect then")
+    parser.add_argument("--methods", default=METHODS, help="methods, as for usac_benchmark (default: %(default)s)")
+    parser.add_argument("--factors", default="1,2,4",
+                        help="factors of the right threshold; errors are compared with those for the first factor (default: "
+                             "%(default)s)")
+    parser.add_argument("--estimated", metavar="METHOD",
+                        help="method that estimates the threshold, such as USACV20_AUTO; --methods and --factors then have no "
+                             "effect")
     parser.add_argument("--plot", metavar="FILE", help="draw the result of --estimated (needs matplotlib)")
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--seed", type=int, default=1)

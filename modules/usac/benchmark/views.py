@@ -47,7 +47,8 @@ class View:
         require(abs(np.linalg.det(self.K)) > 0, "K: singular")
         require(np.abs(self.R @ self.R.T - np.eye(3)).max() < 1e-3 and np.linalg.det(self.R) > 0, "R: no rotation")
         require(len(self.dist_coeffs) in _DISTORTION, "distCoeffs: expected 4, 5, 8, 12 or 14 coefficients")
-        require(self.right is None or all(0 <= i < count for i in self.right), "gt_mask: expected numbers of matches")
+        require(self.right is None or all(0 <= i < count for i in self.right),
+                "gt_mask: expected numbers of matches, counted from 0")
         require(np.median(self.depths()[self.right or slice(None)]) > 0, "t: the scene is behind the camera")
 
 

@@ -42,8 +42,8 @@ if(BUILD_PYTHON)
     "${CMAKE_CURRENT_LIST_DIR}/debian/postinst" "${CMAKE_CURRENT_LIST_DIR}/debian/prerm")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "colmap, python3-distributed, python3-h5py, python3-matplotlib, python3-tqdm")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "USACv20 robust estimation for OpenCV, Python package
- usacv20.findHomography and its kin, beside any cv2 or without; usacv20-collection
- for all pairs of a collection of images.")
+ usacv20.findHomography and similar functions, which need no cv2; the command
+ usacv20-collection for all image pairs of a collection.")
 endif()
 
 if(BUILD_SAMPLES)
@@ -55,7 +55,8 @@ if(BUILD_SAMPLES)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${PROJECT_BINARY_DIR}")
   set(CPACK_DEBIAN_BENCHMARK_PACKAGE_DEPENDS "${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME} (= ${PROJECT_VERSION})")
   set(CPACK_COMPONENT_BENCHMARK_DESCRIPTION "USACv20 robust estimation for OpenCV, benchmark programs
- usac_benchmark and its kin: estimators on lists of image pairs and on scenes.")
+ Programs such as usac_benchmark, which measure estimators on lists of image
+ pairs and on synthetic scenes.")
 endif()
 
 include(CPack)

@@ -8,7 +8,8 @@
 #   [text](folder/name.hpp)                    the page of the source
 #   [text](folder/name.markdown)               the page whose label is in the first line of that file
 #   [text](folder/name.png), .cff, LICENSE     the file next to the page, see HTML_EXTRA_FILES
-# The comments around quoted figures are removed, because doxygen also removes the space behind a comment.
+# The comments that mark generated numbers (<!-- figures: ... -->) are removed, because doxygen also removes the space after a
+# comment.
 
 function name_of(path) # doc/file.md: file
 {

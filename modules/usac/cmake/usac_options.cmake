@@ -18,7 +18,7 @@ endif()
 if(CMAKE_VERSION VERSION_LESS 3.18 OR CMAKE_CXX_COMPILER_LAUNCHER)
   set(_unite OFF)
 endif()
-option(USAC_PRECOMPILED_HEADERS "Parse the headers once per target, stand-alone" ${_precompile})
+option(USAC_PRECOMPILED_HEADERS "Parse the headers once per target; no effect in a build inside OpenCV" ${_precompile})
 option(USAC_UNITY_BUILD "Compile the files of a folder together, so that templates are instantiated once; needs CMake 3.18" ${_unite})
 
 include(CheckCXXCompilerFlag)

@@ -14,8 +14,8 @@
 find_package(GTest REQUIRED)
 find_package(Threads REQUIRED)
 
-option(USAC_COUNT_ALLOCATIONS "The tests count calls of malloc; OFF where it belongs to a tool" ON)
-option(USAC_THREADS_BACKEND "The tests run parallel_for_ by misc/sanitize/threads_backend.cpp, not by the threads of OpenCV" OFF)
+option(USAC_COUNT_ALLOCATIONS "The tests count calls of malloc; OFF if a tool such as a sanitizer replaces malloc" ON)
+option(USAC_THREADS_BACKEND "The tests run cv::parallel_for_ with misc/sanitize/threads_backend.cpp, not with OpenCV's threads" OFF)
 
 set(_tests "${USAC_MODULE_DIR}/test")
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS "${_tests}/*.cpp")

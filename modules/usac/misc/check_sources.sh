@@ -41,9 +41,9 @@ grep -oE '^USACV20_PROBLEM\(\w+, \w+, \w+, (IMAGES|SPACES)' "$src/problems/regis
     allowed="$allowed $(printf "$python/package/usacv20/%s " __init__.py _enumerations.py _problems.py)"
     [ "$found" = "$allowed" ] || echo "$type: $found"
 done > "$mistakes"
-report "problems that stand in other files outside $src/problems than their three declarations and what make_names.py writes"
+report "problems named in files outside $src/problems, apart from their three declarations and the files of make_names.py"
 /usr/bin/python3 "$python/make_names.py" --check > "$mistakes" || [ -s "$mistakes" ] || echo "make_names.py failed" > "$mistakes"
-report "declarations that the table of problems does not have, or files that make_names.py would write otherwise"
+report "declarations that do not match the table of problems, or files that make_names.py would write differently"
 find "$src" modules/usac/include modules/usac/test modules/usac/benchmark samples -name '*.[ch]pp' -exec awk 'END { if (NR > 500) print FILENAME ": " NR " lines" }' {} \; > "$mistakes"
 report "files of more than 500 lines"
 find "$src" modules/usac/include modules/usac/test modules/usac/benchmark samples -name '*.[ch]pp' -exec awk 'length > 100 { print FILENAME ":" FNR ": " length " columns" }' {} \; > "$mistakes"
@@ -51,12 +51,12 @@ report "lines of more than 100 columns"
 if command -v clang-format > /dev/null && clang-format --version | grep -q 'version 14'; then
     find "$src" modules/usac/include modules/usac/test modules/usac/perf modules/usac/benchmark samples -name '*.[ch]pp' -exec clang-format --dry-run {} + 2>&1 |
         sed -n 's/:[0-9]*:[0-9]*: .*//p' | sort -u > "$mistakes"
-    report "not as .clang-format has it"
+    report "not formatted as .clang-format requires"
 fi
 grep -ohE '`(src|test)/[A-Za-z0-9_/*.]+`' doc/paper_map.md doc/design.md | tr -d '`' | sort -u | while read -r path; do
     compgen -G "modules/usac/$path" > /dev/null || echo "$path"
 done > "$mistakes"
-report "files that doc/ names and that are not there"
+report "files that doc/ names and that do not exist"
 find README.md doc modules/usac -name '*.md' -o -name '*.markdown' | while read -r document; do
     grep -noE '\]\([A-Za-z0-9_./-]+[)#]' "$document" | tr -d ')#' | while IFS=: read -r line link; do
         [ -e "$(dirname "$document")/${link#](}" ] || echo "$document:$line: ${link#](}"
@@ -65,7 +65,7 @@ done > "$mistakes"
 grep -noE '\brun: .*' .github/workflows/*.yml | sed -E 's/run: (sh )?//' | while IFS=: read -r workflow line command; do
     [ -f "${command%% *}" ] || echo "$workflow:$line: ${command%% *}"
 done >> "$mistakes"
-report "links and scripts of workflows that are not there"
+report "broken links, and scripts of workflows that do not exist"
 # Each folder of the tests must also exist in $src, except contracts (tests with arbitrary input), fuzz
 # (the fuzzer and its stored inputs), runs (tests of whole estimations), and support (scenes, oracles
 # and other shared code).
@@ -96,7 +96,7 @@ grep -rnoE '#include "[a-z_]+/' --include='*.[ch]pp' "$src"/*/ | grep -v opencv2
     [ "${lower:-99}" -lt "${upper:-0}" ] || echo "$place includes from $to/"
 done > "$mistakes"
 find "$src" -maxdepth 1 -name '*.[ch]pp' ! -name precomp.hpp >> "$mistakes"
-report "files without a folder, and folders that include from those below them"
+report "files without a folder, and folders that include files of folders that are not above them in the list of layers"
 /usr/bin/python3 modules/usac/benchmark/measure.py --check > "$mistakes" || [ -s "$mistakes" ] || echo "measure.py --check failed" > "$mistakes"
 report "figures that are not as measured, or older than the last change of results"
 rm "$mistakes"

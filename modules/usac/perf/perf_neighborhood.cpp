@@ -13,8 +13,8 @@ namespace {
 typedef TestBaseWithParam<int> UsacSize;
 
 // The tests measure work that a run does at most once: building the neighborhood graph and sorting
-// the points. One call does this work for as many runs as have 1000000 points in total, so that a
-// millisecond per call is a nanosecond per point.
+// the points. One test cycle does this work as often as necessary for 1000000 points in total, so
+// that a millisecond per cycle is a nanosecond per point.
 
 const int POINTS = 1000000;
 

@@ -42,7 +42,7 @@ struct PerfScene
 
     const Params params;
     std::vector<uchar> truth;  //!< for each row of the input, 1 if it is a true match
-    Model model;               //!< the true model in internal coordinates
+    Model model;               //!< the true model, in the coordinates of Usac::points()
     const Ptr<Usac> usac;
     Arena arena;
     const Context context;

@@ -41,8 +41,8 @@ private:
     const Ptr<Residual> known;
 };
 
-//! One call rates a model as often as necessary for 1000000 points in total, so that a millisecond
-//! per call is a nanosecond per point.
+//! One test cycle rates a model as often as necessary for 1000000 points in total, so that a
+//! millisecond per cycle is a nanosecond per point. (With EARLY_EXIT, not all points are tested.)
 PERF_TEST_P(UsacScore, rate_1000000points,
             testing::Combine(ResidualKind::all(), ScoreKind::all(), RatingWay::all(),
                              testing::Values(100, 1000, 10000, 100000)))

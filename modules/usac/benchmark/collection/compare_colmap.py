@@ -194,7 +194,7 @@ def showPairs(path1: str, path2: str, name1: str, name2: str, cameras: Dict[str,
                for key, rows, data in connection.execute("SELECT pair_id, rows, data FROM matches ORDER BY pair_id")}
     connection.close()
     tables = [uc.verified(path1), uc.verified(path2)]
-    print("\npairs with other configurations (inliers, of them within {} px of the true epipolar lines), {} | {}".format(
+    print("\npairs with other configurations: inliers (of these, within {} px of the true epipolar lines), {} | {}".format(
         limit, name1, name2))
 
     def right(key: int, rows: npt.NDArray[np.uint32]) -> str:
@@ -216,20 +216,26 @@ def showPairs(path1: str, path2: str, name1: str, name2: str, cameras: Dict[str,
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description="Verification of a collection: COLMAP's and that of usacv20.")
+    parser = argparse.ArgumentParser(description="Compares COLMAP's verification of the pairs of a collection with that of "
+                                                 "usacv20.")
     parser.add_argument("work", metavar="WORK", help="folder for databases")
     parser.add_argument("--images", metavar="FOLDER")
-    parser.add_argument("--database", metavar="FILE", help="with keypoints and matches; it is copied")
-    parser.add_argument("--cameras", metavar="FILE", help="cameras.json: the true ones")
+    parser.add_argument("--database", metavar="FILE",
+                        help="COLMAP's database with keypoints and matches; only copies of it are changed")
+    parser.add_argument("--cameras", metavar="FILE", help="cameras.json, the true cameras")
     parser.add_argument("--focal", nargs="+", choices=("known", "unknown", "given"), default=["known", "unknown"])
-    parser.add_argument("--threshold", nargs="+", default=["4"], help="pixels, or auto; one run for each (default 4, as COLMAP)")
-    parser.add_argument("--method", nargs="+", default=["USACV20"], help="presets, one run for each")
-    parser.add_argument("--repeats", type=int, default=5, help="verifications (default %(default)s)")
-    parser.add_argument("--seeds", type=int, default=3, help="reconstructions of each (default %(default)s)")
-    parser.add_argument("--colmap", metavar="PROGRAM", help="the rival, and whose mapper goes on (default: colmap on the PATH)")
+    parser.add_argument("--threshold", nargs="+", default=["4"],
+                        help="thresholds of usacv20 in pixels, or auto; one verification for each (default 4, that of COLMAP)")
+    parser.add_argument("--method", nargs="+", default=["USACV20"], help="methods of usacv20; one verification for each")
+    parser.add_argument("--repeats", type=int, default=5, help="runs of each verification (default %(default)s)")
+    parser.add_argument("--seeds", type=int, default=3, help="runs of the mapper for each verification (default %(default)s)")
+    parser.add_argument("--colmap", metavar="PROGRAM",
+                        help="COLMAP's program, for its verification and its mapper (default: colmap on the PATH)")
     parser.add_argument("--mapper", choices=("mapper", "global_mapper"), default="mapper", help="default %(default)s")
-    parser.add_argument("--pairs", action="store_true", help="list the pairs with other configurations")
-    parser.add_argument("--limit", type=float, default=4.0, help="pixels")
+    parser.add_argument("--pairs", action="store_true",
+                        help="list the pairs for which the verifications find different configurations")
+    parser.add_argument("--limit", type=float, default=4.0,
+                        help="--pairs: largest distance of a right match from the true epipolar lines, pixels")
     options = parser.parse_args()
     if options.images is None and options.database is None:
         parser.error("--images or --database is needed")

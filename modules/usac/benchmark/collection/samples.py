@@ -21,8 +21,8 @@ is missed if its result is wrong or has fewer than I / 2 right inliers. There ar
 
 - collections: pairs of synthetic collections (rings of cameras, streets and courts) with all matches;
 - scattered: a quarter of the matches is right; right and wrong matches are anywhere in both images;
-- photographs: of the right matches of a pair in COLMAP's database (error below 0.6 px with the true
-  cameras), 16 to 50 are drawn, and three times as many random pairs of keypoints are added.
+- photographs: of the right matches of a pair in COLMAP's database (Sampson distance below 0.6 px with
+  the true cameras), 16 to 50 are drawn, and three times as many random pairs of keypoints are added.
 
 cost: measures CPU milliseconds of pairs without and with overlap, with --threshold auto. Lost pairs are
 counted, too: those that are found only with up to four times as many samples (confidence 1 - 10^-12
@@ -264,7 +264,7 @@ def main() -> int:
     parser.add_argument("--seeds", type=int, default=2, help="collections of each kind (default %(default)s)")
     parser.add_argument("--unknown", action="store_true", help="cost: the focal lengths are not known")
     parser.add_argument("--database", help="counted: COLMAP's database with keypoints and matches of photographs")
-    parser.add_argument("--cameras", help="counted: their true cameras, see compare_colmap.py")
+    parser.add_argument("--cameras", help="counted: the true cameras of these photographs, see compare_colmap.py")
     options = parser.parse_args()
     if bool(options.database) != bool(options.cameras):
         parser.error("--database and --cameras belong together")

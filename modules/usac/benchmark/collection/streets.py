@@ -281,13 +281,14 @@ def verified(street: Street, path: str, options: Dict[str, Any]) -> Tuple[Count,
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description="Pairs of streets and courts with repeated windows: which are kept.")
+    parser = argparse.ArgumentParser(description="Counts the pairs that the verification keeps, in synthetic streets and courts "
+                                                 "with repeated windows.")
     parser.add_argument("--layout", nargs="+", choices=("street", "alike", "court"), default=["street", "alike", "court"])
     parser.add_argument("--images", type=int, default=24)
     parser.add_argument("--seeds", type=int, default=3, help="collections of each layout (default %(default)s)")
     parser.add_argument("--unknown", action="store_true", help="the focal lengths are not known")
     parser.add_argument("--significance", type=float, nargs="+", default=[1e-4])
-    parser.add_argument("--keep", metavar="FOLDER", help="for the databases; default: they are removed")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder in which the databases are kept (default: they are removed)")
     options = parser.parse_args()
     print("{:<8}{:>8}{:>7}{:>9}{:>7}{:>8}{:>7}{:>12}{:>7}{:>6}{:>8}".format(
         "layout", "chance", "loops", "overlap", "kept", "without", "kept", "calibrated", "right", "lost", "CPU s"))

@@ -157,7 +157,7 @@ TABLES = {table.__name__: table for table in (noise, sample, poses, constants)}
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tables", nargs="*", metavar="TABLE", help="some of {}; default all".format(", ".join(TABLES)))
-    parser.add_argument("--pairs", type=int, default=60, help="of a collection (default %(default)s)")
+    parser.add_argument("--pairs", type=int, default=60, help="number of pairs of a collection (default %(default)s)")
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args()
     if set(args.tables) - set(TABLES):

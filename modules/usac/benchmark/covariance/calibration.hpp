@@ -27,21 +27,22 @@ public:
     //! Mean of the squared Mahalanobis distance divided by the number of parameters; 1 if the
     //! covariance is calibrated.
     double mean() const { return sum / determined; }
-    //! Fraction of these models whose 95 % confidence region contains the true model.
+    //! Fraction of the models() whose 95 % confidence region contains the true model.
     double inside() const { return (double)within / determined; }
     //! Mean ratio of estimated to true noise, over the scenes whose model is not wrong and whose
     //! noise was estimated.
     double sigma() const { return sigmas / estimated; }
-    //! Geometric mean of the ratio of the model's error to that of weighted least squares over the
-    //! right matches. It is defined only if SceneCell::spread is not 1. A scene is left out if its
-    //! model is wrong or missing, or if the estimator without Params::sigmas has no model, or one
-    //! with an error above 1000 thresholds.
+    //! Geometric mean over scenes of the ratio of the model's error to that of weighted least
+    //! squares over the right matches. It is defined only if SceneCell::spread is not 1. A scene is
+    //! left out if its model is wrong or missing, or if the estimator without Params::sigmas has no
+    //! model, or one with an error above 1000 thresholds.
     double relativeError() const { return std::exp(logs[0] / compared); }
     //! The same ratio for the estimator without Params::sigmas.
     double relativeErrorWithoutSigmas() const { return std::exp(logs[1] / compared); }
 
     static std::string header(
-        bool compared);  //!< the header of a Markdown table without the first two columns
+        bool compared);  //!< the header of a Markdown table without the first two columns;
+                         //!< compared: with the columns of the two relative errors
     //! A row of this table without the first two columns.
     std::string row() const;
 

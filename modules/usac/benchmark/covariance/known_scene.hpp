@@ -15,11 +15,12 @@ namespace benchmark {
 struct SceneCell
 {
     cv::usacv20::ProblemType problem;
-    std::string shape;  //!< H, A, S: plane; F, E: general, forward, plane50; E also plane95; P, R,
-                        //!< M: cloud or plane (letters: see problemLetters())
+    std::string shape;  //!< H, A, S, T: plane; F, E: general, forward, plane50; E also plane95; P,
+                        //!< R, M: cloud or plane (letters: see letterOf())
     int size;           //!< number of matches
     double ratio;       //!< inlier ratio
-    double noise;  //!< standard deviation of each component of the error, divided by the threshold
+    double noise;  //!< standard deviation of each component of a right match's error, divided by
+                   //!< the threshold
     double threshold;  //!< pixels; R, M: in the unit in which the cloud is a cube of side 2
     double spread;     //!< noise of every second match, divided by that of the others; if it is not
                        //!< 1, the estimator gets these ratios as Params::sigmas

@@ -21,27 +21,32 @@ using namespace cv::usacv20;
 
 namespace {
 
-const char
-    KEYS[] = "{help h usage ? | | print this }"
-             "{problems       |H,F,E,A,S,P,R,M| which }"
-             "{shapes         |plane,cloud,general,forward,plane50,plane95| H, A, S: plane; F: "
-             "general, "
-             "forward, plane50; E: the same, and plane95; P, R, M: cloud, plane }"
-             "{sizes          |20,100,1000| numbers of matches }"
-             "{ratios         |0.1,0.3,0.5,0.7,0.95| parts of right matches }"
-             "{noises         |0.1,0.3,1| standard deviation of each component of the error, in "
-             "thresholds }"
-             "{spread         |1| noise of every second match, in units of that of the others; if "
-             "not 1, the estimator gets it as Params::sigmas, and its error is compared }"
-             "{least          |6| least number of right matches beyond a sample; cells with less, "
-             "and F and E "
-             "with less than 0.3 of them right, are left out }"
-             "{scenes         |10000| of each problem, the same number of each of its cells }"
-             "{preset         |USACV20| USACV20, USACV20_AUTO (given three times the threshold), "
-             "USACV20_MAGSAC, leastSquares (USACV20 with POLISHING_LEAST_SQUARES) }"
-             "{by             |problem,shape,size,ratio,noise| a table for each }"
-             "{seed           |1| of the first scene }"
-             "{threads        |1| given to cv::setNumThreads; -1: all processors }";
+const char KEYS
+    [] = "{help h usage ? | | print this }"
+         "{problems       |H,F,E,A,S,P,R,M| H homography, F and E fundamental and essential "
+         "matrix, A affinity, S similarity, T translation, P absolute pose, R rigid motion of "
+         "3D space, M the same with a scale }"
+         "{shapes         |plane,cloud,general,forward,plane50,plane95| kinds of scenes; H, A, "
+         "S, T: plane; F: general, forward (motion along the optical axis), plane50 (half of "
+         "the points on a plane); E: the same, and plane95; P, R, M: cloud, plane }"
+         "{sizes          |20,100,1000| numbers of matches }"
+         "{ratios         |0.1,0.3,0.5,0.7,0.95| fractions of right matches }"
+         "{noises         |0.1,0.3,1| standard deviations of each component of the error, "
+         "divided by the threshold }"
+         "{spread         |1| noise of every second match, divided by that of the others; if it "
+         "is not 1, the estimator gets these ratios as Params::sigmas, and its error is "
+         "compared with that without sigmas }"
+         "{least          |6| minimum number of right matches in addition to those of a minimal "
+         "sample; cells with fewer, and cells for F and E with a fraction of right matches "
+         "below 0.3, are left out }"
+         "{scenes         |10000| minimum number of scenes of each problem; each cell of a "
+         "problem gets the same number }"
+         "{preset         |USACV20| USACV20, USACV20_AUTO (with three times the threshold), "
+         "USACV20_MAGSAC, leastSquares (USACV20 with POLISHING_LEAST_SQUARES) }"
+         "{by             |problem,shape,size,ratio,noise| properties of scenes; a table for "
+         "each }"
+         "{seed           |1| seed of the first scene of each cell; each further scene adds 1 }"
+         "{threads        |1| argument of cv::setNumThreads; -1: all processors }";
 
 struct Options
 {
@@ -85,7 +90,8 @@ bool parse(int argc, char** argv, Options& options)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Calibration of Report::covariance on synthetic scenes.");
+    parser.about(
+        "Measures on synthetic scenes how well Report::covariance describes the errors of models.");
     if (parser.has("help"))
     {
         parser.printMessage();

@@ -34,7 +34,7 @@ void tukeyQuality(cv::usacv20::Usac& usac)
 }
 
 //! An example for wholeEstimator, which accepts any function that makes a model from points. This
-//! one calls OpenCV's RANSAC, so its accuracy equals that of the method cv:RANSAC.
+//! one calls OpenCV's RANSAC, so its models are those of the method cv:RANSAC.
 Estimate opencvRansac(const Task& task)
 {
     const Settings& settings = task.settings;

@@ -52,7 +52,8 @@ Estimate echo(const Task& task)
     return estimate;
 }
 
-//! Returns the identity for any matches, with a mask in which all matches are inliers.
+//! Returns the identity (or its first rows) for any matches, with a mask in which all matches are
+//! inliers.
 Estimate identity(const Task& task)
 {
     Estimate estimate;

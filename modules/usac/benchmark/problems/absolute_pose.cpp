@@ -12,7 +12,8 @@ namespace benchmark {
 
 namespace {
 
-//! Problem P: the pose [R | t] of a camera from object points and their images, x ~ R X + t.
+//! Problem P: the pose [R | t] of a camera from object points X and their images, which are at
+//! K (R X + t) apart from the lens distortion.
 //! centerError() is the distance between the estimated and the true camera center, in percent of
 //! the median depth of the scene (ImagePair::depth).
 class AbsolutePose : public MotionKind

@@ -10,8 +10,8 @@ namespace benchmark {
 
 namespace {
 
-//! Problem A: an affine map from image 1 to image 2. The default settings are those of calib3d's
-//! function.
+//! Problem A: an affine map from image 1 to image 2. The default threshold and limit of
+//! iterations are those of cv::estimateAffine2D in calib3d.
 class Affinity : public PlaneMap
 {
 public:

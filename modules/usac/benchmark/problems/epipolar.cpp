@@ -46,7 +46,8 @@ Rays raysOf(const ImagePair& pair, const cv::Mat& mask)
     return result;
 }
 
-//! Number of correspondences with positive depths a, b. From a R x1 + t = b x2 it follows that
+//! Number of correspondences whose depths a (camera 1) and b (camera 2) are both positive. For
+//! viewing rays x1, x2 with the third entry 1, it follows from a R x1 + t = b x2 that
 //! a cross(R x1, x2) = cross(x2, t) and b cross(R x1, x2) = cross(R x1, t).
 int countInFront(const Rays& rays, const cv::Matx33d& R, const cv::Vec3d& t)
 {

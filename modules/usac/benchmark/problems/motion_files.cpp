@@ -57,7 +57,8 @@ void readMotionTruth(const TruthReader& in, char letter, bool scaled, ImagePair&
     in.require(hasT, "t", "needed");
     pair.hasPose = true;
     pair.depth = sizeOf(pair, pair.right);
-    in.require(pair.depth > 0, "gt_mask", "the scene is one point");
+    in.require(pair.depth > 0, "gt_mask",
+               "the scene is one point, because all right points of space 2 are equal");
 }
 
 }  // namespace benchmark

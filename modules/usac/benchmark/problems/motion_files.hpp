@@ -16,7 +16,7 @@ void readSpacePoints(const std::string& file, ImagePair& pair);
 
 /** Reads the true motion between two spaces. The points must have been read before. Raises
 std::runtime_error with file and line if something is missing or wrong.
-@param letter letter of the problem, which the file must allow
+@param letter letter of the problem; it is an error if the member `problem` of the file excludes it
 @param scaled false: a scale other than 1 is an error */
 void readMotionTruth(const TruthReader& in, char letter, bool scaled, ImagePair& pair);
 

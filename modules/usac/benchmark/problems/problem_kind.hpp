@@ -47,8 +47,9 @@ public:
     virtual double modelCost(const ImagePair& pair, const cv::Mat& model,
                              double threshold) const = 0;
     virtual double poseError(const ImagePair& pair, const Estimate& estimate) const;
-    //! Error of the camera center in percent of the depth of the scene; R and M: another measure in
-    //! percent, see RigidMotion. Infinite without a model; negative for all other problems.
+    //! Problem P: error of the camera center in percent of the depth of the scene; R and M (motions
+    //! of 3D space): another measure in percent, see RigidMotion. Infinite without a model;
+    //! negative for all other problems.
     virtual double centerError(const ImagePair& pair, const cv::Mat& model) const;
     //! True if the estimate is a failure; by default, if the error is above failureLimit() or NaN.
     //! @param error, centerError results of modelError() and centerError()
@@ -66,8 +67,8 @@ public:
                             Estimate& estimate) const = 0;
 
 protected:
-    //! Called by the default of read(): raises an exception if the pair lacks something that the
-    //! problem needs in addition to true points. Default: checks nothing.
+    //! Called by the default of read(): raises an exception if the pair lacks ground truth
+    //! that the problem needs in addition to true points. Default: checks nothing.
     virtual void checkTruth(const TruthReader& in, const ImagePair& pair) const;
 };
 

@@ -13,8 +13,8 @@ namespace benchmark {
 
 namespace {
 
-//! The default threshold of cv::estimateAffine3D, and a number of iterations that suffices for an
-//! inlier ratio of 10 %.
+//! The threshold is the default of cv::estimateAffine3D. The number of iterations suffices for an
+//! inlier ratio of 10 % (samples of three points).
 const double THRESHOLD = 3;
 const int MAX_ITERATIONS = 10000;
 

@@ -15,15 +15,15 @@ namespace benchmark {
 The rotation of an estimated affine map is the rotation closest to its 3x3 part. centerError() is
 the root mean square distance between the right points of space 1 moved by the estimated and by the
 true motion, in percent of the size of the scene (ImagePair::depth); all points are used if it is
-unknown which are right. calib3d has no function for these problems; those of Rival are the most
-similar ones. */
+unknown which are right. calib3d has no function for these problems; the functions of Rival are the
+most similar ones. */
 class RigidMotion : public MotionKind
 {
 public:
     /** AFFINE3D: `cv::estimateAffine3D(points1, points2, model, mask, threshold, confidence)`,
     RANSAC for an affine map of space with at most 1000 samples of four points. AFFINE3D_REFIT: the
-    same, followed by a least-squares motion of the inliers (M: with a scale), which the overload
-    without a threshold computes. */
+    same, followed by a least-squares fit of a rigid motion (M: with a scale) to the inliers by the
+    overload without a threshold. */
     enum Rival { AFFINE3D = 1000, AFFINE3D_REFIT };
 
     explicit RigidMotion(bool scaled);

@@ -11,7 +11,7 @@ namespace benchmark {
 namespace {
 
 //! Problem S: a rotation, uniform scale and translation from image 1 to image 2. The default
-//! settings are those of calib3d's function.
+//! threshold and limit of iterations are those of cv::estimateAffinePartial2D in calib3d.
 class Similarity : public PlaneMap
 {
 public:

@@ -9,7 +9,7 @@ namespace benchmark {
 namespace {
 
 //! Problem T: a translation from image 1 to image 2. OpenCV 4 has no function for this problem, so
-//! the default settings are those of problem S.
+//! the default threshold and limit of iterations are those of problem S (similarity).
 class Translation : public PlaneMap
 {
 public:

@@ -66,7 +66,7 @@ void checkTruePoints(const TruthReader& in, const ImagePair& pair)
 {
     in.require(!pair.truth1.empty(), "gt_points", "none, the error cannot be measured");
     in.require(pair.hasHomography || !pair.truthIsHomography, "H",
-               "needed where gt_kind is homography");
+               "needed because gt_kind is homography");
 }
 
 }  // namespace benchmark

@@ -14,12 +14,12 @@ namespace benchmark {
 //! with file and line if a line has another form.
 void readCorrespondences(const std::string& file, ImagePair& pair);
 
-//! Reads the ground truth of an image pair. Raises std::runtime_error if it has a wrong form or
-//! does not allow the problem `letter`.
+//! Reads the ground truth of an image pair. Raises std::runtime_error if the file has a wrong form,
+//! or if its member `problem` excludes the problem `letter`.
 void readTwoViewTruth(const TruthReader& in, char letter, ImagePair& pair);
 
 //! Raises an exception if the error of a model cannot be measured, because true points are missing,
-//! or because H is missing although it is the ground truth.
+//! or because H is missing although the file says that H is the ground truth.
 void checkTruePoints(const TruthReader& in, const ImagePair& pair);
 
 }  // namespace benchmark

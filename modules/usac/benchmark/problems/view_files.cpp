@@ -80,7 +80,7 @@ void readIndices(const Json& json, int size, std::vector<int>& indices)
     {
         const double index = value.number();
         if (!(index >= 0 && index < size && index == (int)index))
-            throw std::runtime_error("expected numbers of matches, the first one 0");
+            throw std::runtime_error("expected numbers of matches, counted from 0");
         indices.push_back((int)index);
     }
 }

@@ -21,8 +21,9 @@ void readScores(const std::string& file, ImagePair& pair);
 //! `null`. @param size number of matches
 void readIndices(const Json& json, int size, std::vector<int>& indices);
 
-//! Reads the camera and its true pose. The points must have been read before. The file must allow
-//! the problem `letter`.
+//! Reads the camera and its true pose. The points must have been read before. Raises
+//! std::runtime_error if something is missing or wrong, or if the member `problem` of the file
+//! excludes the problem `letter`.
 void readViewTruth(const TruthReader& in, char letter, ImagePair& pair);
 
 }  // namespace benchmark

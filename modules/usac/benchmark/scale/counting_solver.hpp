@@ -11,7 +11,8 @@
 namespace benchmark {
 
 /** Wraps a minimal solver and records its samples and the first models. It is not thread-safe.
-together() keeps its default of 1, so that only samples that the run uses are solved. */
+together(), the number of samples that a run solves at once, keeps its default of 1, so that no
+samples are solved that the run does not use. */
 class CountingSolver : public cv::usacv20::MinimalSolver
 {
 public:

@@ -11,9 +11,9 @@ namespace benchmark {
 
 /** A verifier that counts the points that models of minimal samples are tested with.
 
-A verifier is called before and after each block of points, so it can count all tested points.
-Blocks and decisions are those of the wrapped verifier; if there is none, the blocks are those of a
-run without a verifier, and no model is rejected. It is not thread-safe. */
+A run calls the verifier before and after each block of points, so the verifier can count all tested
+points. Blocks and decisions are those of the wrapped verifier; if there is none, the blocks are
+those of a run without a verifier, and no model is rejected. It is not thread-safe. */
 class CountingVerifier : public cv::usacv20::Verifier
 {
 public:

@@ -4,8 +4,8 @@
 
 // Measures how the time of robust estimators grows with the number of matches and with the fraction
 // of outliers on synthetic scenes. For the module's methods it also compares the time of the search
-// with a lower bound: the time that only the minimal solver and the kernel (the computation of
-// errors) need.
+// with a lower bound: the time that the minimal solver and the kernel (the computation of errors)
+// take alone.
 //
 //     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
 //     python3 modules/usac/benchmark/plot_scale.py scale.csv --out=pictures
@@ -87,14 +87,13 @@ void run(const ScaleOptions& options)
     for (size_t i = 0; i < options.methods.size(); ++i)
         methods.push_back(createMethod(options.methods[i]));
     cv::setNumThreads(options.threads);
-    std::cout << "# Scale\n\nOpenCV " << cv::getVersionString() << "; synthetic scenes, noise "
-              << options.noise << " px, " << options.repeats << " of each kind, seed "
-              << options.seed << ", threads " << options.threads
-              << ".\n\nTimes over size and part of right matches: median CPU time of a call, ms / "
-                 "median error, px / "
-                 "failures, %; -: "
-                 "not run, as the call before took more than "
-              << options.limit << " ms.\n";
+    std::cout
+        << "# Scale\n\nOpenCV " << cv::getVersionString() << "; synthetic scenes, noise "
+        << options.noise << " px, " << options.repeats << " of each kind, seed " << options.seed
+        << ", threads " << options.threads
+        << ".\n\nEntries of tables of times: median CPU time of a call, ms / median error, px / "
+           "failures, %; -: not run, because the median call on easier scenes took more than "
+        << options.limit << " ms.\n";
     if (options.sweepSizes || options.sweepInliers)
         runSweeps(options, methods);
     if (options.bound)

@@ -12,34 +12,33 @@ namespace benchmark {
 namespace {
 
 const char KEYS[] = "{help h usage ? | | print this }"
-                    "{measure        |size,inliers,bound| what to do; size: time over the number "
-                    "of matches; inliers: over the part of "
-                    "right "
-                    "ones; bound: time of the search over its lower bound }"
-                    "{problems       |H,F,E| which }"
-                    "{methods        |USACV20,USACV20_FAST,cv:USAC_FAST,cv:USAC_MAGSAC| names with "
-                    "commas as for usac_benchmark; "
-                    "bound: those of "
-                    "the module }"
+                    "{measure        |size,inliers,bound| what to measure. size: time as a "
+                    "function of the number of matches; inliers: time as a function of the "
+                    "fraction of right matches; bound: ratio of the time of the search to its "
+                    "lower bound }"
+                    "{problems       |H,F,E| H homography, F fundamental matrix, E essential "
+                    "matrix }"
+                    "{methods        |USACV20,USACV20_FAST,cv:USAC_FAST,cv:USAC_MAGSAC| names "
+                    "separated by commas, as for usac_benchmark; with --measure=bound, only those "
+                    "of the module are run }"
                     "{sizes          "
                     "|50,100,200,500,1000,2000,5000,10000,20000,50000,100000,200000,500000,1000000|"
-                    " numbers of matches "
-                    "}"
+                    " size: numbers of matches }"
                     "{parts          |0.9,0.8,0.7,0.6,0.5,0.4,0.3,0.25,0.2,0.15,0.1,0.07,0.05| "
-                    "parts of right matches }"
-                    "{boundParts     |0.1,0.2,0.3| the same for bound }"
-                    "{size           |2000| matches where they are not what changes }"
-                    "{part           |0.5| part of right matches where it is not what changes }"
-                    "{noise          |0.5| standard deviation of the right matches in each "
-                    "coordinate, pixels }"
-                    "{repeats        |9| scenes of each kind, with a seed of their own }"
+                    "inliers: fractions of right matches }"
+                    "{boundParts     |0.1,0.2,0.3| bound: fractions of right matches }"
+                    "{size           |2000| inliers, bound: number of matches }"
+                    "{part           |0.5| size: fraction of right matches }"
+                    "{noise          |0.5| standard deviation of the noise of each coordinate of "
+                    "the right matches, pixels }"
+                    "{repeats        |9| number of scenes of each kind, each with its own seed }"
                     "{limit          |2000| milliseconds; a method whose median call takes longer "
                     "is not run on harder scenes }"
-                    "{maxIters       | | most iterations (default: H 10000, F and E 1000) }"
-                    "{seed           |1| of the first scene, the next ones count up }"
-                    "{threads        |1| given to cv::setNumThreads; -1: all processors }"
-                    "{csv            | | file for the times }"
-                    "{boundCsv       | | file for the lower bounds }";
+                    "{maxIters       | | limit of iterations (default: H 10000, F and E 1000) }"
+                    "{seed           |1| seed of the first scene; each further scene adds 1 }"
+                    "{threads        |1| argument of cv::setNumThreads; -1: all processors }"
+                    "{csv            | | CSV file for the times }"
+                    "{boundCsv       | | CSV file for the lower bounds }";
 
 bool isPart(double value) { return value > 0 && value <= 1; }
 
@@ -126,11 +125,11 @@ bool ScaleOptions::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Time over the size and over the hardness of synthetic scenes, and the time of "
-                 "the search over its lower "
-                 "bound.\n"
-                 "Methods: " +
-                 knownMethods() + ".");
+    parser.about(
+        "Measures time as a function of the number and of the fraction of right matches of "
+        "synthetic scenes, and the ratio of the time of the search to its lower bound.\n"
+        "Methods: " +
+        knownMethods() + ".");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();

@@ -88,8 +88,8 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
     const cv::Ptr<Usac> counted = createUsac(scene, params);
     const Components original = counted->components();
     if (original.score->wholeModel())
-        throw std::runtime_error(method +
-                                 ": its quality looks at all points at once, they are not counted");
+        throw std::runtime_error(
+            method + ": its quality needs all points at once; tested points cannot be counted");
     const cv::Ptr<CountingSolver> solver = cv::makePtr<CountingSolver>(original.minimalSolver);
     const cv::Ptr<CountingVerifier> verifier = cv::makePtr<CountingVerifier>(original.verifier);
     counted->components().minimalSolver = solver;
@@ -109,15 +109,16 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
         createUsac(scene, params)->run(cv::noArray(), &report);
         if (report.iterations != expected.iterations || report.models != expected.models ||
             report.cost != expected.cost)
-            throw std::runtime_error(method + ": the run with counting components is another one");
+            throw std::runtime_error(method + ": the counting components have changed the run");
         search = std::min(search, report.searchMs);
         solving = std::min(solving, solverMsOf(*counted, *original.minimalSolver, *solver, found));
         if (found != solver->modelsOfAll())
-            throw std::runtime_error(method + ": the solver alone finds other models");
+            throw std::runtime_error(method +
+                                     ": the solver alone finds a different number of models");
         kernel = std::min(kernel, kernelMsOf(context, solver->models()));
     }
     samples += expected.iterations;
-    // solver->solved() would include the samples that polishing solves
+    // solver->solved() would also count samples that the final polishing solves
     solved += expected.iterations - expected.rejectedSamples;
     models += expected.models;
     points += verifier->tested();
@@ -130,12 +131,10 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
 void SearchBound::markdownHeader(std::ostream& out)
 {
     out << "\n## Search and its lower bound\n\n"
-           "Solved: samples that reach the solver. Points: those that a model was tested with, "
-           "mean. Bound: solver "
-           "alone for the "
-           "samples solved + kernel alone for the points. Last column: the ratio if all samples "
-           "drawn counted as "
-           "solved.\n\n"
+           "Solved: samples that reach the solver. Points: mean number of points that a model was "
+           "tested with. Bound: time of the solver alone for the solved samples + time of the "
+           "kernel alone for all tested points. Ratio: search / bound; last column: the same with "
+           "a bound in which all drawn samples count as solved.\n\n"
            "| problem | method | matches | right | samples | solved | models | points | search ms "
            "| solver us a sample "
            "| "

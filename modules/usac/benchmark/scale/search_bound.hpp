@@ -17,10 +17,10 @@ local optimization) with a lower bound: the time of the minimal solver for the s
 solved, plus the time of the kernel (the computation of errors) for the points that the models were
 tested with, each without the rest of the search.
 
-The solver is timed on the samples of the run; the kernel, on models of the run with all points. A
-run with counting components determines the numbers of samples and points; the same run without
-these components is timed. Each time is the minimum of several measurements, since the same
-instructions run each time. All runs use one thread. */
+The solver is timed on the samples of the run; the kernel is timed on models of the run with all
+points. A run with counting components determines the numbers of samples and points; the same run
+without these components is timed. Each time is the minimum of several measurements: these execute
+the same instructions, so longer times are due to disturbances. All runs use one thread. */
 class SearchBound
 {
 public:

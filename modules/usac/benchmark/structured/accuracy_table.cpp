@@ -53,8 +53,8 @@ std::string poseText(const std::vector<double>& poses, const std::vector<bool>& 
            cv::format(" (%.0f) |", percentOf(wrong));
 }
 
-//! The ratios values / by. Runs whose model is far from the truth are left out, since their ratios
-//! are arbitrary.
+//! The ratios values[i] / by[i] of the runs i. Runs whose model is far from the truth are left out,
+//! since their ratios are arbitrary.
 std::vector<double> quotients(const std::vector<double>& values, const std::vector<bool>& far,
                               const std::vector<double>& by)
 {

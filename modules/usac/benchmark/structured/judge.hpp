@@ -18,9 +18,10 @@ struct Verdict
                    //!< outlier
     bool failed;   //!< a search failure: worse, and more than 1 % of the true model's inliers have
                    //!< errors of more than two thresholds
-    bool far;      //!< `error` is above three thresholds and three standard deviations of the noise
+    bool far;      //!< `error` is above three thresholds and above three standard deviations of the
+                   //!< noise
     bool wrong;    //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
-    bool none;     //!< there is no model; worse, failed, far and wrong are then true, too
+    bool none;     //!< there is no model; `worse`, `failed`, `far` and `wrong` are then true, too
     double error;  //!< RMS distance of the noise-free right matches from the model, pixels;
                    //!< infinite without a model
     double poseError;  //!< degrees; negative for H and F
@@ -42,7 +43,8 @@ public:
 
     const cv::Mat& trueModel() const { return best; }
 
-    //! The least-squares fit to all right matches, with whose errors those of methods are compared.
+    //! The least-squares fit to all right matches. The errors of methods are compared with the
+    //! errors of this model.
     const cv::Mat& leastSquares() const { return fit; }
 
 private:

@@ -57,15 +57,16 @@ struct Cell
 @return false for any other name. */
 bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
 
-/** Sets the kind of wrong matches or repetitions by name. A row describes all wrong matches. For
-shiftN, movingN and placeN, it describes N percent of all matches; the other wrong ones are generic:
+/** Sets the kind of wrong matches or repetitions by name. Unless it says otherwise, a row describes
+all wrong matches. For shiftN, movingN and placeN, N is a number; the row describes wrong matches
+that are N percent of all matches, and the other wrong matches are generic:
 
     generic     anywhere in both images
     clustered   from a square of side 80 pixels in image 1 to one in image 2
     local       displaced from the true position in image 2 by 5 to 50 pixels
     manyToOne   about ten wrong matches share each point of image 2
-    targets     to one of two points of image 2
-    line        every second one to a point of one line of image 2, the others generic
+    targets     from anywhere in image 1 to one of two points of image 2
+    line        half of them to points on one line of image 2, the others generic
     planeN      generic; N percent of the right matches are on a plane (F, E)
     duplicates  generic; half of the right matches are copies of other right matches
     copies      generic; every match, right or wrong, occurs five times
@@ -73,12 +74,12 @@ shiftN, movingN and placeN, it describes N percent of all matches; the other wro
                 square of side 160 pixels
     partSecond  like second, but 70 % as many (at most all wrong matches); the others are generic
     shiftN      shifted by the same vector of 30 to 100 pixels
-    movingN     on a plane with another motion
+    movingN     true matches of another plane that moves differently from the scene
     placeN      to one point of image 2, with Gaussian noise of 0.4 pixels
     clusters    each point in one of five squares of side 20 pixels of its image
-    center      both points with a Cauchy distribution about the middle of their image
+    center      each point Cauchy-distributed about the middle of its image
     window      in image 2 up to 60 pixels per coordinate from the position in image 1
-    border      both points on the border of their image
+    border      each point on the border of its image
 
 @return false for any other name. */
 bool setKind(const std::string& name, opencv_test::SceneOptions& options);

@@ -24,7 +24,7 @@ struct Proportion
     double value, low, high;  //!< the proportion and its interval, 0 .. 1
 };
 
-/** Counts of the results of one method on the scenes of one or more cells. */
+/** Counts of the results of one method on the scenes of one or more cells (see Cell). */
 class Tally
 {
 public:

@@ -13,44 +13,46 @@ using namespace opencv_test;
 
 namespace {
 
-const char
-    KEYS[] = "{help h usage ? | | print this }"
-             "{out            | | folder of data to write to; made if it is not there }"
-             "{scene          |general| general: F and E; plane: F and E, many points on one "
-             "plane; planar: H; affinity: A; "
-             "similarity: S; translation: T; view: P, object points at any depth; viewPlane: P, on "
-             "a plane; rigid: "
-             "R, points of space; "
-             "rigidScaled: M, the same with a scale }"
-             "{name           | | of the data set (default: synthetic_<scene>) }"
-             "{pairs          |10| number of pairs }"
-             "{size           |1000| matches of a pair }"
-             "{inliers        |0.5| part of them that is right, above 0 }"
-             "{noise          |0.5| standard deviation of the right matches in each coordinate, "
-             "pixels; R, M: in space 2, where "
-             "the cloud is 200 wide times the scale }"
-             "{planeFraction  |0.8| --scene=plane: part of the right matches that is on the plane }"
-             "{thickness      |0| --scene=viewPlane: standard deviation of the distances from the "
-             "plane over its own distance; "
-             "R, M: if given, the cloud is a plane with that part of its width, else a cube }"
-             "{distortion     |0| P: first radial coefficient of the camera, -0.5 to 0.5 }"
-             "{duplicates     |0| part of the right matches that repeats others }"
-             "{angle          |12| rotation between the cameras, degrees; not for P, R and M, "
-             "where any pose is drawn }"
-             "{outliers       |uniform| wrong matches; uniform: anywhere; local: right but for 5 "
-             "to 50 pixels in image 2; "
-             "manyToOne: about ten with the same point of image 2, that of a right match; "
-             "clustered: from one square of 80 "
-             "pixels to another; second: they agree with another model, in a square of 160 pixels "
-             "(P, R, M: as "
-             "many as half of the right ones, the others are anywhere). P, R, M: not local and "
-             "manyToOne; R, M: cubes of an "
-             "eighth and a quarter of the width }"
-             "{scores         |0.5| probability that a right match has a better score than a wrong "
-             "one; 0.5: scores tell "
-             "nothing, "
-             "1: all }"
-             "{seed           |1| of the first pair, the next ones count up }";
+const char KEYS
+    [] = "{help h usage ? | | print this }"
+         "{out            | | folder of data to write to; made if it does not exist }"
+         "{scene          |general| general: for F and E (fundamental and essential matrix), "
+         "points at any depth; plane: for F and E, many points on one plane; planar: for H "
+         "(homography); affinity: for A; similarity: for S; translation: for T; view: for P "
+         "(absolute pose), object points at any depth; viewPlane: for P, object points on a "
+         "plane; rigid: for R (rigid motion), points of 3D space; rigidScaled: for M, the same "
+         "with a scale }"
+         "{name           | | name of the data set (default: synthetic_<scene>) }"
+         "{pairs          |10| number of pairs }"
+         "{size           |1000| number of matches of a pair }"
+         "{inliers        |0.5| fraction of the matches that are right, above 0 }"
+         "{noise          |0.5| standard deviation of the noise of each coordinate of the right "
+         "matches, pixels; R, M: only in space 2, where the cloud of points is 200 * scale "
+         "wide }"
+         "{planeFraction  |0.8| --scene=plane: fraction of the right matches that are on the "
+         "plane }"
+         "{thickness      |0| --scene=viewPlane: standard deviation of the distances of the "
+         "object points from the plane, divided by the distance of the plane from the camera; "
+         "R, M: if given, the cloud is flat, and this is the standard deviation of the "
+         "distances from its plane, divided by the width of the cloud (without this option, "
+         "the cloud is a cube) }"
+         "{distortion     |0| P: first radial distortion coefficient of the camera, -0.5 to "
+         "0.5 }"
+         "{duplicates     |0| fraction of the right matches that are copies of other right "
+         "matches }"
+         "{angle          |12| angle of the rotation between the cameras, degrees; not for P, R "
+         "and M, whose poses and motions have random rotations }"
+         "{outliers       |uniform| the wrong matches. uniform: anywhere; local: right matches "
+         "displaced in image 2 by 5 to 50 pixels; manyToOne: about ten wrong matches share the "
+         "image 2 point of a right match; clustered: from one square of side 80 pixels to "
+         "another; second: they agree with another model, within a square of side 160 pixels of "
+         "image 1 (P, R, M: at most half as many as right matches; the other wrong ones are "
+         "uniform). local and manyToOne: not for P, R and M; R, M: instead of squares, cubes "
+         "whose sides are an eighth (clustered) and a quarter (second) of the width of the "
+         "cloud }"
+         "{scores         |0.5| probability that a right match has a better score than a wrong "
+         "one; 0.5: scores are not informative; 1: all right matches have better scores }"
+         "{seed           |1| seed of the first pair; each further pair adds 1 }";
 
 bool isPart(double value) { return value >= 0 && value <= 1; }
 
@@ -102,7 +104,7 @@ const Kind& find(const Kind (&kinds)[count], const std::string& name, const char
     throw std::runtime_error(std::string("--") + option + ": expected one of " + names);
 }
 
-//! Refuses options that do not apply to the chosen kind of scene.
+//! Raises std::runtime_error for options that do not apply to the chosen kind of scene.
 void requireKinds(const std::string& scene, const SceneCommand& command, const Arguments& arguments)
 {
     require(scene == "plane" || arguments.all("planeFraction").empty(),
@@ -141,8 +143,8 @@ void readImages(const cv::CommandLineParser& parser, const std::string& scene,
             "--size, --inliers: there is no right match");
 }
 
-//! Copies the options that views and motions of space share with image pairs, and refuses kinds of
-//! wrong matches that exist for image pairs only.
+//! Copies the options that views and motions of space share with image pairs. Raises
+//! std::runtime_error for kinds of wrong matches that exist for image pairs only.
 template <class Options>
 void readMatches(const SceneOptions& images, Options& options)
 {
@@ -182,8 +184,8 @@ bool SceneCommand::parse(int argc, char** argv)
 {
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
-    parser.about("Writes synthetic scenes with exact truth as data for usac_benchmark. The same "
-                 "options write the same files.");
+    parser.about("Writes synthetic scenes with exact ground truth as data for usac_benchmark. The "
+                 "same options always write the same files.");
     if (parser.has("help") || argc == 1)
     {
         parser.printMessage();

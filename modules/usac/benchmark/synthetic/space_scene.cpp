@@ -20,7 +20,7 @@ namespace {
 const double WIDTH = 200, DISTANCE = 300;
 //! Sides of the cubes of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL.
 const double CLUSTER = WIDTH / 8, PATCH = WIDTH / 4;
-//! Second motion: limits of its rotation in degrees, and length of its shift.
+//! Second motion (OUTLIERS_SECOND_MODEL): limits of its rotation in degrees, length of its shift.
 const double MIN_TURN = 15, MAX_TURN = 40, SHIFT = 0.15 * WIDTH;
 const double LARGEST_SCALE = 2;
 

@@ -11,7 +11,8 @@
 
 namespace benchmark {
 
-//! Options of a synthetic cloud of points before and after a motion of space.
+//! Options of a synthetic cloud of 3D points before (space 1) and after (space 2) a motion: a
+//! rotation, a translation and, if `scaled`, a scale.
 struct SpaceOptions
 {
     SpaceOptions()
@@ -19,8 +20,8 @@ struct SpaceOptions
           thickness(0), outlierModel(opencv_test::OUTLIERS_UNIFORM), scoreInformation(0.5), seed(1)
     {}
 
-    int inliers, outliers;
-    int duplicates;    //!< number of right matches that are copies of other right matches
+    int inliers, outliers;  //!< numbers of right and of wrong matches
+    int duplicates;         //!< number of right matches that are copies of other right matches
     double noise;      //!< standard deviation of each coordinate in space 2, where the width of the
                        //!< cloud is 200 * scale
     bool scaled;       //!< true: the scale is between 1/2 and 2; false: the scale is 1

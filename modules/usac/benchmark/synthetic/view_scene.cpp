@@ -22,7 +22,7 @@ const double WIDTH = opencv_test::SCENE_WIDTH, HEIGHT = opencv_test::SCENE_HEIGH
 const double NEAREST = 4, FARTHEST = 9, MIDDLE = 6.5, LEAST_DEPTH = 1, MOST_DEPTH = 20;
 const double MAX_TILT = 50, MIN_TURN = 15,
              MAX_TURN = 40;  //!< degrees: largest tilt of the plane; limits of the rotation between
-                             //!< the true and the second pose
+                             //!< the true pose and that of OUTLIERS_SECOND_MODEL
 //! Sides in pixels of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL.
 const double CLUSTER = 80, PATCH = 160;
 

@@ -75,7 +75,7 @@ int program(int argc, char** argv)
     std::cout
         << "| problem | right | initial model | most samples | median error | failures, % | "
            "samples | CPU, ms | "
-           "ratio | frames lost behind the jump |\n|---|---|---|---|---|---|---|---|---|---|\n";
+           "ratio | frames lost after the jump |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for (ProblemType problem : options.problems)
         for (double ratio : options.ratios)
         {

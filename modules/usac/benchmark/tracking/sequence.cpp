@@ -67,8 +67,8 @@ ImagePair Sequence::frame(int number) const
     setPose(number, pair);
     cv::RNG rng(0x51ed270b + 7919 * (uint64)options.seed + 104729 * (uint64)number);
     const bool plane = options.problem == cv::usacv20::HOMOGRAPHY;
-    // maps pixels of the picture (image 1) to the plane Z = 0; the picture shows this plane as seen
-    // by a camera without rotation in the middle of the path
+    // `place` maps pixels of the picture (image 1) to the plane Z = 0; the picture shows this plane
+    // as seen by a camera without rotation at (0, 0, -DISTANCE), the middle of the camera's path
     const Matx33d place(DISTANCE / FOCAL, 0, -WIDTH / 2 * DISTANCE / FOCAL, 0, DISTANCE / FOCAL,
                         -HEIGHT / 2 * DISTANCE / FOCAL, 0, 0, 1);
     const Matx33d& R = pair.R;

@@ -12,17 +12,20 @@ namespace {
 
 const char KEYS
     [] = "{help h usage ? | | print this }"
-         "{problems       |P,H| of the sequences }"
-         "{ratios         |0.2,0.35,0.6| parts of right matches }"
-         "{limits         |1,8,32,128| most samples, in addition to the default of the problem }"
-         "{frames         |300| of a sequence; before the middle one the camera jumps }"
+         "{problems       |P,H| P absolute pose, H homography }"
+         "{ratios         |0.2,0.35,0.6| fractions of right matches }"
+         "{limits         |1,8,32,128| limits of iterations per frame; the default limit of the "
+         "problem is measured, too }"
+         "{frames         |300| frames of a sequence; the camera jumps just before the middle "
+         "frame }"
          "{size           |1000| matches of a frame }"
-         "{noise          |0.5| standard deviation of the right matches in each "
-         "coordinate, pixels }"
-         "{speed          |2| 1: about 1.4 pixels a frame }"
-         "{sequences      |3| with a seed of their own }"
-         "{seed           |1| of the first sequence, the next ones count up }"
-         "{csv            | | file for the figures }";
+         "{noise          |0.5| standard deviation of the noise of each image coordinate of the "
+         "right matches, pixels }"
+         "{speed          |2| speed of the camera; 1: image points move by about 1.4 pixels per "
+         "frame }"
+         "{sequences      |3| number of sequences, each with its own seed }"
+         "{seed           |1| seed of the first sequence; each further sequence adds 1 }"
+         "{csv            | | CSV file for the figures }";
 
 }  // namespace
 
@@ -31,7 +34,7 @@ bool TrackingOptions::parse(int argc, char** argv)
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
     parser.about(
-        "What the model of the frame before gives a tracker: sequences with and without it.");
+        "Measures how the model of the previous frame, as initial model, helps a tracker.");
     if (parser.has("help"))
     {
         parser.printMessage();
@@ -63,7 +66,7 @@ bool TrackingOptions::parse(int argc, char** argv)
     speed = numberOf(parser, "speed");
     csv = parser.get<cv::String>("csv");
     require(frames > 1 && size > 0 && sequences > 0,
-            "--frames, --size, --sequences: expected numbers above 0, 1");
+            "--frames: expected 2 or more; --size, --sequences: expected 1 or more");
     require(noise >= 0 && speed >= 0 && seed >= 0, "--noise, --speed, --seed: expected 0 or more");
     return true;
 }

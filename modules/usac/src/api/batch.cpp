@@ -83,7 +83,8 @@ std::vector<Task> makeTasks(ProblemType problem, InputArrayOfArrays points1,
                    name2, (int)count, (int)second.size()));
     if (params.size() != 1 && params.size() != count)
         CV_Error_(Error::StsUnmatchedSizes,
-                  ("params: 1 or %d are expected, not %d", (int)count, (int)params.size()));
+                  ("params: one for all tasks or one for each of the %d tasks is expected, not %d",
+                   (int)count, (int)params.size()));
     std::vector<Task> tasks;
     tasks.reserve(count);
     for (size_t i = 0; i < count; ++i)

@@ -62,10 +62,11 @@ public:
                             problem->toInput(searched, points, normal) &&
                             problem->toOutput(normal).size() == numbers.size();
         if (!usable)
-            CV_Error_(Error::StsBadArg,
-                      ("model: %d x %d numbers with %d channel(s), which are no model of the "
-                       "problem %s",
-                       matrix.rows, matrix.cols, matrix.channels(), problem->name().c_str()));
+            CV_Error_(
+                Error::StsBadArg,
+                ("model: the %d x %d numbers with %d channel(s) are not a model of the problem "
+                 "%s",
+                 matrix.rows, matrix.cols, matrix.channels(), problem->name().c_str()));
         here = rule->plus(normal, std::vector<double>(rule->dimension()).data());
     }
 
@@ -196,8 +197,10 @@ Mat pointCovariance(ProblemType problem, InputArray model, InputArray covariance
     {
         second = readPoints(points2.getMat(), given.kind().coordinates(1), "points2", scope);
         if (second.rows != first.rows)
-            CV_Error_(Error::StsUnmatchedSizes,
-                      ("points1 and points2: lists of %d and %d points", first.rows, second.rows));
+            CV_Error_(
+                Error::StsUnmatchedSizes,
+                ("points1 and points2: lists of the same length are expected, not of %d and %d",
+                 first.rows, second.rows));
     }
     const int k = prediction.components();
     Mat result(first.rows, k * k, CV_64F);

@@ -48,7 +48,7 @@ void checkScore(const Score& score)
             CV_Error_(Error::StsOutOfRange,
                       ("components().score: %d points %s have the cost %g and %d inliers; a cost "
                        "from 0 to 1 per point is expected, "
-                       "and that points without error are inliers",
+                       "and points without error must be inliers",
                        (int)COUNT, far ? "far from the model" : "without error", sum.cost,
                        sum.inliers));
     }
@@ -75,7 +75,8 @@ void checkProblem(const Problem& problem, int residual)
     if (problem.dimension() < 1 || m * dimensions < problem.dimension())
         CV_Error_(
             Error::StsOutOfRange,
-            ("problem %s: %d points with errors of %d dimensions cannot determine a model of %d",
+            ("problem %s: %d points with errors of %d dimensions cannot determine a model with %d "
+             "degrees of freedom",
              name.c_str(), m, dimensions, problem.dimension()));
     const SampleCost cost = problem.sampleCost();
     if (!(cost.time > 0 && cost.models > 0))

@@ -42,8 +42,8 @@ Usac::~Usac() {}
 namespace {
 
 //! Time per point to sort the points, in point tests of 2 ns (see Watch). For a million points,
-//! sorting takes 130 ns per point by scores and 80 ns by density. The value only affects when a run
-//! with a time limit skips this step or ends.
+//! sorting by scores takes 130 ns per point, and by density 80 ns. The value only affects when a
+//! run with a time limit skips this step or ends.
 constexpr double SORT_WORK = 65;
 
 }  // namespace
@@ -54,9 +54,8 @@ void State::sort(const Context& context)
     int* const sorted = context.arena.take<int>(size);
     for (int i = 0; i < size; ++i)
         sorted[i] = i;
-    const double work = size *
-                        SORT_WORK;  // without time to sort, the order is 0, 1, 2, ...; samples
-                                    // are then uniform, because the points are shuffled
+    const double work = size * SORT_WORK;  // without time to sort, the order is 0, 1, 2, ..., which
+                                           // is a random order, because the points are shuffled
     const bool timely = !context.watch || (context.watch->fits(work) && !context.watch->stop(work));
     if (context.components.ordering && timely)
         context.components.ordering->sort(context, sorted);

@@ -11,7 +11,8 @@ namespace cv {
 namespace usacv20 {
 
 //! Time per point to find repetitions in both arrays, in point tests of 2 ns, the unit of Watch:
-//! 150 ns for a million points. The value only affects when a run with a time limit ends.
+//! 150 ns per point if there are a million points. The value only affects when a run with a time
+//! limit ends.
 constexpr double REPETITION_WORK = 75;
 
 /** @brief Number of independent inliers: inliers in the same cell of an array count once.
@@ -35,8 +36,8 @@ int independentInliers(const double* const* columns, const int* coordinates, con
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);
 //! The same for both arrays: marks inliers that repeat an earlier inlier in one of the arrays. The
-//! side of the cells is `threshold`, but 0 in the first array if its unit differs, see
-//! Problem::commonUnit.
+//! side of the cells is `threshold`, in the coordinates of the last array (converted for the first
+//! array), but 0 in the first array if its unit differs, see Problem::commonUnit.
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 

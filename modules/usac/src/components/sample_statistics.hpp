@@ -13,7 +13,8 @@ namespace usacv20 {
 @param exact true: sampling without replacement, C(inliers, m) / C(n, m); false: (inliers / n)^m */
 double goodSampleProbability(double inliers, int n, int m, bool exact = true);
 //! Number of samples needed: the smallest k with (1 - p)^k <= failure, where p is the probability
-//! that a sample is good and logFailure = log(failure). INT_MAX if k would be larger, or if p is 0.
+//! that a sample is good, and `logFailure` is the logarithm of the accepted probability `failure`
+//! that no sample is good. INT_MAX if k would be larger, or if p is 0.
 int samplesNeeded(double p, double logFailure);
 
 /** @brief Probability that a wrong model, computed from m of n points, has at least `inliers`

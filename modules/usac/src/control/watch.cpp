@@ -10,11 +10,11 @@ namespace usacv20 {
 
 namespace {
 
-// Without a time limit and a ProgressScope, results do not depend on these constants, see
-// doc/constants.md.
+// If there is neither a time limit nor a ProgressScope, results do not depend on these constants,
+// see doc/constants.md.
 
-//! Milliseconds between two calls of the progress functions, about a third of a frame of a 60-Hz
-//! display.
+//! Milliseconds between two calls of the progress functions: about a third of the time for which a
+//! 60-Hz display shows a frame.
 constexpr double LOOK_PERIOD = 5;
 //! Milliseconds that a point test is assumed to take. If this is half the actual time, a run can
 //! end too late, by at most half the duration of a step that cannot be interrupted; if it is double

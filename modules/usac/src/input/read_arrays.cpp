@@ -120,11 +120,12 @@ Matx33d readCamera(InputArray array, const char* name)
     const double focalProduct = K(0, 0) * K(1, 1);
     if (!checkRange(Mat(3, 3, CV_64F, K.val)) || K(0, 0) == 0 || K(1, 1) == 0 || K(2, 0) != 0 ||
         K(2, 1) != 0 || !(std::abs(determinant(K)) > 1e-12 * std::abs(focalProduct * K(2, 2))))
-        CV_Error_(Error::StsBadArg,
-                  ("%s: an invertible matrix with focal lengths other than 0, last row 0 0 1, is "
-                   "expected, fx = %g, "
-                   "fy = %g, determinant = %g, last row %g %g %g",
-                   name, K(0, 0), K(1, 1), determinant(K), K(2, 0), K(2, 1), K(2, 2)));
+        CV_Error_(
+            Error::StsBadArg,
+            ("%s: an invertible matrix with focal lengths other than 0 and the last row 0 0 1 "
+             "is expected, not fx = %g, "
+             "fy = %g, determinant = %g, last row %g %g %g",
+             name, K(0, 0), K(1, 1), determinant(K), K(2, 0), K(2, 1), K(2, 2)));
     return K * (1 / K(2, 2));  // a multiple of K describes the same camera
 }
 

@@ -10,11 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** Computes mean (`center`), mean absolute deviation, minimum (`low`) and maximum (`high`) of
-values. If outlying values would dominate the means, center and deviation are medians instead.
-Outlying values dominate if a single value is very far out, or if the mean deviation is far larger
-than the spread of most values. This spread is that of the first values, so the values must be in
-random order. All results are 0 if `count` is 0. */
+/** Computes mean (`center`), mean absolute deviation from the mean (`deviation`), minimum (`low`)
+and maximum (`high`) of values. If outlying values would dominate the means, `center` and
+`deviation` are medians instead. Outlying values dominate if a single value is very far out, or if
+the mean deviation is far larger than the spread of most values. This spread is estimated from the
+first values, so the values must be in random order. All results are 0 if `count` is 0. */
 void robustFrame(const double* values, int count, double& center, double& deviation, double& low,
                  double& high, Arena& arena);
 

@@ -2,12 +2,13 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* The five-point solver @cite nister2004efficient for several samples at once. The epipolar
-constraints of five points are satisfied by all E = x X + y Y + z Z + W (see EssentialBasis). Ten
-cubic constraints on E are reduced to a 3x3 matrix B(z) of polynomials with a determinant of degree
-10. The real roots of the determinant are the values of z; the null vectors of B(z) give x and y.
-Solutions that violate the constraints even after a correction are rejected. No include guard:
-lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
+/* The five-point solver @cite nister2004efficient for several samples at once, each in one lane of
+the vector registers (see pack.inl.hpp). The epipolar constraints of five points are satisfied by
+all E = x X + y Y + z Z + W (see EssentialBasis). Ten cubic constraints on E are reduced to a 3x3
+matrix B(z) of polynomials with a determinant of degree 10. The real roots of the determinant are
+the values of z; the null vectors of B(z) give x and y. Solutions that violate the constraints even
+after a correction are rejected. No include guard: lanes/lane_kernels.inl.hpp includes this file
+once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {
@@ -132,8 +133,8 @@ inline void combine(const FiveBasis& basis, const Pack& x, const Pack& y, const 
         E[i] = x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + basis[3][i];
 }
 
-//! Solutions (x, y, z) of all samples that need a correction. They are corrected together, one in
-//! each lane. lanes[i] is the lane of the sample to which solution i belongs.
+//! All solutions (x, y, z) that need a correction, of all samples. They are corrected together, one
+//! in each lane. lanes[i] is the lane of the sample to which solution i belongs.
 struct Inexact
 {
     enum { MOST = MAX_MODELS * WIDTH };

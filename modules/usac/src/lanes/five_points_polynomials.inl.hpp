@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* The polynomials of the five-point solver, for several samples at once. No include guard:
-lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
+/* The polynomials of the five-point solver, for several samples at once, each in one lane of the
+vector registers (see pack.inl.hpp). No include guard: lanes/lane_kernels.inl.hpp includes this file
+once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {

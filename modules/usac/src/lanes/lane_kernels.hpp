@@ -16,7 +16,7 @@ constexpr double LEAST_RATIO = 1e-6;
 
 /** Solves several samples at once, each in one lane of the vector registers. The models of a sample
 do not depend on the other samples.
-@param samples `count` samples, see MinimalSolver::solve
+@param samples `count` samples, see MinimalSolver::solveMany
 @param count 1 to MinimalSolver::MAX_TOGETHER, the number of lanes of the widest registers
 @param models output: 3x3 matrices of unit norm, row by row
 @param found output: number of models of each sample */
@@ -41,7 +41,7 @@ Kernels avx2Kernels();
 Kernels avx512Kernels();
 #endif
 
-//! The processor's fastest kernels for this many samples.
+//! The kernels that solve this number of samples in the shortest time on this processor.
 const Kernels& kernelsFor(int samples);
 
 }  // namespace lanes

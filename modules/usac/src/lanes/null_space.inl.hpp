@@ -3,8 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 /* Computes the matrices that satisfy the epipolar constraints of the points of a sample, for
-several samples at once. No include guard: lanes/lane_kernels.inl.hpp includes this file once for
-each instruction set. */
+several samples at once, each in one lane of the vector registers (see pack.inl.hpp). No include
+guard: lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {

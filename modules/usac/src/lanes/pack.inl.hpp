@@ -67,8 +67,8 @@ inline int bitsOf(const Mask& mask)
 #endif
 }
 
-//! Counts in each lane how often two numbers have different sign bits; 0 counts as positive, -0 as
-//! negative.
+//! Counts, in each lane, those pairs passed to add() whose numbers have different sign bits; 0
+//! counts as positive, -0 as negative.
 class SignChanges
 {
 public:

@@ -2,13 +2,13 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-/* The seven-point solver @cite hartley2003multiple for several samples at once. The epipolar
-constraints are satisfied by all F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t).
-Repeated matches lower the rank of the constraints, so that the sample is degenerate. If each match
-has its point in image 1 on a line l1 or its point in image 2 on a line l2, for example if five
-points of an image are collinear, one solution is l2 l1^T, which has rank 1 and is not a fundamental
-matrix. No include guard: lanes/lane_kernels.inl.hpp includes this file once for each instruction
-set. */
+/* The seven-point solver @cite hartley2003multiple for several samples at once, each in one lane of
+the vector registers (see pack.inl.hpp). The epipolar constraints are satisfied by all
+F = s F1 + t F2; det F = 0 is a homogeneous cubic in (s, t). Repeated matches lower the rank of the
+constraints, so that the sample is degenerate. If each match has its point in image 1 on a line l1
+or its point in image 2 on a line l2, for example if five points of an image are collinear, one
+solution is l2 l1^T, which has rank 1 and is not a fundamental matrix. No include guard:
+lanes/lane_kernels.inl.hpp includes this file once for each instruction set. */
 
 namespace cv {
 namespace usacv20 {

@@ -23,9 +23,9 @@ constexpr double DIFFERENT = 0.1;
 //! model that shares fewer inliers describes another motion; the cost alone then decides.
 constexpr double SHARED = 0.5;
 //! Weight of the log-likelihood of the order relative to the gain, to which an inlier without error
-//! contributes 1. For comparison: if errors were independent, MSAC's unit of cost would be a
-//! log-likelihood of 1.9 (errors with one component) or 3 (two components). A larger value gives
-//! the order more influence.
+//! contributes 1. For comparison: with independent Gaussian errors and a threshold at their 0.95
+//! quantile, one unit of MSAC's cost is a log-likelihood of 1.9 (errors with one component) or 3
+//! (two components). A larger value gives the order more influence.
 constexpr double WORTH = 1;
 //! Minimum advantage of an alternative over the model of largest gain, in standard deviations of
 //! the log-likelihood. Each point that is an inlier of only one of these two models changes the
@@ -37,6 +37,7 @@ constexpr int LOOKED = 4096;
 //! Number of points that are inliers of only one of two models.
 int difference(const InlierBits& a, const InlierBits& b) { return a.without(b) + b.without(a); }
 
+//! True if two models have nearly the same inliers, see DIFFERENT.
 bool same(const InlierBits& a, const InlierBits& b)
 {
     return a.without(b) <= DIFFERENT * a.count() && b.without(a) <= DIFFERENT * b.count();

@@ -14,9 +14,9 @@ namespace usacv20 {
 struct Alternative
 {
     Candidate candidate;
-    bool sampled;  //!< the model comes from a sample
+    bool sampled;  //!< true: `candidate.sample` led to the model; false: there is no such sample
     InlierBits inliers;
-    double gain;  //!< number of points, which is the cost without any model, minus the cost
+    double gain;  //!< number of points (the cost if all points were outliers) minus the cost
 };
 
 /** @brief Optimized models whose cost is hardly higher than that of the best model, but whose
@@ -40,7 +40,8 @@ public:
     Alternatives(bool active, Arena& arena);
 
     bool active() const { return kept != 0; }
-    //! Stores the model if it is one of the models described above. To be called only if active().
+    //! Stores the model if its gain is high enough and if no stored model with at least this gain
+    //! has nearly the same inliers. To be called only if active(). @param sampled see Alternative
     void offer(const Context& context, const Candidate& candidate, bool sampled);
     //! False if there are fewer than two models, so that chosen() returns null for any order.
     bool contested() const { return count > 1; }

@@ -16,7 +16,7 @@ namespace {
 //! steps are enough for a sample of several times the minimal size. See doc/constants.md.
 constexpr int GC_FIT_STEPS = 3;
 
-/** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph as in this paper;
+/** @brief Local optimization of Graph-Cut RANSAC as in its paper @cite barath2018graph;
 GraphCutOptimizer is a faster variant.
 
 Each iteration finds the inliers of the model with a graph cut (Labeling) and fits models to random

@@ -15,8 +15,8 @@ namespace {
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! Maximum number of points of a fit to the inliers (MAX_INNER_FIT), and of a fit to the points
-//! within a shrinking threshold (MAX_SHRINK). While the inliers still change, fits to more points
-//! are slower but not better.
+//! within one of the shrinking thresholds (MAX_SHRINK). While the inliers still change, fits to
+//! more points are slower but not better.
 constexpr int MAX_INNER_FIT = 256, MAX_SHRINK = 64;
 //! Maximum number of Gauss-Newton steps of a fit from a model that does not yet fit the inliers
 //! well.
@@ -29,8 +29,8 @@ constexpr int LARGEST_PART = 2;
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold.
 constexpr int WIDEST = 3;
 //! An iteration is the last one unless it lowers the cost below this fraction of the previous cost.
-//! The first iteration takes place only if the cost is below this fraction of the cost of the best
-//! model so far.
+//! The first iteration takes place only if the fits with shrinking thresholds have lowered the cost
+//! below this fraction of the cost of the best model so far.
 constexpr double WORTHWHILE = 0.97;
 //! For Params::spatialWeight = 0: error, in thresholds, up to which a point is labeled as an
 //! inlier, as Labeling does for a point without edges. At this error, K (see Labeling) is 1 / 2.
@@ -38,17 +38,17 @@ const double LABELED = std::sqrt(2 * CV_LOG2);
 
 /** @brief Local optimization of Graph-Cut RANSAC @cite barath2018graph.
 
-First, as in LO-RANSAC @cite chum2003locally, the model is fitted to the points within a multiple of
-the threshold, which shrinks to the threshold itself. For a model of a minimal sample, the final
-threshold alone would lead to the nearest local optimum, because the few inliers within it confirm
-the model. Optimization ends after these fits unless the model is now clearly better than the best
-model so far.
+First, as in LO-RANSAC @cite chum2003locally, the model is fitted in turn to the points within three
+times the threshold (#WIDEST), twice the threshold, and the threshold itself. With the threshold
+alone, the model of a minimal sample would end in the nearest local optimum, because a fit to the
+few points within the threshold hardly changes the model. Optimization ends after these fits unless
+the model is now clearly better than the best model so far.
 
 Then each iteration finds the spatially coherent inliers of the model (Labeling) and runs an inner
 RANSAC over these inliers: models are fitted to all inliers (to #MAX_INNER_FIT random inliers if
 there are more), and to random samples of Params::localSampleMultiple times the minimal size or, if
 there are few inliers, of half of the inliers. A better fit always replaces the model. Each
-iteration except the first begins with fits with a shrinking threshold, as above. The first
+iteration except the first begins with fits with shrinking thresholds, as above. The first
 iteration without a clear decrease of the cost is the last one, and Params::localIterations bounds
 the number of iterations. */
 class GraphCutOptimizer : public LocalOptimizer

@@ -24,7 +24,8 @@ public:
         errors = scope.take<float>(points);
         count = 0;
     }
-    //! Sets the members to the points with errors up to `multiple` thresholds.
+    //! Sets the members to the points whose errors under the model are at most `multiple` times
+    //! the threshold.
     void within(const Context& context, const Model& model, double multiple);
     //! Moves `most` random members, or all members if there are fewer, to the front of the array.
     //! @return number of members moved to the front
@@ -40,8 +41,8 @@ public:
 
     int size() const { return count; }
 
-    int* members;
-    int count;  //!< number of members
+    int* members;  //!< indices of the points in the set
+    int count;     //!< number of members
 
 private:
     float* errors;

@@ -13,9 +13,9 @@ namespace {
 //! K (see Labeling) is set to 0 if it is below this value, which saves the exponential. This is the
 //! K of a point with an error of 3.25 thresholds.
 constexpr float NEGLIGIBLE = 0.005f;
-//! Work per point to find the edges (without a kd-tree) and to cut the graph: 100 ns with a
-//! million points, in point tests of 2 ns, the unit of Watch. The value only affects how late a
-//! time limit ends a run.
+//! Work per point to find the edges (without a kd-tree) and to cut the graph, in point tests of
+//! 2 ns, the unit of Watch: 100 ns per point if there are a million points. The value only affects
+//! how late a time limit ends a run.
 constexpr double CUT_WORK = 50;
 
 }  // namespace
@@ -43,8 +43,8 @@ float Labeling::weight(float squaredError) const
 /* An edge (p, q) changes the cost of p as an inlier minus its cost as an outlier by -lambda a if q
 is an inlier, and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. The most that all
 edges of p can change is reached for K_q = 0 if all q are outliers, and for K_q = 1 if all are
-inliers. For most points, 1 - 2 K_p is of larger magnitude than this change, so that the error alone
-tells the label. */
+inliers. For most points, 1 - 2 K_p, the difference of the two costs without edges, is of larger
+magnitude than this change, so that the error alone tells the label. */
 void Labeling::labelByError(const Context& context, const Model& model, uchar* wanted)
 {
     context.components.residual->squaredErrors(context.points, model, 0, size, errors);
@@ -75,7 +75,8 @@ void Labeling::labelByError(const Context& context, const Model& model, uchar* w
 
 void Labeling::labelByNeighbors(Arena& arena, const Vec2i* edges, int count)
 {
-    // bounds of `unary` plus the changes by the edges over all possible labels of the neighbors
+    // lowest and highest value of `unary` plus the changes by the edges, over all labels that the
+    // neighbors can have
     Arena::Scope scope(arena);
     float *const lowest = scope.take<float>(size), *const highest = scope.take<float>(size);
     for (int k = 0; k < nodeCount; ++k)
@@ -136,8 +137,9 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     return found;
 }
 
-/* With x = 1 for an inlier and 0 for an outlier, the cost of an edge (p, q) is lambda times
-a + (1 - a) x_p - a x_q + (1 - x_p) x_q. The last term is one arc of the graph. */
+/* With x = 1 for an inlier and 0 for an outlier, and with a = (K_p + K_q) / 2, the cost of an edge
+(p, q) is lambda times a + (1 - a) x_p - a x_q + (1 - x_p) x_q. The terms in x_p or x_q alone are
+added to `unary`; the last term is one arc of the graph. */
 void Labeling::labelByCut(Arena& arena, const Vec2i* edges, int count)
 {
     const int nodes = nodeCount;

@@ -25,8 +25,8 @@ outliers, and lambda (1 - (K_p + K_q) / 2) if both points are inliers, where lam
 Params::spatialWeight. The energy is submodular, so that a minimum cut gives its exact minimum.
 
 Points whose label does not depend on their neighbors (most points in practice) are labeled before
-the cut and are not nodes of the graph. Points far from the model (K_p below #NEGLIGIBLE) are always
-outliers. The graph is set up in O(N) time; in practice, the cut takes linear time. */
+the cut and are not nodes of the graph. Points far from the model (K_p below 0.005, #NEGLIGIBLE) are
+always outliers. The graph is set up in O(N) time; in practice, the cut takes linear time. */
 class Labeling
 {
 public:
@@ -63,8 +63,9 @@ private:
     float factor;   //!< K_p = exp(factor error_p^2)
     float* errors;  //!< squared error of each point
     float* K;       //!< K_p of points without a label and of their neighbors; -1: not needed so far
-    float* unary;   //!< cost as an inlier minus cost as an outlier, of points without a label
-    int* node;      //!< node of each point in the graph, or its label (negative)
+    float* unary;   //!< cost as an inlier minus cost as an outlier, of points without a label;
+                    //!< labelByCut() adds the costs of edges that depend on this point alone
+    int* node;      //!< node of each point in the graph, or its label #INLIER or #OUTLIER
     int* pointOfNode;              //!< point of each node
     int size, nodeCount;           //!< numbers of points and of nodes
     detail::GCGraph<float> graph;  //!< a member, so that its memory is reused

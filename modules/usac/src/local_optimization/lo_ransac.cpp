@@ -36,7 +36,7 @@ bounded, and the fits vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:
-    //! @param fitMultiple maximum number of points of a fit, in minimal sample sizes
+    //! @param fitMultiple_ maximum number of points of a fit, in minimal sample sizes
     explicit LoRansacOptimizer(int fitMultiple_) : fitMultiple(fitMultiple_) {}
 
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE

@@ -20,7 +20,7 @@ public:
 
     //! An object without inliers.
     InlierBits();
-    //! @param width threshold of the inliers, in units of Context::inlierThreshold
+    //! @param width threshold of these inliers, as a multiple of Context::inlierThreshold()
     InlierBits(const Context& context, const Model& model, double width = 1);
 
     //! Number of inliers.
@@ -34,6 +34,7 @@ private:
     uint64 words[WORDS];
 };
 
+//! Indices of the points of a sample.
 typedef Vec<int, MAX_SAMPLE_SIZE> Sample;
 
 //! A model and the sample that it was computed from.
@@ -60,11 +61,12 @@ struct RunnerUp
 
 /** @brief The most promising of the models that were never the best model.
 
-With noise, a better sample often gives a worse model, and only local optimization shows which
-sample is better @cite lebeda2012fixing. Models that are better than all models of previous samples
-are optimized at once. Of the other models, those with the most inliers that the best model does not
-explain are optimized when the search is about to end. (The best model explains the points within
-Ransac::EXPLAINED thresholds.) A choice by cost might select only variants of one wrong model:
+Because of noise, the model of one sample can be worse than that of another sample before local
+optimization, but better after it @cite lebeda2012fixing. Models that are better than all models of
+previous samples are optimized at once. Of the other models, those with the most inliers that the
+best model does not explain are optimized when the search is about to end. (The best model explains
+the points within Ransac::EXPLAINED = 1.5 thresholds.) If the models were chosen by their cost
+instead, they might all be variants of one wrong model:
 points with a common shift, or on an independently moving plane, fit a whole family of F. If an
 optimized F of this family is the best model, the other F of the family can have a lower cost than
 models of all-inlier samples that are not yet optimized. take() returns each model once. */
@@ -87,12 +89,13 @@ public:
     //! Sets the points that the best model explains, and updates RunnerUp::unexplained of all
     //! stored models.
     void setBest(const InlierBits& inliers);
+    //! The points that the best model explains.
     const InlierBits& best() const { return known; }
     //! The largest RunnerUp::unexplained of the stored models; 0 if there are none.
     int mostUnexplained() const { return count > 0 ? kept[0].unexplained : 0; }
     //! Returns the models stored since the last call of take(), in the order of descending
     //! RunnerUp::unexplained, then of ascending cost, and forgets them. `taken` is valid until the
-    //! next call.
+    //! next call of take().
     //! @return number of models
     int take(const RunnerUp*& taken);
     //! Forgets all models.

@@ -12,8 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Selects the points within the threshold, or #MAX_FIT random points of these if there are more,
-//! and sorts them by ascending error.
+//! Selects the points within the threshold under `model`, or #MAX_FIT random points of these if
+//! there are more, and sorts them by ascending error.
 void SigmaConsensus::select(const Context& context, Rng& rng, const Model& model, Near* all)
 {
     const Correspondences& p = context.points;

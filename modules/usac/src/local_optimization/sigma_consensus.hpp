@@ -12,18 +12,19 @@ namespace usacv20 {
 
 /** @brief sigma-consensus @cite barath2019magsac: a fit that is marginalized over the noise scale.
 
-The range 0 .. sigma_max of scales is divided into #PARTITIONS equal parts. The model of a part is
-the least-squares fit to the points whose error under the initial model is below thresholdInSigmas()
+The scales are the standard deviations sigma from 0 to sigma_max, which is the threshold divided by
+thresholdInSigmas(). This range is divided into #PARTITIONS equal parts. The model of a part is the
+least-squares fit to the points whose error under the initial model is below thresholdInSigmas()
 times the largest sigma of the part. If there are no more such points than in a minimal sample, if
 they are the same as for the previous part, or if the fit fails, the model of the previous part is
 used (for the first part, the initial model). The weight of a point is its likelihood under the
 model of each scale, marginalized over the scale as in MarginalizedWeights: the contribution of a
-part is the difference of the weights of MarginalizedWeights for the two ends of the part. The
-result is the fit with these weights.
+part is the weight of MarginalizedWeights for the largest sigma of the part minus the weight for the
+smallest one. The result is the fit with these weights.
 
 Only points within the threshold under the initial model are used, or #MAX_FIT random points of
-these if there are more. This bounds the time of the fits (one per part and a final one). There is
-also one pass over all points. */
+these if there are more. This bounds the time of the fits (one per part and a final one). In
+addition, the errors of all points are computed once. */
 class SigmaConsensus
 {
 public:
@@ -57,7 +58,7 @@ private:
     //! @param all array for all points, used as temporary memory
     void select(const Context& context, Rng& rng, const Model& model, Near* all);
     //! Adds to the weights the likelihoods of the points under `model`, the model of one part of
-    //! the scales. @param part number of this part, from 1 on
+    //! the scales. @param part number of this part, counted from 1
     void marginalize(const Context& context, PointSubset& subset, const Model& model, int part);
 
     const int partitions;

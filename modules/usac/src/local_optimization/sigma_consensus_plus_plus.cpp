@@ -14,7 +14,7 @@ namespace {
 
 //! Maximum number of points of a fit. See doc/constants.md.
 constexpr int MAX_FIT = 500;
-//! Optimization ends after this many fits in a row that are not better than the best model so far.
+//! Optimization ends after this many fits in a row that are not better than the best fit so far.
 constexpr int FAILURES = 2;
 
 /** @brief The local optimization of MAGSAC++ @cite barath2020magsac: iteratively re-weighted least
@@ -23,7 +23,8 @@ squares with the weights of MarginalizedWeights.
 There are at most Params::localIterations iterations. Each iteration uses all points whose errors
 under the last fit are within the threshold, or #MAX_FIT random points of these if there are more,
 which are enough while the weights still change. The best fit replaces the model if it is better.
-The #FAILURES-th fit in a row that is not better is the last one. */
+Optimization also ends when #FAILURES fits in a row have not been better than the best fit so far
+(at first, the initial model). */
 class SigmaConsensusPlusPlus : public LocalOptimizer
 {
 public:

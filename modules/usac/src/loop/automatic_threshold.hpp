@@ -25,8 +25,8 @@ The threshold that the caller has given is the widest threshold that is consider
    wide noise. Therefore, if the threshold is more than a third of the widest one even after
    polishing, samples of the inliers are drawn to find a model of a core, that is, a model that
    explains at least half of the inliers within a third of the widest threshold. If there is such a
-   model, and errorsGoOn() finds no more errors beyond this narrower threshold, the search begins
-   with this model and at most this threshold.
+   model, and its errors do not continue beyond this narrower threshold (errorsGoOn()), the search
+   begins with this model and at most this threshold.
 3. The search begins with the model and the threshold of steps 1 and 2. If most points are inliers
    of the best model, the criteria of the search also count the uniform samples of step 1. Otherwise
    these samples do not count, because a model of wrong matches that agree with each other can have
@@ -36,8 +36,8 @@ The threshold that the caller has given is the widest threshold that is consider
 4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
    model. If the new threshold differs by more than a factor of 1.4, the search continues with the
    new threshold, and the samples drawn so far no longer count. The threshold becomes wider by more
-   than this factor only if errorsGoOn() finds errors beyond the present threshold, because a second
-   motion is not noise.
+   than this factor only if the errors continue beyond the present threshold (errorsGoOn()), because
+   a second motion is not noise.
 5. settle(): polishing and mask use the threshold that was estimated last, or a third of the widest
    threshold if the noise is unknown. */
 class AutomaticThreshold

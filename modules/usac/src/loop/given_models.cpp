@@ -101,7 +101,7 @@ Model GivenModels::read(InputArray given, Model* forSearch) const
                             context.points, searched);
     if (!usable || !problem.toInput(searched, context.points, model) ||
         problem.toOutput(model).size() != numbers.size())
-        CV_Error_(Error::StsBadArg, ("model: %d x %d numbers, which are no model of the problem %s",
+        CV_Error_(Error::StsBadArg, ("model: the %d x %d numbers are not a model of the problem %s",
                                      matrix.rows, matrix.cols, problem.name().c_str()));
     if (forSearch)
         *forSearch = searched;

@@ -30,8 +30,8 @@ constexpr int EXPENSIVE = 1000;
 constexpr double PARALLEL_WORK = 44800;
 
 //! A model can become a runner-up if its gain is more than this fraction of the gain of the best
-//! model of a sample. The gain is the number of points, which is the cost without any model, minus
-//! the cost.
+//! model that any sample has given so far. The gain is the number of points, which is the cost
+//! without any model, minus the cost.
 constexpr double WORTHWHILE = 0.6;
 //! A runner-up is optimized only if more than this fraction of its inliers are points that the best
 //! model does not explain, or if the problem is ambiguous.

@@ -127,8 +127,9 @@ private:
     //! A rival has at least this many inliers that the best model does not explain. Only the points
     //! of InlierBits are counted.
     double rivalInliers() const;
-    //! Stores the model as a runner-up if it is a rival, with more inliers that the best model does
-    //! not explain than a sample has points. @return false if the model is not such a rival
+    //! Stores the model as a runner-up if it is a rival and if more than m of its inliers are not
+    //! explained by the best model (m is the sample size). @return false if one of these conditions
+    //! does not hold
     bool addRival(const Sample& sample, const Model& model);
     //! Return true if all degeneracy checks accept the sample (validSample()) or the model
     //! (validModel()).

@@ -24,13 +24,13 @@ first model, instead of (45 / 100)^7 = 0.4 % of the samples of all points.
 
 For each best model, a few such samples are drawn if there are enough points for a rival. There
 might be a rival, a second model with about as many inliers as the best model, if the model of such
-a sample, or a runner-up, has many inliers that the best model does not explain: at least RIVAL
-times as many as the best model has inliers. Then more samples are drawn: as many as are needed to
-find, with the required confidence, a model that has as many inliers as the best model and shares at
-most a third of these inliers; but at most a third of the number of other samples drawn so far. If
-ConfirmedOrderTermination is about to end the search, a group of wrong matches might come first in
-the order of the points; that criterion then sets the minimum number of these samples
-(State::unexplainedSamples). All these samples count as iterations, but not for
+a sample, or a runner-up, has many inliers that the best model does not explain: at least the
+fraction RIVAL of the number of inliers of the best model. Then more such samples are drawn: as many
+as are needed to find, with the required confidence, a model that has as many inliers as the best
+model and shares at most a third of them with it; but at most a third of the number of other samples
+drawn so far. If ConfirmedOrderTermination is about to end the search, a group of wrong matches
+might come first in the order of the points; that criterion then sets the minimum number of these
+samples (State::unexplainedSamples). All these samples count as iterations, but not for
 State::countedSamples. */
 
 namespace cv {
@@ -40,11 +40,11 @@ namespace {
 
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
-//! Without evidence of a rival, the number of samples is at most 1 / FIRST_PART of the number of
-//! samples drawn so far, or LEAST_SAMPLES if this is more.
+//! Without evidence of a rival, the number of samples of unexplained points is at most
+//! 1 / FIRST_PART of the number of all samples drawn so far, or LEAST_SAMPLES if this is more.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
-//! With evidence of a rival, the number of samples is at most 1 / MOST_PART of the number of other
-//! samples drawn so far, or LEAST_SAMPLES if this is more.
+//! With evidence of a rival, the number of samples of unexplained points is at most 1 / MOST_PART
+//! of the number of other samples drawn so far, or LEAST_SAMPLES if this is more.
 constexpr int MOST_PART = 3;
 //! A rival has at least this many inliers that the best model does not explain, as a fraction of
 //! the inliers of the best model. Models of random wrong matches reach fractions up to 0.06, models

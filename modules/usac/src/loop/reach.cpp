@@ -23,8 +23,8 @@ constexpr double REACH = 5;
 
 /** Points of another motion, or of a second plane, can look like wide noise. But real wide noise
 has errors everywhere within the threshold. Therefore the reach does not grow if the errors within
-the threshold alone indicate small noise, and this noise has at least this fraction of the inliers
-found for the wide noise. See doc/constants.md. */
+the threshold alone indicate small noise, and if the number of inliers found for this small noise is
+at least this fraction of the number found for the wide noise. See doc/constants.md. */
 constexpr double CORE = 1. / 3;
 
 //! Estimated standard deviation of the noise in the errors of the model, in the coordinates of the

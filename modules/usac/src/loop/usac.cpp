@@ -28,9 +28,9 @@ namespace {
 
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
-//! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples,
-//! or when the search ends earlier. With 4 or 1 instead of 2, the errors of models change by at
-//! most 2 %.
+//! If the reach can grow (Params::widestReach), the noise is estimated for the first time after
+//! 1 / FIRST_LOOK of Params::maxIterations samples, or when the search ends earlier. With 4 or 1
+//! instead of 2, the errors of models change by at most 2 %.
 constexpr int FIRST_LOOK = 2;
 
 //! Used if Params::significance is 0. A model is rejected if its Report::chance exceeds LIMIT, but
@@ -40,9 +40,9 @@ constexpr int FIRST_LOOK = 2;
 constexpr double LIMIT = 0.01, DECISIVE = 0.25;
 /* Polishing is undone unless at least this fraction of the gain of the model remains. The gain is
 the number of points, which is the cost without any model, minus the cost. If the threshold is no
-larger than the noise, the error of H is 3.1 times that of least squares with KEPT = 0.9, because
-polishing is undone, and 1.2 times that error with 0.5. On the data of the benchmark, 0.25 changes
-nothing; 1 raises errors by 2 to 6 %. */
+larger than the noise, KEPT = 0.9 makes the error of H 3.1 times that of a least-squares fit,
+because polishing is undone; KEPT = 0.5 makes it 1.2 times that error. On the data of the benchmark,
+0.25 changes nothing; 1 raises errors by 2 to 6 %. */
 constexpr double KEPT = 0.5;
 //! Report::chance is not computed exactly if it is below this value and below a hundredth of its
 //! limit. Halving or doubling this value changes no run.
@@ -189,7 +189,7 @@ private:
         Model model;
         if (!problem->fromOutput(params.initialModel, context.points, model))
             CV_Error_(Error::StsBadArg,
-                      ("initialModel: %d numbers, which are no model of the problem %s",
+                      ("initialModel: the %d numbers are not a model of the problem %s",
                        (int)params.initialModel.size(), problem->name().c_str()));
         if (!params.initialCovariance.empty())
             ModelCovariance::checkPrior(priorCovariance());
@@ -250,8 +250,9 @@ private:
         return learned.chance <= limit || (unset && !test.decisive(DECISIVE, limit));
     }
 
-    /** Polishes the best model. Polishing minimizes a loss other than the score, and can end
-    between two models: if the score is clearly worse afterward, the model of the search is kept.
+    /** Polishes the best model. Polishing minimizes a loss other than the score, and can end at a
+    compromise between two models: if the score is clearly worse afterward, the model of the search
+    is kept.
     With few inliers or a wide threshold, fits from other initial models are tried (Restarts). A
     model that is distorted by wrong matches of high leverage is corrected (Leverage).
     @param search context of the search

@@ -29,7 +29,7 @@ namespace {
 constexpr int ALIGNMENT = 64;
 /** Smallest and largest size of a block in bytes; only a block for a single larger request exceeds
 LARGEST. If glibc returns the memory of a destroyed Usac to the system, the next Usac causes a page
-fault for each page that it writes to; these faults take a quarter of the time of a call. glibc
+fault for each page that it writes to; these faults take a quarter of the time of a run. glibc
 keeps the memory if a separately mapped block (128 kB to 32 MB) was freed before and at most twice
 its size is free now. Therefore SMALLEST is above 128 kB and LARGEST below 32 MB. Sizes in between
 are SMALLEST times a power of 2, so that calls with slightly different numbers of points use the

@@ -25,8 +25,9 @@ solved in closed form.
 int realRoots(const double* coefficients, int degree, double* roots);
 
 //! Roots outside these bounds are found from the polynomial with reversed coefficients. The bounds
-//! are not -1 and 1, because these are likely roots, and Sturm's theorem does not count a root at
-//! the lower end of an interval.
+//! are not -1 and 1, because these are likely roots, and Sturm's theorem, which
+//! lanes/roots.inl.hpp uses with the same bounds, does not count a root at the lower end of an
+//! interval.
 constexpr double LOWEST = -1.0009765625, HIGHEST = 1.0007;
 
 //! The roots in (#LOWEST, #HIGHEST] of a polynomial whose largest absolute coefficient is 1.

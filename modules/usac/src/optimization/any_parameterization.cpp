@@ -12,9 +12,10 @@ namespace usacv20 {
 namespace {
 
 //! The pivot of a step of the Cholesky decomposition in callerBasis() is the first diagonal entry
-//! that is smaller than the largest diagonal entry by at most this fraction. For symmetric models
-//! (no rotation), some diagonal entries of the matrix that projects onto the tangent space are
-//! equal except for rounding errors, which would make the choice of the pivot arbitrary.
+//! that is smaller than the largest diagonal entry by at most this fraction. If E or F is
+//! antisymmetric (a motion without rotation), some diagonal entries of the matrix that projects
+//! onto the tangent space are equal except for rounding errors, which would make the choice of the
+//! pivot arbitrary.
 constexpr double TIED = 1e-6;
 
 }  // namespace

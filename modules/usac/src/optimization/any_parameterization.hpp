@@ -12,7 +12,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! A Parameterization around a fixed model, in the form that LeastSquaresSolver uses.
+//! A Parameterization around a fixed model, with the types and methods that LeastSquaresSolver
+//! needs.
 class AnyParameterization
 {
 public:

@@ -16,9 +16,9 @@ namespace {
 //! The noise of inliers in the tail has TAIL times the standard deviation of the noise of the other
 //! inliers. At most the fraction LARGEST_TAIL of all inliers are in the tail.
 constexpr double TAIL = 3, LARGEST_TAIL = 0.5;
-//! Number of halvings of the interval that contains a quantile. Before them, the upper bound of the
-//! interval is at most twice the quantile or one standard deviation; the error is at most 2^-20 of
-//! it.
+//! Number of halvings of the interval that contains a quantile. Before the first halving, the
+//! interval is no longer than the quantile itself or, if this is more, one standard deviation. The
+//! error of the result is at most 2^-20 of this length.
 constexpr int BISECTIONS = 20;
 
 }  // namespace

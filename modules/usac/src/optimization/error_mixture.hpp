@@ -15,7 +15,8 @@ inline double power(double base, int exponent)
 }
 
 //! Probability density of e^degrees at 0, where e is the length of the error of an inlier with
-//! `degrees` degrees of freedom, 1 to 3.
+//! `degrees` degrees of freedom, 1 to 3. (For uniformly distributed outliers, e^degrees is
+//! uniform.)
 //! @param variance variance of each component of the error
 double inlierPeak(double variance, int degrees);
 

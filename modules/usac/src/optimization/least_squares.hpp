@@ -134,8 +134,8 @@ private:
     //! Number of unsuccessful steps (the cost does not decrease) that are allowed in addition to
     //! the requested iterations.
     enum { RETRIES = 2 };
-    //! FIRST_DAMPING times the entry is added to each diagonal entry of the normal equations after
-    //! the first unsuccessful step. SINGULAR times the mean of the diagonal is always added to each
+    //! After the first unsuccessful step, each diagonal entry of the normal equations is multiplied
+    //! by 1 + FIRST_DAMPING. SINGULAR times the mean of the diagonal is always added to each
     //! diagonal entry, so that the equations can be solved even if they are singular.
     static const double FIRST_DAMPING, SINGULAR;
     //! If the expected decrease of the cost by a step is less than SETTLED times the cost, the step

@@ -34,8 +34,8 @@ public:
 
     //! A sigma below this value (in units of the threshold) is returned only if hasTail() is false.
     //! Without this test, the value would be a lower bound of sigma, and values below 0.27 would
-    //! increase the errors of H on photographs, for example 0.1 by 8 %. With the test, halving or
-    //! doubling the value increases these errors by 1 %.
+    //! increase the errors of estimated H on photographs, for example 0.1 by 8 %. With the test,
+    //! halving or doubling the value increases these errors by 1 %.
     static double leastSigma() { return 0.27; }
 
     //! @param squaredErrors, count squared errors of the points, in random order

@@ -14,8 +14,8 @@ namespace {
 //! [1.5 * 2^e, 2^(e+1)) for e = LOWEST, LOWEST + 1, ...; the first bin also has all smaller errors.
 constexpr int LOWEST = -4, BINS = 128;
 //! Median error within the estimated radius r, in standard deviations of the noise, for one to
-//! three degrees of freedom; see the comment of the class. The estimated sigma is inversely
-//! proportional to this value.
+//! three degrees of freedom; see the comment of the class SignificantScale. The estimated sigma is
+//! inversely proportional to this value.
 constexpr double MEDIANS[] = {0.64, 1.15, 1.52};
 
 //! Index of the bin of a squared error, from the exponent and the first bit of the mantissa. The

@@ -37,9 +37,9 @@ public:
 
     struct Found
     {
-        double sigma;  //!< 0 if no radius is significant, that is, if the lowest bound is at least
-                       //!< n^-m: among up to n^m samples of m points, some wrong model can reach
-                       //!< such a bound by chance
+        double sigma;  //!< in the unit of the threshold; 0 if no radius is significant, that is, if
+                       //!< the lowest bound is at least n^-m: among up to n^m samples of m points,
+                       //!< some wrong model can reach such a bound by chance
         int inliers;   //!< number of points within the radius; 0 if sigma is 0
     };
 

@@ -10,9 +10,9 @@ namespace usacv20 {
 
 namespace {
 
-/** Least squares over all inliers, repeated while a fit to the new inliers improves the model, but
-at most Params::polishingSteps times (last line of Algorithm 1 of the paper). Only a better model is
-accepted, so that the inlier sets cannot cycle. */
+/** Least squares over all inliers. The fit is repeated with the inliers of the new model while this
+improves the score, but at most Params::polishingSteps times (last line of Algorithm 1 of
+@cite ivashechkin2021usacv20). As only a better model is accepted, the inlier sets cannot cycle. */
 class LeastSquaresPolisher : public Polisher
 {
 public:

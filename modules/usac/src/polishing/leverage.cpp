@@ -37,8 +37,8 @@ errors are measured, and the difference of two sums of n squares has a standard 
 2 sqrt(n) noise variances. The evidence of the lost inliers against the fit (surpriseOf()) must be
 at most gain / FREE_AGAINST, because only inliers off the plane determine the epipole. With GAIN
 alone, an F whose right matches are nearly all on a plane can lose the right matches off the plane.
-If parameters are undetermined, an ambiguous model (E) is not changed, because fits can end between
-the two possible models. */
+If parameters are undetermined, an ambiguous model (E, see Problem::ambiguous) is not changed,
+because fits can end between the two models that are compatible with the plane. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
 //! Lower bound of the standard deviation of the noise, in thresholds: the accuracy of errors in
 //! single precision.

@@ -23,14 +23,15 @@ inliers have another optimum with clearly lower errors.
 
 Therefore the inliers with the highest leverage are left out. Fits to the remaining inliers start
 from the model and from samples of these inliers. Points with small errors under the best fit are
-included again, at first only points of low leverage, as in a forward search @cite
-atkinson2000robust. A fit to all included points is polished. The result replaces the model on two
-conditions:
+included again, at first only points of low leverage, as in a forward search
+@cite atkinson2000robust. A fit to all included points is polished. The result replaces the model on
+two conditions:
 - The errors of the included points that are inliers of the original model decrease by more than
 chance explains.
-- The inliers that are lost are not evidence against the fit: among all models through two wrong
-matches, the best one has as many additional inliers by chance, and the chance of so many additional
-inliers is not lower than the chance of the decrease of the errors.
+- The inliers that the fit loses are not evidence against the fit. Let p be the probability that a
+model has by chance at least as many inliers more than the fit. Then p must be at least 1 / n^2 for
+n outliers, because the best of all models through two outliers reaches such a p by chance. And the
+increase of the log-likelihood by the smaller errors must be at least -log(p).
 
 If most right matches are on a plane, the right matches off the plane have a high leverage, too. But
 these are more than the wrong matches that fit one epipole by chance. If most inliers are on a
@@ -72,12 +73,12 @@ private:
     //! True if a fit is clearly better than the model for `points`, which agree with the fit, and
     //! if the lost inliers are not evidence against the fit.
     bool convinces(const Model& fitted, const Model& model, const Points& points) const;
-    //! Evidence of lost inliers against a fit: minus the logarithm of Chernoff's bound (see
-    //! SignificantScale) of the probability that `lost` or more of the points that are not
-    //! inliers of the fit are inliers of the model by chance.
+    //! Evidence of lost inliers against a fit: minus the natural logarithm of Chernoff's bound (see
+    //! SignificantScale) of the probability that `lost` or more of the points that are not inliers
+    //! of the fit are inliers of the original model by chance.
     double surpriseOf(int lost) const;
-    //! The value of surpriseOf() that the best of all models through two outliers reaches by
-    //! chance.
+    //! The value of surpriseOf() that the best of all models through two of the n outliers reaches
+    //! by chance: 2 log(n).
     double byChance() const;
     //! Finds the elements of `inliers` with the lowest leverage in a fit to `inliers`. @return
     //! false if no inlier has a high leverage

@@ -10,8 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-//! Work per point of a fit that runs to convergence: 100 ns with a million points, in point tests
-//! of 2 ns, the unit of Watch. The value only affects how late a time limit ends a run.
+//! Work per point of a fit that runs to convergence, in point tests of 2 ns, the unit of Watch:
+//! 100 ns per point if there are a million points. The value only affects how late a time limit
+//! ends a run.
 constexpr double FIT_WORK = 50;
 
 //! Creates the polisher that makes least-squares fits to all inliers, see LeastSquaresPolisher.

@@ -21,12 +21,13 @@ constexpr int RESTARTS = 16, RESTARTS_OUTSIDE = 8;
 constexpr double WIDE = 0.2;
 //! The loss (see lossOf()) of another minimum must be below this fraction of the model's loss.
 constexpr double CLEAR = 0.9;
-/** A minimum reached from a model that the checks reject must have an even lower loss: the
-probability that the decrease is chance must be at most UNLIKELY. This probability is the ratio of
-the new to the old loss, raised to the power of half the remaining degrees of freedom. */
+/** A minimum reached from a model that the degeneracy checks reject must have an even lower loss:
+the probability that the loss decreases so much by chance must be at most UNLIKELY. This probability
+is estimated as the ratio of the new to the old loss, raised to the power of half the degrees of
+freedom that are left after the fit. */
 constexpr double UNLIKELY = 0.1;
-//! For begin(): maximum probability that the loss of a model of random points is as low as that of
-//! the model.
+//! begin() accepts a model only if its loss is so low that a model of random points has such a low
+//! loss with at most this probability.
 constexpr double CHANCE = 1e-6;
 //! Maximum increase of the loss by an additional point, per component of its error and in units of
 //! the inliers' loss per degree of freedom. If ten degrees of freedom are left, one right point in

@@ -17,14 +17,14 @@ The sum of squared errors has local minima. A search that has rated thousands of
 the best minimum. A search that ends after its first sample might have missed the best minimum, for
 example because there are only ten points, whose errors are below a wide threshold under any model.
 Orientation checks make this worse if they reject right models: for an H whose horizon lies between
-the points, they reject all samples except those on one side of the horizon, which might all lead to
-one wrong minimum.
+the points, they reject all samples except those with all points on one side of the horizon, which
+might all lead to one wrong minimum.
 
 Least squares over the inliers (at most #MOST) starts from the models of random samples of inliers,
-including models that the checks reject. A clearly lower minimum is polished and replaces the model
-if its cost is not higher. If the fit starts from a rejected model, the minimum must be much lower:
-more models are rejected than accepted, so that one of the rejected models reaches a lower minimum
-by chance more often.
+including models that the degeneracy checks reject. A clearly lower minimum is polished and replaces
+the model if its cost is not higher. If the fit starts from a rejected model, the minimum must be
+much lower: more models are rejected than accepted, so that one of the rejected models reaches a
+lower minimum by chance more often.
 
 A few inliers close to each other determine the model poorly far from them. Therefore the outliers
 with the smallest errors are tried, too: a fit to the inliers and one such outlier replaces the
@@ -34,7 +34,7 @@ class Restarts
 public:
     /** @param search context of the search, whose points the minimal solver and the checks use
     @param polish context in which models are polished and rated; its points are the points of
-    `search`, possibly before undistortion
+    `search` or, if the lens has distortion, the original image points
     @param state state of the run */
     Restarts(const Context& search, const Context& polish, State& state);
 
@@ -69,8 +69,8 @@ private:
     //! Tries fits to the inliers and one outlier at a time that start from the model.
     void extendInliers(Model& model, Quality& quality);
     //! Least squares over the first `size` members, which starts from the best models of a sample
-    //! of these members. If `size` includes an outlier, the sample contains the outlier. `index` is
-    //! the number of the sample. @return true if the model was replaced
+    //! of these members. If `size` includes an outlier, the sample contains the outlier. `index`,
+    //! the number of the sample, selects the random numbers. @return true if the model was replaced
     bool restart(int index, int size, Model& model, Quality& quality);
     //! True if the degeneracy checks accept a sample and its model.
     bool isValid(const int* sample, const Model& model) const;
@@ -82,6 +82,8 @@ private:
     //! The loss of a model: the sum of the squared errors of the first `size` members, in squared
     //! thresholds, each capped at 1.
     double lossOf(const Model& model, int size) const;
+    //! Least squares over the first `size` members, starting from `model`. @return false if the
+    //! members do not determine a model
     bool fit(int size, Model& model) const;
     //! Polishes a fit. The result replaces the model if the loss of the fit, before and after
     //! polishing, is below `limit`, the checks accept the result, and its cost is not higher than

@@ -15,8 +15,8 @@ namespace {
 //! A fit that lowers the loss by less than this fraction is the last one.
 constexpr double SETTLED_LOSS = 1e-5;
 
-/** Iteratively re-weighted least squares over all points within the threshold of the score, with
-the weights of MAGSAC++ @cite barath2020magsac. Fits are accepted as long as they lower the loss
+/** Iteratively re-weighted least squares over all points within Score::threshold(), with the
+weights of MAGSAC++ @cite barath2020magsac. Fits are accepted as long as they lower the loss
 that belongs to these weights, even if the cost under the score of the run increases. */
 class ReweightedPolisher : public Polisher
 {

@@ -14,16 +14,17 @@ namespace {
 
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
-/** Support of the biweight in standard deviations of the noise. With 5.3, fits are 1.6 % (F, E) or
-2.3 % (H) less accurate than least squares under Gaussian noise. */
+/** Support of the biweight (the error from which on its weight is 0) in standard deviations of the
+noise. With 5.3, the standard errors of fits are 1.6 % (F, E) or 2.3 % (H) larger than those of
+least squares if the noise is Gaussian. */
 constexpr double SUPPORT = 5.3;
 /** Until the model has settled, all steps except the last two use only the first points: so many
 that FEW points, or 1 / PART of all points if this is more, are within REACH thresholds. */
 constexpr int REACH = 3, FEW = 500, PART = 8;
 /** If there are more than MANY points, the search has used only a part of them
-(ProblemData::SEARCHED). The model is then further from the minimum, compared with the standard
-error of a fit to all points. Therefore MORE steps are added, nearly all of which use only the first
-points. */
+(ProblemData::SEARCHED). The distance of its model from the minimum is then larger, relative to the
+standard error of a fit to all points. Therefore MORE steps are added, nearly all of which use only
+the first points. */
 constexpr int MANY = 1 << 15, MORE = 6;
 //! Errors are computed for BLOCK points at a time. The last fit has at most LAST steps, which are
 //! enough to converge.
@@ -31,16 +32,17 @@ constexpr int BLOCK = 256, LAST = 10;
 //! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
 //! point within the support, or if the scale changes by at least the fraction SAME_SCALE.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! The noise is estimated in the first step, in the middle step, when the loss has settled, and
-//! when the loss has decreased by more than MARKED times the loss of the points within the support.
+//! The noise is estimated in the first step, in the middle step, in steps after which the loss has
+//! settled (see SETTLED), and in steps after which the loss has decreased by more than MARKED times
+//! the loss of the points within the support.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
 by re-weighting with w = (1 - (error / support)^2)^2 in each step. The support is #SUPPORT standard
 deviations of the noise (NoiseScale); with this support, the biweight is nearly as accurate as least
 squares under Gaussian noise. Points beyond the support have no influence: a wrong match far from
-the other points in the images (for example near the epipole) would distort F even with a hundredth
-of its weight.
+the other points in the images (for example near the epipole) would distort F even with a weight of
+1/100.
 
 The iteration ends when the last step has lowered the loss by less than a tenth of the mean loss of
 a point within the support (a limit that does not depend on the threshold) and the scale of the

@@ -17,10 +17,10 @@ enum { K1, K2, P1, P2, K3, K4, K5, K6, S1, S2, S3, S4, TAU_X, TAU_Y };
 //! Maximum number of steps of Newton's method; an ordinary lens needs 3 to 6.
 constexpr int STEPS = 50;
 //! Number of bisections, which reduce an interval of radii to rounding error. It is also the
-//! maximum number of times that the upper end of this interval is doubled at first.
+//! maximum number of times that the upper end of this interval is doubled before the bisections.
 constexpr int HALVES = 60;
-//! Newton's method ends when the distance between the distorted point and the wanted point is at
-//! most EXACT times (1 + the radius of the wanted point), which is about the rounding error.
+//! Newton's method ends when the distance between distort(p) and the given distorted point d is at
+//! most EXACT (1 + |d|), which is about the rounding error.
 constexpr double EXACT = 1e-14;
 
 //! Homography of the projection onto a sensor that is tilted by the angles `x` and `y`, in radians,
@@ -121,8 +121,8 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
 }
 
 //! Finds a starting point for Newton's method: inverts the radial terms alone by bisection, which
-//! is possible because the distorted radius grows with the radius up to the first fold. False if
-//! the radius found is 0 although `d` is not the center.
+//! is possible because the radius that they give grows with the undistorted radius up to the first
+//! fold. False if the radius found is 0 although `d` is not the center.
 bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
 {
     const double wanted = std::sqrt(d.dot(d));
@@ -168,8 +168,9 @@ void Distortion::undistort(double* x, double* y, int count) const
 }
 
 //! Newton's method, starting from `p`. A step that crosses the first fold or does not decrease the
-//! error is halved. False if `p` cannot be distorted, if the determinant of the derivative is not
-//! positive, or if the remaining error exceeds 1000 times the tolerance (see EXACT).
+//! error is halved. False if distort() fails for the starting point, if the determinant of the
+//! derivative is not positive, or if the remaining error exceeds 1000 times the tolerance (see
+//! EXACT).
 bool Distortion::descend(const Vec2d& d, Vec2d& p) const
 {
     const double tolerance = EXACT * (1 + std::sqrt(d.dot(d)));

@@ -15,8 +15,9 @@ namespace usacv20 {
 The coefficients are k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y, in this order (see
 cv::projectPoints): rational radial terms k, tangential terms p, thin prism terms s, and the tilt of
 the sensor tau. Many such models are valid near the center of the image only: beyond a certain
-radius, the first fold, the distorted radius no longer grows with the radius. Points beyond the
-first fold are treated as not seen by the camera. */
+radius, the first fold, the radius that the radial terms alone give no longer grows with the
+undistorted radius, or becomes infinite. Points beyond the first fold are treated as not seen by the
+camera. */
 class Distortion
 {
 public:
@@ -31,8 +32,8 @@ public:
     @param derivative output, derivative of `d` with respect to `p`; can be null
     @return false if the camera does not see `p`, or if `p` is NaN */
     bool distort(const Vec2d& p, Vec2d& d, Matx22d* derivative = 0) const;
-    //! Finds a point `p` that distort() maps to `d`, with an error of at most 1e-11 (1 + |d|),
-    //! usually of about the rounding error. False if no such point is found.
+    //! Finds a point `p` that distort() maps to `d` up to an error of at most 1e-11 (1 + |d|); the
+    //! error is usually as small as rounding errors. False if no such point is found.
     bool undistort(const Vec2d& d, Vec2d& p) const;
     //! Undistorts `count` points in place. A point for which no undistorted point is found becomes
     //! NaN.

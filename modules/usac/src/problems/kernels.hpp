@@ -27,7 +27,8 @@ Kernels avx2Kernels();
 Kernels avx512Kernels();
 #endif
 
-//! The fastest kernels that the processor supports and OPENCV_CPU_DISABLE permits.
+//! The fastest kernels that the processor supports and that the environment variable
+//! OPENCV_CPU_DISABLE does not exclude.
 const Kernels& kernels();
 
 namespace {  // unnamed, because the formulas are in unnamed namespaces

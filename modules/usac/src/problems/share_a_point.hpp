@@ -108,9 +108,10 @@ T square(T x)
     return x * x;
 }
 
-//! Limits of squared distances in each of the two images: two points are near, that is, possibly
-//! the same up to noise, if their squared distance is at most `near`, and far apart if it is above
-//! `far`.
+//! Limits of squared distances in each of the two images (or arrays), for the search for targets: a
+//! target is a point to which many different points are matched. Two points are near, that is,
+//! possibly the same up to noise, if their squared distance is at most `near`, and far apart if it
+//! is above `far`.
 struct TargetLimits
 {
     /** The limits depend on the image sizes, too, because a threshold can be as large as an image.

@@ -13,8 +13,8 @@ namespace usacv20 {
 
 /** Normal equations of the Gauss-Newton method in the `SIZE` entries of the model (Eigen::Dynamic:
 any number of entries): JtJ = J^T J, Jtr = J^T r and the cost r^T r for weighted errors r with the
-Jacobian J. A parameterization then projects them onto its tangent space, so that the work per point
-is the same for all parameterizations. */
+Jacobian J. A parameterization then projects the equations onto its tangent space, so that the work
+per point is the same for all parameterizations. */
 template <int SIZE>
 struct NormalEquationsOf
 {

@@ -197,7 +197,8 @@ struct ProjectionSums
         return n - row * POINT + row * (row + 1) / 2;
     }
 
-    //! Writes the factors of the sums for point i. @return the weighted squared error of the point
+    //! Writes, for point i, the factors whose products are summed. @return the weighted squared
+    //! error of the point
     template <typename... Numbers>
     static inline double project(double (*USAC_RESTRICT pp)[SUMS_CHUNK],
                                  double (*USAC_RESTRICT factor)[SUMS_CHUNK],

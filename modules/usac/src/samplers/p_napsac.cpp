@@ -38,11 +38,11 @@ the sample is drawn as in PROSAC. Of the non-uniform samples (Params::orderedEve
 points. With more local samples, small groups of consistent outliers (repeated patterns) are taken
 for the inliers more often.
 
-The first #BEFORE_ORDER samples are uniform, unless all samples follow the order. There are two
-exceptions if the order is a guess. With #SMALL points per sample (H), all of the first #ORDERED
-samples follow the order instead, because four inliers are soon drawn from the few densest points.
-With fewer points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, because they take
-less time than computing the order. */
+The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, unless all samples follow the
+order. There are two exceptions if the order is a guess. With #SMALL points per sample (H), all of
+the first #ORDERED samples follow the order instead, because four inliers are soon drawn from the
+few densest points. With fewer points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform,
+because they take less time than computing the order. */
 class PNapsacSampler : public Sampler
 {
 public:

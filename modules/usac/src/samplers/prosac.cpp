@@ -13,7 +13,7 @@ namespace {
 
 /** PROSAC @cite chum2005matching: samples are drawn from the n best points, and n grows slowly.
 Each sample contains the n-th point, the newest one. When n has reached the number of all points,
-samples are uniform. With Params::orderedEvery above 1, there are also uniform samples before. */
+samples are uniform. With Params::orderedEvery above 1, some earlier samples are uniform, too. */
 class ProsacSampler : public Sampler
 {
 public:

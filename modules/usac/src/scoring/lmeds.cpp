@@ -103,7 +103,7 @@ private:
     }
 
     double extent;
-    double sigmas;
+    double sigmas;  //!< the factor q c, see the comment of the class
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ a loss from 0 to 1 it is
 The loss increases strictly with u, because L is at least k^2 / (2 n), the value for which an inlier
 at the threshold is as likely as an outlier. The numerator of the fraction is tabulated over u and
 interpolated linearly, which takes a square root and a table lookup for each point within the
-threshold. */
+threshold. For points beyond it, the loss is 1. */
 class MagsacScore : public Score
 {
 public:
@@ -83,9 +83,9 @@ public:
 
 private:
     const int degrees;
-    const double k, part;
+    const double k, part;  //!< k: see the comment of the class; part: inlierPart()
     double extent;
-    float bends[SIZE + 2];
+    float bends[SIZE + 2];  //!< the numerator of the fraction, tabulated over u
 };
 
 }  // namespace

@@ -53,8 +53,9 @@ weight over x, which is proportional to
 
 with the lower incomplete gamma function g. Weight and loss are functions of u = x/K, the squared
 error in units of the squared threshold. The loss is scaled to 1 at u = 1, and the weight is its
-derivative with respect to u. For n = 1 the weight grows like -log(u) toward u = 0. Therefore, for
-any n, the weight is constant below u = 1/2048, that is, for errors below 1/45 of the threshold.
+derivative with respect to u. For u >= 1, the loss is 1 and the weight is 0. For n = 1 the weight
+grows like -log(u) toward u = 0. Therefore, for any n, the weight is constant below u = 1/2048, that
+is, for errors below 1/45 of the threshold.
 
 The tables have 2048 cells of equal length, in u for the loss and in sqrt(u) for the weight, with
 linear interpolation. The interpolation error is below 1e-3: absolute for the loss, relative for the
@@ -87,7 +88,7 @@ private:
         return lookUp(table, at * (float)SIZE);
     }
 
-    double a, K, scale, atEnd;
+    double a, K, scale, atEnd;  //!< a and K as above; factor of the loss; G(a, K)
     float losses[SIZE + 2], weights[SIZE + 2];
 };
 

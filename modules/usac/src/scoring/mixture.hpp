@@ -14,7 +14,8 @@ threshold is wide and the points lie close together, an inlier with an error equ
 (sigma times thresholdInSigmas()) would be less likely than an outlier. Then the value for which
 both are equally likely is returned instead.
 @param extent side of the cube in which errors of outliers are uniform, see Problem::outlierExtent
-@param sigma standard deviation of the noise, in the same unit */
+@param sigma standard deviation of the noise, in the same unit
+@param degrees degrees of freedom of the error */
 double logDensityRatio(double extent, double sigma, int degrees);
 
 /** Maximum-likelihood inlier ratio of `count` points, by expectation maximization. `ratios` has,

@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Numbers of matches and of artificial wrong matches: in total, and within a model's threshold.
+//! Numbers of matches and of artificial wrong matches: in total, and with an error under a model
+//! that is within the threshold.
 struct Agreement
 {
     int points;    //!< number of matches, without inliers that repeat another inlier

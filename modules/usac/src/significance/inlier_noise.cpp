@@ -29,7 +29,7 @@ constexpr int BEYOND = 10;
 //! Threshold of the rough estimate, in standard deviations of the noise.
 constexpr double IN_SIGMAS = 2.2;
 //! The mixture is fitted only if there are at least LEAST inliers, in STEPS steps of the EM
-//! algorithm, to the errors within WINDOW times the first estimate of sigma. The initial value of
+//! algorithm, to the errors within WINDOW times the sigma of SignificantScale. The initial value of
 //! the fraction of inliers among these points is FIRST_PART; that of the fraction of badly located
 //! points among the inliers is FIRST_TAIL.
 constexpr int LEAST = 50, STEPS = 20, WINDOW = 8;
@@ -37,12 +37,12 @@ constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple
 //! (table 4.2).
 constexpr double WITHIN = 0.95;
-//! Maximum number of inliers at which errorsGoOn() computes how the model changes the noise of
-//! points.
+//! Maximum number of inliers for which errorsGoOn() computes how the model maps the noise of the
+//! points to the error, see degreesAt().
 constexpr int CHANGES = 20;
 
-//! The errors of the first points, and the scale at which they differ most from the errors of wrong
-//! matches.
+//! The errors of the first points, and the noise scale that SignificantScale finds by comparing
+//! them with the errors of wrong matches.
 class Errors
 {
 public:

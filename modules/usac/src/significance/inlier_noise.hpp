@@ -25,7 +25,7 @@ struct InlierNoise
 {
     double sigma;      //!< standard deviation of each component of an inlier's error; 0: unknown,
                        //!< because the model is no better than chance or has too few inliers
-    double threshold;  //!< error that few inliers exceed
+    double threshold;  //!< estimated inlier threshold: an error that few inliers exceed
     double part;       //!< fraction of inliers among the points
     int beyond;        //!< number of inliers minus the sample size: the larger it is, the more
                        //!< precise sigma is

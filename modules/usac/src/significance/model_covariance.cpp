@@ -18,7 +18,8 @@ namespace usacv20 {
 namespace {
 
 //! The noise is estimated from the errors up to NOISE_WINDOW times the support, in at most
-//! NOISE_STEPS steps, until its variance changes by less than the fraction SETTLED.
+//! NOISE_STEPS steps of the EM algorithm, until its variance changes by less than the fraction
+//! SETTLED.
 constexpr double NOISE_WINDOW = 2, SETTLED = 1e-3;
 constexpr int NOISE_STEPS = 30;
 //! Number of rounds. Each round computes the leverages of the points and from these the
@@ -30,7 +31,8 @@ constexpr int ROUNDS = 3;
 //! only 79 % (instead of 87 %) of the essential matrices in tests of forward motion with 30 % wrong
 //! matches are within their 95 % confidence region.
 constexpr double SIMILAR = 10, ALONE = 0.01;
-//! NOISE_SHARE: maximum fraction of the information on a parameter that may come from the noise.
+//! NOISE_SHARE: maximum fraction of the information on a parameter that may come from the noise (N,
+//! see ModelCovariance); above it, the covariance is not determined.
 //! NOISE_POINTS: maximum number of points from which the information of the noise is computed.
 constexpr double NOISE_SHARE = 0.25;
 constexpr int NOISE_POINTS = 128;

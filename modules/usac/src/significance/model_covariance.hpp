@@ -103,16 +103,17 @@ private:
     const int degrees, dimension;
     double support, noise, right;  //!< Polisher::support(); sigma(); expected number of inliers
                                    //!< among the first `looked` points
-    bool known;
-    float* squared;     //!< squared errors of all points
-    int* members;       //!< indices of `count` points within the support
-    double* shares;     //!< for each member, the probability that it is an inlier
-    double* rowMemory;  //!< the rows of J of the members, scaled by `scale`
+    bool known;                    //!< false: the covariance is not determined
+    float* squared;                //!< squared errors of all points
+    int* members;                  //!< indices of `count` points within the support
+    double* shares;                //!< for each member, the probability that it is an inlier
+    double* rowMemory;             //!< the rows of J of the members, scaled by `scale`
+    //! Number of members; number of first points that were examined; components of an error.
     int count, looked, components;
-    Model here;
-    Basis tangent;
-    Vector scale;  //!< factors of the parameters such that J^T J has a unit diagonal
-    Square information, own;
+    Model here;     //!< model()
+    Basis tangent;  //!< derivatives of the entries of `here` with respect to the parameters
+    Vector scale;   //!< factors of the columns of J, such that J^T J has a unit diagonal
+    Square information, own;  //!< sum p J^T J, of the scaled rows; covariance of the parameters
 };
 
 }  // namespace usacv20

@@ -22,8 +22,8 @@ namespace {
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
 //! Wider thresholds that are also tried, as multiples of the given threshold.
 constexpr double WIDE[] = {4, 16};
-//! Work of look() per point, in point tests, the unit of Watch: 90 ns with a million points. The
-//! value only affects when a run with a time limit ends.
+//! Work of look() per point, in point tests of 2 ns, the unit of Watch: 90 ns per point if there
+//! are a million points. The value only affects when a run with a time limit ends.
 constexpr double LOOK_WORK = 45;
 //! Maximum number of passes over all points that remain after the tests of some of the points:
 //! three calls of look(), and decisive().

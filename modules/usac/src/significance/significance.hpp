@@ -36,8 +36,8 @@ optimized model can have more inliers than the model of any sample. An optimum i
 number of sets of m + 1 points is C(n, m + 1) / C(n, m) = (n - m) / (m + 1) times the number of
 samples. The factor is this quotient if the local optimization maximizes the number of inliers,
 otherwise its square root: T = models min(1, C(n, m) / samples) factor. The probability was checked
-on random points (doc/design.md): with n = 1000, LO-RANSAC needs a factor of 30 (F) or 40 (E), and
-the formula gives 124 or 166; USACV20 needs a factor of 10, and the formula gives 11 or 13. The
+on random points (doc/contributing.md): with n = 1000, LO-RANSAC needs a factor of 30 (F) or 40 (E),
+and the formula gives 124 or 166; USACV20 needs a factor of 10, and the formula gives 11 or 13. The
 bound of @cite moisan2004probabilistic counts all possible samples, even those that were not drawn.
 
 With a threshold far below the noise, a right model has few inliers. Therefore 4 and 16 times the
@@ -59,8 +59,8 @@ public:
 
     /** Probability that the same search finds a model as good as this one in random matches.
     @param inliers approximate number of inliers of the model
-    @param clear subsets of the points give upper bounds of the probability; the first bound that is
-    at most `clear` is returned */
+    @param clear subsets of the points give upper bounds of the probability; the first such bound
+    that is at most `clear` is returned without further tests */
     double chance(int inliers, double clear);
 
     /** True if there are so many points that chance() would be at most `limit` for a model with
@@ -70,7 +70,7 @@ public:
 private:
     Agreement look(int count, double scale, int pairs) const;
     //! True if there is no time to test `count` points. All later tests then use at most ENOUGH
-    //! points (see Watch).
+    //! points (50 000, see control/watch.hpp).
     bool shorten(double count);
     //! @param share fraction of the allowed error probability that is assigned to the threshold of
     //! this test, because several thresholds are tried
@@ -85,7 +85,7 @@ private:
     const Correspondences& points;
     const double threshold;
     const int sampleSize;
-    const double trials;
+    const double trials;  //!< T
     Arena& arena;
     const Context* const context;
     int size;        //!< maximum number of points in a test

@@ -16,8 +16,8 @@ namespace usacv20 {
 //! for the first few samples (see isOrderedByKnowledge() in samplers/samplers.hpp).
 //! doc/measurements/constants_tables.md shows the effects of other values of all constants.
 constexpr int FIRST_ORDERED = 480;
-//! Minimum evidence for the order, in standard deviations of the rank sum. One random order in 1000
-//! reaches this value.
+//! Minimum evidence for the order (orderEvidence()), in standard deviations of the rank sum. One
+//! random order in 1000 reaches this value.
 constexpr double CONFIRMED = 3.1;
 //! The order is divided into this many equal parts. The number of inliers in the last part shows
 //! how many inliers are spread over the whole order.
@@ -48,7 +48,8 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
     if (std::sqrt(own.in[0] * own.in[1]) < LEAST_PAIRS || other > left)
         return other > left;
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
-    const double chance = rest.expected * (1 - part * part);  // without pairs of the other motion
+    // expected number of pairs in common cells that are not two matches of the other motion
+    const double chance = rest.expected * (1 - part * part);
     // lower bound of the number of pairs of the other motion that share a cell: unevenly spread
     // points share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
@@ -90,7 +91,7 @@ data confirm the order of the points and if the outliers of the best model canno
 model.
 
 1. Of the first #FIRST_ORDERED samples, every second one follows the order, except for the first few
-samples; later, one in Params::orderedEvery does.
+samples, which are uniform; later, one in Params::orderedEvery follows the order.
 2. The order is confirmed if the inliers of a new best model come early in it (orderEvidence()).
 Then all samples follow the order until PROSAC's criterion is fulfilled (prosacSamples()), unless
 uniform samples would end the search earlier.
@@ -275,7 +276,7 @@ private:
                              std::log(1 - context.params.confidence));
     }
 
-    double cost;
+    double cost;        //!< cost of the best model at the last call of look()
     int orderedNeeded;  //!< number of samples that must follow the order; INT_MAX: such samples do
                         //!< not end the search
     int enough;         //!< number of samples after which the search can end; INT_MAX: not known

@@ -15,9 +15,9 @@ namespace {
 constexpr int PARTITIONS = 5;
 
 /** MAGSAC @cite barath2019magsac: the number of samples that the standard criterion asks for,
-averaged over the noise scale, which is uniform in 0 .. sigma_max. For the scale i sigma_max /
-#PARTITIONS (i = 1, ..., #PARTITIONS), the inliers of the best model are the points with errors up
-to i / #PARTITIONS thresholds.
+averaged over the noise scale, which is uniform in 0 .. sigma_max (the scale to which the threshold
+corresponds). For the scale i sigma_max / #PARTITIONS (i = 1, ..., #PARTITIONS), the inliers of the
+best model are the points with errors up to i / #PARTITIONS thresholds.
 
 The smallest scale has the fewest inliers and asks for the most samples, so that this criterion is
 stricter than the standard one. The criterion suits a threshold several times as large as the noise

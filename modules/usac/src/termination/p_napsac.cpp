@@ -33,9 +33,9 @@ namespace {
 Here the factor does not apply to the points of the sample, because these are inliers even of a
 wrong model; if there are few points, a wrong model therefore has only slightly fewer inliers than
 the right one. For the same reason, r is Params::relaxation times k / (k + #HALF) for k distinct
-inliers outside the sample. r is 0 if all-inlier samples can lead to a wrong model
-(State::successProbability), because such a wrong model has nearly as many inliers as the right
-one. */
+inliers (without copies of matches) outside the sample. r is 0 if all-inlier samples can lead to a
+wrong model (State::successProbability), because such a wrong model has nearly as many inliers as
+the right one. */
 class PNapsacTermination : public Termination
 {
 public:

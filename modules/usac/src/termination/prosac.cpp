@@ -12,11 +12,12 @@ namespace cv {
 namespace usacv20 {
 
 //! SIGNIFICANCE: upper bound of the probability that the inliers of a model arise by chance, as in
-//! @cite chum2005matching. ROUNDING allows for rounding errors of T_n.
+//! @cite chum2005matching. ROUNDING allows for rounding errors of T_n (see Growth).
 constexpr double SIGNIFICANCE = 0.05, ROUNDING = 1 + 1e-9;
-//! After every PART lengths n, the loop checks whether the run must end. LENGTH_WORK is the work
-//! per length in point tests, the unit of Watch: up to 0.4 us. Both affect only how late a run
-//! with a time limit ends.
+//! The loop of prosacSamples() tries all lengths n, that is, sets of the n best points. After every
+//! PART lengths it checks whether the run must end. LENGTH_WORK is the work per length in point
+//! tests of 2 ns, the unit of Watch: up to 0.4 us. Both constants affect only how late a run with a
+//! time limit ends.
 constexpr int PART = 1024;
 constexpr double LENGTH_WORK = 200;
 
@@ -54,8 +55,9 @@ namespace {
 
 /** @brief PROSAC: maximality and non-randomness in the n* best points @cite chum2005matching.
 
-If maximality and non-randomness hold for a length n* (see prosacSamples()), the search ends when
-T'_n* samples have been drawn. Three things differ from the paper:
+If maximality and non-randomness hold for the set of the n* best points (see prosacSamples()), the
+search ends when T'_n* samples have been drawn (see Growth for T_n and T'_n). Three things differ
+from the paper:
 
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
 is chosen. Here the set keeps growing, because other criteria need samples of all points, and the

@@ -13,7 +13,8 @@ namespace {
 /** SPRT: like the standard criterion, but allows for good models that the test has rejected. The
 l-th test rejects a good model with a probability of at most A_l^-h, where h is the positive root of
 epsilon (delta_l / epsilon_l)^h + (1 - epsilon) ((1 - delta_l) / (1 - epsilon_l))^h = 1, and epsilon
-is the inlier ratio of the best model @cite chum2008optimal. For the current test, h = 1 is used. */
+is the inlier ratio of the best model @cite chum2008optimal. For the current test, h = 1 is used.
+A_l, epsilon_l and delta_l are the parameters of the l-th test, see SequentialTest. */
 class SprtTermination : public Termination
 {
 public:

@@ -54,7 +54,7 @@ inliers outside its own sample. INT_MAX: there are no criteria. */
 int exhaustiveSamples(const Context& context);
 
 /** @brief PROSAC's criterion for a model, see ProsacTermination. @return T'_n* (see Growth) for the
-smallest length n* such that
+smallest number n* of best points such that
 
 - maximality: with a probability of at most exp(`logFailure`), none of T_n* uniform samples of the
 n* best points consists of inliers of the model and leads to a model that is kept;
@@ -73,7 +73,7 @@ model if the model is good
 @param randomRatio probability that a point is an inlier of a wrong model
 @param logFailure logarithm of 1 - confidence
 @param exact true: points are assumed to be drawn without repetition, see goodSampleProbability()
-@param length output: n*; 0 if no length fulfills the conditions, and the result is then INT_MAX
+@param length output: n*; 0 if no n* fulfills the conditions, and the result is then INT_MAX
 @param context context of the run; the result is INT_MAX if the run must end during the call. Null:
 there is no time limit */
 int prosacSamples(const uchar* inliers, const uchar* repeated, int size, int m, double kept,

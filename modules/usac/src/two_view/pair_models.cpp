@@ -27,8 +27,8 @@ const ModelKind OF_E = {"E", 5}, OF_F = {"F", 7}, OF_H = {"H", 4};
 //! of freedom, F can fit one more match, right or wrong.
 constexpr int FREEDOM_MORE = 2;
 /* If E was rejected although the cameras are known, a valid F would mean that the focal lengths are
-wrong. To accept only strong evidence, the search for F then uses the significance raised to the
-power ALONE, which is 10^-8 by default. This search draws at most LEAST_SAMPLES samples. */
+wrong. To accept only strong evidence, the search for F then uses the significance (10^-4 by
+default) raised to the power ALONE, that is, 10^-8. It draws at most LEAST_SAMPLES samples. */
 constexpr double ALONE = 2;
 //! F is preferred to E if its surplus of inliers exceeds this many standard deviations of the
 //! number of inliers that is expected by chance. By chance, about one surplus in a thousand is that

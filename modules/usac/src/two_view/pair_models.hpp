@@ -58,6 +58,7 @@ public:
     //! if this rotation explains too few of the inliers of `explained`
     bool turn(const PairModel& explained, Matx33d& R) const;
     //! True if H explains so many of the inliers of a model that the pair is planar or panoramic.
+    //! @param inliers the model (E or F) with its inliers
     bool mostlyOnPlane(const PairModel& inliers) const
     {
         return H.inliers > rules.planarRatio * inliers.inliers;
@@ -67,7 +68,7 @@ public:
     //! one image, planarDistance() for the Sampson distance in both images. The square of
     //! planarDistance() is the ratio of the 0.95 quantiles of chi-square with two degrees of
     //! freedom and with one @cite hartley2003multiple (table 4.2). The square of planarReach() is
-    //! twice this ratio.
+    //! twice this ratio, because the error in one image contains the noise of both images.
     static double planarReach() { return std::sqrt(2 * 5.991 / 3.841); }
     static double planarDistance() { return std::sqrt(5.991 / 3.841); }
 
@@ -103,8 +104,8 @@ private:
     //! @param reach ratio of the threshold of the model to that of the pair
     void settle(const Report& report, double reach);
     void refuse(const ModelKind& kind, const Mat& matrix, int inliers, const Report& report);
-    //! True if F has clearly more inliers than E: either the focal lengths are wrong, or the search
-    //! for E has missed the best model, or F fits wrong matches that agree with each other.
+    //! True if F has clearly more inliers than E. Then either the focal lengths are wrong, or the
+    //! search for E has missed the best model, or F fits wrong matches that agree with each other.
     bool explainsMore() const;
     //! True if F shows that the focal lengths are wrong: it explains clearly more than E, and also
     //! nearly all that E explains. An F that fits wrong matches no longer fits some right ones.

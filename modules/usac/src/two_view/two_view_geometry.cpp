@@ -63,7 +63,8 @@ void addRotationsOfPlane(const PairModels& models, Mat& rotations)
 }
 
 //! All possible rotations of the camera, one of which is right if the matches of the pair are
-//! right. None for a watermark, and none for a planar or panoramic pair with the inliers of F.
+//! right. There is none for a watermark, and none for a planar or panoramic pair whose inliers are
+//! those of F.
 Mat rotationsOf(const TwoViewGeometry& found, const PairModels& models, const PairModel& base)
 {
     Mat result;

@@ -22,7 +22,7 @@ Consecutive points of a block are not suitable: if there are few points, it can 
 inliers are consecutive, so that no model at all would pass. Let epsilon and delta be the inlier
 ratios of a good and of a wrong model. A good model passes with probability epsilon^d, a wrong one
 with probability delta^d, and the test of a wrong model takes (1 - delta^d) / (1 - delta) points on
-average. More samples compensate for rejected good models, see goodModelProbability(). */
+average. More samples compensate for rejected good models, see keptProbability(). */
 class TddVerifier : public Verifier
 {
 public:

@@ -143,7 +143,7 @@ TEST(Usac_ArgumentNames, solvePnPRansac)
 
 //! fitModel and modelErrors call the camera matrix of an absolute pose `cameraMatrix1`, and the
 //! messages must use this name. A caller of findEssentialMat with a focal length has given no
-//! camera matrix, so that the message must name "focal, pp".
+//! camera matrix, so the message must name the arguments "focal, pp" instead.
 TEST(Usac_ArgumentNames, fits_and_focal_lengths)
 {
     const Lists l;

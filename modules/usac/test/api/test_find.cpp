@@ -44,8 +44,8 @@ Params paramsOf(UsacV20Method flag, double pixels, double confidence, int maxIte
     return params;
 }
 
-//! There are few inliers, so that each argument changes the result. There are also few points, so
-//! that a model of F or E is returned even if its inliers could be due to chance.
+//! There are few inliers, so that each argument changes the result. There are also so few points
+//! that, by default (Params::significance), no F or E is rejected as possibly due to chance.
 Scene hardScene(ProblemType problem)
 {
     SceneOptions options;

@@ -66,7 +66,7 @@ void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed&
         EXPECT_TRUE(answer == expected) << "flag " << i;
         EXPECT_FALSE(answer.model.empty()) << "flag " << i << ": " << answer.error;
         const Answer lost([&](Mat& mask) { return calib3d((int)OURS[i], mask); });
-        EXPECT_FALSE(answer == lost) << "flag " << i << ": calib3d gives the same";
+        EXPECT_FALSE(answer == lost) << "flag " << i << ": calib3d gives the same result";
     }
     for (int i = 0; i < THEIR_COUNT; ++i)
     {
@@ -79,7 +79,8 @@ void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed&
         models += !answer.model.empty();
         ++theirCount;
     }
-    EXPECT_GT(models, theirCount / 2) << "models, not only equal exceptions";
+    EXPECT_GT(models, theirCount / 2)
+        << "more than half of OpenCV's flags must give a model, not an exception";
 }
 
 //! Replacements for the forms of cv::findEssentialMat with a mask but without `maxIters`, which do
@@ -194,7 +195,8 @@ TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
         {
             ASSERT_EQ(Size(3, 3), models[i].size());
             for (size_t k = 0; k < others.size(); ++k)
-                EXPECT_FALSE(sameBits(others[k], models[i])) << "form " << i << " is other " << k;
+                EXPECT_FALSE(sameBits(others[k], models[i]))
+                    << "form " << i << " gives the same as others[" << k << "]";
         }
     }
 }

@@ -196,7 +196,7 @@ TEST_P(UsacComponents, spatialWeight)
         params.spatialWeight = weights[i];
         const std::vector<int> sizes = localFits(scene, params);
         ASSERT_FALSE(sizes.empty());
-        EXPECT_NE(before, sizes) << "the inliers that a model is fitted to";
+        EXPECT_NE(before, sizes) << "the weight must change the inliers";
         before = sizes;
     }
 }
@@ -222,7 +222,7 @@ TEST_P(UsacComponents, termination)
     // with samples of one point, all criteria are fulfilled in the first batch of samples
     if (sampleSizeOf(problem()) > 1)
     {
-        EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the first that fires";
+        EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the criterion that is fulfilled first";
     }
     EXPECT_LT(first.iterations, 5000);
 }
@@ -262,7 +262,7 @@ TEST_P(UsacComponents, degeneracy_orientation)
     }
     else if (isAffine(problem()))
     {
-        EXPECT_EQ(without.rejectedSamples, with.rejectedSamples) << "any orientation is right";
+        EXPECT_EQ(without.rejectedSamples, with.rejectedSamples) << "all orientations are valid";
         EXPECT_EQ(0, with.rejectedModels);
     }
     else
@@ -364,7 +364,7 @@ TEST_P(UsacComponents, polishingSteps)
             EXPECT_GE(fits, types[i] == POLISHING_ROBUST ? std::min(steps, 2) : 1) << types[i];
             if (types[i] == POLISHING_ROBUST)
             {
-                EXPECT_LT(fits, 30) << "has settled";
+                EXPECT_LT(fits, 30) << "the model no longer changes";
             }
         }
 }

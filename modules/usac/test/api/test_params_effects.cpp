@@ -190,7 +190,7 @@ TEST_P(UsacEffects, threads)
     EXPECT_EQ((size_t)1, allOfOne);
     if (isAffine(problem()))
     {
-        EXPECT_EQ((size_t)1, four) << "the samples are too cheap for threads";
+        EXPECT_EQ((size_t)1, four) << "samples of affine maps are too fast to use threads";
         EXPECT_EQ((size_t)1, all);
     }
     else if (parallel)  // otherwise OpenCV was built without threads
@@ -241,9 +241,10 @@ TEST_P(UsacEffects, sampler)
     const std::vector<int> pNapsac = samplesOf(scene, params, 50);
     params.sampler = SAMPLER_UNIFORM;
     const std::vector<int> uniform = samplesOf(scene, params, 50);
-    EXPECT_EQ(1, goodPart(scene, prosac)) << "the first samples are of the best points";
+    EXPECT_EQ(1, goodPart(scene, prosac)) << "the first samples consist of the best points";
     EXPECT_NEAR(0.2, goodPart(scene, uniform), 0.1);
-    EXPECT_EQ(sampleSizeOf(problem()) == 1, prosac == pNapsac) << "one point has no neighbors";
+    EXPECT_EQ(sampleSizeOf(problem()) == 1, prosac == pNapsac)
+        << "P-NAPSAC draws neighbors only if a sample has several points";
     EXPECT_GT(goodPart(scene, pNapsac), 0.4);
 }
 

@@ -77,8 +77,8 @@ TEST(Usac_CustomProblem, everyPreset)
 }
 
 //! The problem has no parameterization, so that the module has no covariance of its models, but the
-//! problem converts initial models (fromOutput). A prior with a covariance must then have the same
-//! effect as an initial model alone.
+//! problem converts initial models (fromOutput). An initial model with a covariance (a prior) must
+//! then have the same effect as one without.
 class StartedAffineProblem : public custom::AffineProblem
 {
 public:

@@ -8,8 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! Each purpose has its own range of stream numbers, one for each iteration. These ranges must not
-//! overlap each other or the range of the samples, 0 to INT_MAX, however many iterations there are.
+//! Random numbers come from numbered streams. Each purpose (enum Stream) has a range of streams of
+//! its own, one stream for each iteration. These ranges must not overlap each other or the range of
+//! the samples, 0 to INT_MAX, however many iterations there are.
 TEST(Usac_Streams, doNotMeet)
 {
     uint64 end = INT_MAX;

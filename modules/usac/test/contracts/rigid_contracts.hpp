@@ -33,7 +33,8 @@ Estimate checkedMotion(ProblemType type, const RigidScene& scene, const Params& 
 
 /** Runs every preset on the scene with the threshold `limit`. Expects no exception, a result that
 satisfies all contracts, the same bits when repeated (presets for one thread: also with 2 and 4
-threads), and unchanged input. @return the motions of the presets */
+threads), and unchanged input.
+@return the motions of the presets */
 std::vector<Mat> checkEveryWay(ProblemType type, const RigidScene& scene, double limit,
                                int maxIterations = 100);
 

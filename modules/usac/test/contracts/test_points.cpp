@@ -94,7 +94,8 @@ TEST_P(UsacPoints, collinear)
     else if (problem() == SIMILARITY || problem() == TRANSLATION_2D)
     {
         const Mat moved = Mat_<double>({2, 3}, {1, 0, 10, 0, 1, 0});
-        EXPECT_LT(cvtest::norm(model, moved, NORM_INF), 1e-9) << "but similarity and translation";
+        EXPECT_LT(cvtest::norm(model, moved, NORM_INF), 1e-9)
+            << "a line determines a similarity and a translation";
     }
 }
 

@@ -93,7 +93,7 @@ TEST(Usac_PoseLayouts, every_shape)
         }
         expected.compare("vectors", scene.object, scene.image);
         expected.compare("10x20, 3 channels", a.object.reshape(3, 10), a.image.reshape(2, 20));
-        expected.compare("columns far apart", partOfLarger(a.object).colRange(0, 3),
+        expected.compare("rows far apart in memory", partOfLarger(a.object).colRange(0, 3),
                          a.image.colRange(0, 2));
         Mat ones(a.image.rows, 1, CV_64F, Scalar(1)), homogeneous;
         hconcat(a.image, ones, homogeneous);
@@ -130,8 +130,8 @@ TEST(Usac_PoseLayouts, every_depth)
         expected.compare("Nx1, 3 channels", object.reshape(3), image.reshape(2));
         expected.compare("Nx1x3", solid(object, false), solid(image, false));
         expected.compare("part of a larger matrix", partOfLarger(object), partOfLarger(image));
-        expected.compare("integers or so and doubles", object, a.image);
-        expected.compare("doubles and integers or so", a.object, image);
+        expected.compare("this depth and double", object, a.image);
+        expected.compare("double and this depth", a.object, image);
     }
 }
 

@@ -93,7 +93,7 @@ TEST_P(Usac_RigidLayouts, every_shape)
     }
     expected.compare("vectors", scene.points1, scene.points2);
     expected.compare("10x20, 3 channels", a.points1.reshape(3, 10), a.points2.reshape(3, 20));
-    expected.compare("columns far apart", partOfLarger(a.points1).colRange(0, 3),
+    expected.compare("rows far apart in memory", partOfLarger(a.points1).colRange(0, 3),
                      a.points2.colRange(0, 3));
 }
 
@@ -125,8 +125,8 @@ TEST_P(Usac_RigidLayouts, every_depth)
         expected.compare("Nx1, 3 channels", p1.reshape(3), p2.reshape(3));
         expected.compare("Nx1x3", solid(p1, false), solid(p2, false));
         expected.compare("part of a larger matrix", partOfLarger(p1), partOfLarger(p2));
-        expected.compare("integers or so and doubles", p1, a.points2);
-        expected.compare("doubles and integers or so", a.points1, p2);
+        expected.compare("this depth and double", p1, a.points2);
+        expected.compare("double and this depth", a.points1, p2);
         if (depth == CV_32F)
             expected.compare("vectors", vectorOf<Point3f>(p1), vectorOf<Point3f>(p2));
         if (depth == CV_32S)

@@ -35,8 +35,8 @@ Scene permuted(const Scene& scene, uint64 seed, std::vector<int>& order)
 
 /** Runs the scene and a permutation of it. Samples are drawn by position in a pseudo-random order
 that depends only on the number of points. After a permutation, the samples therefore consist of
-other points. With noise, the model then differs within the noise, and the mask can differ where an
-error is near the threshold. With exact points, every all-inlier sample gives the same model, so
+other points. With noise, the models then differ slightly, and the masks can differ where an error
+is near the threshold. With exact points, every all-inlier sample gives the same model, so
 that the mask must be permuted like the points. @return number of matches whose mask differs */
 int rowsThatDiffer(const Scene& scene, Params params, uint64 seed)
 {
@@ -126,7 +126,7 @@ TEST_P(UsacTruth, mask_of_the_symmetric_residual)
         EXPECT_EQ("", brokenResult(callOf(scene, params), model, mask, report)) << "seed " << seed;
         params.residual = RESIDUAL_STANDARD;
         EXPECT_NE("", brokenResult(callOf(scene, params), model, mask, report))
-            << "seed " << seed << ": no row tells them apart";
+            << "seed " << seed << ": the mask is the same with both residuals";
     }
 }
 

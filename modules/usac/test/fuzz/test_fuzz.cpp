@@ -52,7 +52,7 @@ TEST(Usac_Fuzz, random_bytes)
             ++refused;
         }
     }
-    EXPECT_GT(models, 10) << "of the inputs most are senseless";
+    EXPECT_GT(models, 10) << "some inputs must give a model";
     EXPECT_GT(refused, 10);
 }
 

@@ -2,6 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+// Tests of the minimal solvers of F and E that solve several samples at once, each in one lane of
+// the vector registers (SIMD). Each instruction set has such solvers, called kernels.
+
 #include "test_precomp.hpp"
 #include "support/problem_objects.hpp"
 #include "lanes/lane_kernels.hpp"

@@ -310,7 +310,7 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         params.localOptimization = std::get<1>(GetParam());
         if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS &&
             params.localOptimization <=
-                // for these methods the threshold bounds the noise scale
+                // these methods use the threshold as an upper bound of the noise
                 LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS)
         {
             params.threshold = 4;

@@ -54,7 +54,7 @@ std::vector<double> costsOf(RunnersUp& kept)
     for (int i = 0; i < count; ++i)
     {
         EXPECT_EQ((int)taken[i].candidate.quality.cost, taken[i].candidate.sample[0])
-            << "another's sample";
+            << "the sample of another candidate";
         costs.push_back(taken[i].candidate.quality.cost);
     }
     return costs;

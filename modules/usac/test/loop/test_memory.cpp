@@ -12,7 +12,7 @@
 namespace opencv_test {
 namespace {
 
-//! Number of allocations of one run. `mask` has its memory already.
+//! Number of allocations of one run. The memory of `mask` is allocated before the run.
 long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
 {
     report.sample.reserve(MAX_SAMPLE_SIZE);  // this memory is not allocated by the run
@@ -131,7 +131,7 @@ TEST_P(Usac_Memory, nothingButTheModel)
     const Scene scene = planarScene(problem, 400);
     const std::vector<Variant> variants = allVariants(problem, scene.scores);
     EXPECT_GE(variants.size(), 85u);
-    estimate(scene, Params());  // the first run chooses the kernels
+    estimate(scene, Params());  // the first run of a process chooses the SIMD kernels
     int found = 0;
     for (size_t v = 0; v < variants.size(); ++v)
     {
@@ -244,8 +244,8 @@ TEST_P(Usac_Memory, ofOpenCV)
             for (int run = 0; run < 4; ++run)
                 counts[run] = allocationsOf(*usac, mask, report, found) - model;
             ASSERT_TRUE(found);
-            EXPECT_EQ(counts[2], counts[1]) << "nothing grows";
-            EXPECT_EQ(counts[3], counts[1]) << "nothing grows";
+            EXPECT_EQ(counts[2], counts[1]) << "no growth from run to run";
+            EXPECT_EQ(counts[3], counts[1]) << "no growth from run to run";
             const long ofCuts = spatial ? 12L * report.localOptimizations * params.localIterations
                                         : 0;
             const long ofTree = neighborhood ? 3L * scene.size() : 0;
@@ -267,7 +267,7 @@ TEST(Usac_Memory_Pose, nothingButTheModel)
         options.coefficients = coefficients;
         const PoseScene scene = makePoseScene(options);
         estimateAbsolutePose(scene.object, scene.image, scene.K,
-                             scene.distortion);  // chooses the kernels
+                             scene.distortion);  // chooses the SIMD kernels
         const std::vector<Variant> variants = allVariants(ABSOLUTE_POSE, scene.scores);
         EXPECT_GE(variants.size(), 83u);
         int found = 0;
@@ -305,7 +305,7 @@ TEST(Usac_Memory_Space, nothingButTheModel)
         const RigidScene scene = makeRigidScene(options);
         options.size = 100;
         const RigidScene fewer = makeRigidScene(options);
-        estimateRigid3D(scene.points1, scene.points2);  // chooses the kernels
+        estimateRigid3D(scene.points1, scene.points2);  // chooses the SIMD kernels
         int found = 0, runs = 0;
         for (const Variant& variant : allVariants(problem, scene.scores))
         {

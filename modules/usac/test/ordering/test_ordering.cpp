@@ -24,7 +24,7 @@ std::vector<int> sortBy(const Ptr<Ordering>& ordering, const Correspondences& po
     for (size_t i = 0; i < order.size(); ++i)
     {
         const bool inside = order[i] >= 0 && order[i] < points.size;
-        EXPECT_TRUE(inside && !seen[order[i]]) << "no permutation";
+        EXPECT_TRUE(inside && !seen[order[i]]) << "not a permutation";
         if (inside)
             seen[order[i]] = 1;
     }

@@ -68,10 +68,9 @@ TEST(Usac_Polishing, reweightedIsAFixedPoint)
     twice = normalized(twice);
     thrice = normalized(thrice);
     EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), once), 1e-5)
-        << "polishing does something";
+        << "polishing must change the true model";
     EXPECT_LT(modelDistance(once, twice), 1e-3);
-    EXPECT_LT(modelDistance(twice, thrice), 1e-5)
-        << "what a step that gains next to nothing may leave";
+    EXPECT_LT(modelDistance(twice, thrice), 1e-5) << "polishing must have converged";
 }
 
 //! Without points near the model, a polisher must not change the model.

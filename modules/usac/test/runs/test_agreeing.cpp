@@ -78,9 +78,9 @@ TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
         EXPECT_LE(missed(FUNDAMENTAL, agreement, Params::accurate(), 40), 2) << agreement.name;
 }
 
-//! MAGSAC++ rates models within a wider threshold. Consistent wrong matches can then look like
-//! noise, or lower the cost of a model that few matches fit well. A run counts as a miss if its
-//! MSAC cost is too high by more than eight outliers, because MAGSAC++ minimizes another cost.
+//! MAGSAC++ rates models by errors up to a wider threshold. Consistent wrong matches can then look
+//! like noise, or lower the cost of a model that few matches fit well. A run counts as a miss if
+//! its MSAC cost is too high by more than eight outliers, because MAGSAC++ minimizes another cost.
 TEST(Usac_Agreeing, matches_do_not_look_like_noise)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};

@@ -303,7 +303,8 @@ TEST_P(UsacAutomaticThreshold, otherScores)
     }
 }
 
-//! A second motion with fewer matches must not be taken for larger noise.
+//! A second motion with fewer matches must not be taken for larger noise in more than one of ten
+//! scenes.
 TEST_P(UsacAutomaticThreshold, besideAnotherMotion)
 {
     int right = 0;

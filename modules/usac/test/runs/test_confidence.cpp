@@ -112,7 +112,7 @@ struct Runs
         const double deviation = std::sqrt(0.1 * 0.9 * SEEDS);
         EXPECT_LE(wrong, 0.1 * SEEDS + 3.5 * deviation);
         EXPECT_NEAR(expected * SEEDS, wrong, 4.5 * deviation);
-        EXPECT_EQ(reason, stop) << "the same in all runs";
+        EXPECT_EQ(reason, stop) << "the same reason must end all runs";
     }
 
     int wrong;

@@ -147,10 +147,10 @@ void expectLeastSquares(const FewPoints& points, const String& name)
     }
 }
 
-/** The horizon is near or between the points. A homography allows points on both sides of the
-horizon, although no camera sees both sides. Most samples then have points on both sides, so that
-the orientation check rejects them. If three of six points are on each side, the check rejects all
-samples. */
+/** The horizon is near the points or between them. A homography allows points on both sides of the
+horizon, although no camera sees both sides. If the horizon is between the points, most samples have
+points on both sides, so that the orientation check rejects them. If three of six points are on each
+side, the check rejects all samples. */
 TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
 {
     const int counts[] = {6, 8, 10, 14, 20};
@@ -209,7 +209,7 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
         }
     }
     EXPECT_EQ(0, better);
-    EXPECT_GT(equal, 20 * 100) << "of 20 times 210: most samples lead there";
+    EXPECT_GT(equal, 20 * 100) << "of 20 x 210 samples must lead to about the returned minimum";
 }
 
 //! Exact points, `behind` of which are behind the second camera and the others in front of it, so

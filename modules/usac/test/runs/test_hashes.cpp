@@ -14,8 +14,8 @@
 #include <Eigen/Dense>
 
 // Hashes of the results of every preset, on the sets of test_data/ and on synthetic scenes, are
-// compared with those of test_data/hashes.txt, so that no change of a result is unnoticed. After an
-// intended change, this command writes all rows again:
+// compared with those of test_data/hashes.txt, so that no change of a result goes unnoticed. After
+// an intended change, this command writes all rows again:
 //
 //     USAC_WRITE_HASHES=test_data/hashes.txt opencv_test_usac --gtest_filter=Usac_Hashes.stored
 //

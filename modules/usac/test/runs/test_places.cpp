@@ -135,8 +135,9 @@ TEST(Usac_Places_Report, says_that_few_inliers_are_independent)
     EXPECT_GT(collapsed, 0);
 }
 
-//! An object that is 16 pixels wide in image 2 must be found, however large it is in image 1. The
-//! map of the object must not be mistaken for a map of everything to one point.
+//! An object that is 16 pixels wide in image 2 must be found in at least 19 of 20 scenes, however
+//! large it is in image 1. The map of the object must not be mistaken for a map of everything to
+//! one point.
 TEST(Usac_Places_Objects, small_ones_are_found)
 {
     for (int problem : {HOMOGRAPHY, AFFINITY, SIMILARITY})

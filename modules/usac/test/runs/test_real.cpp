@@ -5,7 +5,8 @@
 #include "support/contracts.hpp"
 #include "support/real_set.hpp"
 
-// Real matches of test_data/ are compared with ground truth that is independent of all estimators.
+// Tests with real matches of test_data/. Models are compared with check points: correct
+// correspondences, independent of the matches and of all estimators, see the README.md there.
 
 namespace opencv_test {
 namespace {
@@ -61,7 +62,7 @@ TEST_P(UsacReal, every_flag)
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
     verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 1.5);
     verify("USACV20_ACCURATE", set.find(USACV20_ACCURATE, real.threshold, mask), mask);
-    // MAGSAC++ has a reach of 2.4 thresholds, and the wall in graf is not quite a plane
+    // MAGSAC++ uses errors up to 2.4 thresholds, and the wall in graf is not quite a plane
     verify("USACV20_MAGSAC", set.find(USACV20_MAGSAC, real.threshold / 2, mask), mask,
            graf ? 4 : 2);
     verify("USACV20_PROSAC", set.sorted().find(USACV20_PROSAC, real.threshold, mask), mask);

@@ -69,13 +69,13 @@ TEST_P(UsacScale, million_points)
             localOptimizations = cost.report.localOptimizations;
         }
         EXPECT_LE(cost.report.iterations, 2 * iterations + 100)
-            << "the samples do not grow with the points";
+            << "the number of samples must not grow with the number of points";
         EXPECT_LE(cost.report.localOptimizations, 2 * localOptimizations + 10);
     }
 }
 
-//! Counts the points whose errors are computed. Fused kernels do not bypass this residual, because
-//! it is not a built-in one.
+//! Counts the points whose errors are computed. Fused kernels (loops that compute errors and scores
+//! together) do not bypass this residual, because it is not a built-in one.
 class CountingResidual : public Residual
 {
 public:
@@ -135,7 +135,7 @@ double workPerPoint(ProblemType problem, const NamedPreset& preset, int size, ui
     usac->components().nonMinimalSolver = solver;
     EXPECT_FALSE(usac->run().empty());
     if (cvtest::debugLevel > 0)
-        printf("%s, %s, %d points: each is rated %.1f times, and fitted to %.1f times\n",
+        printf("%s, %s, %d points: each is rated %.1f times and used in %.1f fits\n",
                nameOf(problem), preset.name, size, residual->count / size, solver->count / size);
     return (residual->count + solver->count) / size;
 }

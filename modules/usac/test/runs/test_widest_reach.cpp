@@ -33,7 +33,8 @@ double meanError(int problem, Params params, double pixels)
 }
 
 //! The noise is 0.5 pixels. With thresholds of 0.005 to 0.6 pixels, errors must be at most 1.3
-//! times those with 1.5 pixels, unless `widestReach` is too small.
+//! times those with 1.5 pixels. They must be larger if `widestReach`, the largest multiple of the
+//! threshold to which the search can widen it, is too small.
 TEST_P(Usac_WidestReach, thresholdsBelowTheNoise)
 {
     const double usual = meanError(GetParam(), Params::magsacPlusPlus(), 1.5);
@@ -187,7 +188,7 @@ struct TwoGroups
 };
 
 //! If a check rejects the best model after the reach has grown, this model must not be returned.
-//! The model of the other group must be found.
+//! The model of the other group must be found in at least four of five scenes.
 TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
 {
     int found = 0;

@@ -49,7 +49,7 @@ TEST(Usac_Napsac, uniformAmongNeighbors)
             {
                 const int rank = (int)(std::find(members, members + count, draw.sample[k]) -
                                        members);
-                ASSERT_LT(rank, count) << "no neighbor";
+                ASSERT_LT(rank, count) << "not a neighbor of the first point";
                 ++ranks[k][rank];
             }
         }

@@ -57,9 +57,9 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
     }
 }
 
-//! The first point of P-NAPSAC's samples must be drawn like PROSAC's: from the growing set, and
-//! always the newest point of the set until the set contains all points. This holds for all samples
-//! if `period` (Params::orderedEvery) is 1, otherwise for one in `period` samples after the first
+//! The first point of a sample of P-NAPSAC must be the newest point of PROSAC's growing set until
+//! this set contains all points, and any of its points afterward. This holds for all samples if
+//! `period` (Params::orderedEvery) is 1, otherwise for one in `period` samples after the first
 //! eight. The other samples must be uniform and count for the termination criteria.
 void expectGrowth(int ordering, int period)
 {

@@ -13,8 +13,8 @@
 #include "problems/kernels.hpp"
 #include "scoring/scores.hpp"
 
-// Points, models and direct formulas for the tests of the kernels; a single test file includes this
-// header.
+// Points, models and direct formulas for the tests of the kernels, that is, of the vectorized loops
+// over the points; a single test file includes this header.
 
 namespace opencv_test {
 namespace {

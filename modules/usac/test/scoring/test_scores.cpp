@@ -171,7 +171,8 @@ TEST(Usac_Scores, threshold)
     EXPECT_EQ(1, inliers.cost);
 }
 
-//! A residual of the caller that has the errors of another residual, but no fused kernels.
+//! A residual of the caller that has the errors of another residual, but no fused kernels (loops
+//! that compute errors and scores together).
 class CustomResidual : public Residual
 {
 public:

@@ -50,7 +50,8 @@ Case twoViews(ProblemType problem, const SceneOptions& options, double threshold
     return result;
 }
 
-//! Matches with 90 % inliers, and noise of `noise` times about a third of the threshold.
+//! Matches with 90 % inliers. Each component of an error has a standard deviation of `noise` times
+//! about a third of the threshold.
 Case makeCase(ProblemType problem, int seed, int size = 100, double noise = 1)
 {
     if (problem < ABSOLUTE_POSE)

@@ -110,8 +110,9 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
                 << "problem " << type << " " << levels[level];
         }
         if (cvtest::debugLevel > 0)
-            printf("problem %d: %d calls, below %d %d %d, half %d\n", type, calls, below[0],
-                   below[1], below[2], half);
+            printf("problem %d: of %d calls, chance is at most 0.1 in %d, 0.01 in %d, 0.001 in %d, "
+                   "0.5 in %d\n",
+                   type, calls, below[0], below[1], below[2], half);
     }
 }
 
@@ -152,7 +153,7 @@ TEST(Usac_Significance, randomAndRightPairsInSpace)
 }
 
 //! Correct models of few points, or with a low inlier ratio, must be distinguished from random
-//! models.
+//! models: Report::chance must be below 0.001 in at least 19 of 20 scenes.
 TEST(Usac_Significance, rightModelsOfFewPoints)
 {
     const struct
@@ -177,8 +178,9 @@ TEST(Usac_Significance, rightModelsOfFewPoints)
     }
 }
 
-//! Random matches must give no model: 200 matches by default, and 15 matches if the caller sets a
-//! limit (Params::significance). By default, 15 matches are too few to reject a model.
+//! Random matches must give no model (except for at most one of 20 sets): 200 matches by default,
+//! and 15 matches if the caller sets a limit (Params::significance). By default, 15 matches are too
+//! few to reject a model.
 TEST(Usac_Significance, randomMatchesGiveNoModel)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
@@ -212,7 +214,7 @@ TEST(Usac_Significance, randomMatchesGiveNoModel)
         }
         EXPECT_LE(models[0], 1) << "problem " << (int)problem;
         EXPECT_LE(models[1], 1) << "problem " << (int)problem;
-        EXPECT_EQ(20, few) << "problem " << (int)problem << ": 15 points decide nothing";
+        EXPECT_EQ(20, few) << "problem " << (int)problem << ": too few points to reject";
     }
 }
 
@@ -240,10 +242,11 @@ TEST(Usac_Significance, rightModelsAreReturned)
     options.inliers = 4;
     options.outliers = 0;
     EXPECT_FALSE(estimate(makeScene(HOMOGRAPHY, options), Params()).empty())
-        << "a sample and no more";
+        << "no points but a minimal sample";
 }
 
-//! Random matches that are repeated must not count as evidence for a model.
+//! Random matches that are repeated must not count as evidence for a model. At most one of ten sets
+//! is allowed to give a model.
 TEST(Usac_Significance, repeatedMatches)
 {
     for (int problem : TWO_VIEW_PROBLEMS)

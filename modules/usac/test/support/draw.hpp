@@ -29,7 +29,8 @@ public:
         sampler->start(context);
     }
 
-    //! Parameters with which all samples are drawn in the way of the sampler and none uniformly.
+    //! Parameters with which every sample follows the rule of the sampler. By default, most would
+    //! be uniform (Params::orderedEvery).
     static Params ordered()
     {
         Params result;

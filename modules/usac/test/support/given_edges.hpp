@@ -9,7 +9,8 @@
 
 namespace opencv_test {
 
-//! A neighborhood whose edges are set by the test; it has no layers.
+//! A neighborhood graph whose edges are set by the test. It has no layers (sizes of neighborhoods),
+//! because the graph cut uses only the edges.
 class GivenEdges : public Neighborhood
 {
 public:

@@ -13,8 +13,8 @@
 namespace opencv_test {
 
 //! Bound of the rounding error of sums of some dozens of products in any order, relative to the sum
-//! of the absolute values of the terms. It also covers the error of making a rotation matrix
-//! orthogonal again.
+//! of the absolute values of the terms. It also covers the error of orthogonalizing a
+//! rotation matrix again.
 const double ROUNDING = 300 * DBL_EPSILON;
 //! The oracles do not decide about points whose radius differs by less than this fraction from the
 //! radius of a fold of the lens, that is, of a maximum of the distorted radius.

@@ -178,7 +178,8 @@ std::string brokenPose(const EstimatorCall& call, double threshold, const Mat& m
     const Matx33d R(model.colRange(0, 3));
     const double off = cv::norm(R * R.t() - Matx33d::eye(), cv::NORM_INF);
     if (!(off <= 1e-9) || !(cv::determinant(R) > 0))
-        return format("no rotation: %g off, determinant %g", off, cv::determinant(R));
+        return format("not a rotation: |R R^T - I| is %g, the determinant %g", off,
+                      cv::determinant(R));
     const PoseOracle oracle(call.K1, call.d1, model);
     for (int i = 0; i < mask.rows; ++i)
     {

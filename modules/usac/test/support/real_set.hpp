@@ -17,8 +17,9 @@ struct RealSet
 {
     explicit RealSet(const std::string& name);
 
-    //! Mean error of the check points in pixels: transfer error in image 2 for H, Sampson distance
-    //! for F and E. 1e9 if `estimated` is empty.
+    //! Mean error in pixels of the check points (check1, check2): correct correspondences that do
+    //! not come from the matches. Transfer error in image 2 for H, Sampson distance for F and E.
+    //! 1e9 if `estimated` is empty.
     double error(const cv::Mat& estimated) const;
     cv::Mat find(cv::UsacV20Method flag, double pixels, cv::OutputArray mask) const;
     cv::Mat estimateWith(const cv::usacv20::Params& params, cv::OutputArray mask,

@@ -144,13 +144,13 @@ std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33
         if (!finite(call.points1[i]) || !finite(call.points2[i]))
         {
             if (inlier)
-                return format("row %d is not finite and an inlier", i);
+                return format("row %d is an inlier, but not finite", i);
             continue;
         }
         if (points1[i].seen == LensOracle::NOT_SEEN || points2[i].seen == LensOracle::NOT_SEEN)
         {
             if (inlier)
-                return format("row %d is not seen by its lens and an inlier", i);
+                return format("row %d is an inlier, but its lens does not show it", i);
             continue;
         }
         if (points1[i].seen == LensOracle::UNDECIDED || points2[i].seen == LensOracle::UNDECIDED)
@@ -172,7 +172,7 @@ std::string brokenModel(ProblemType problem, const Matx33d& M)
             return "the model is not finite";
     const double size = cv::norm(M);
     if (problem == SIMILARITY && (M(0, 0) != M(1, 1) || M(0, 1) != -M(1, 0)))
-        return format("%g %g, %g %g is no rotation with a scale", M(0, 0), M(0, 1), M(1, 0),
+        return format("%g %g, %g %g is not a rotation with a scale", M(0, 0), M(0, 1), M(1, 0),
                       M(1, 1));
     if (problem == TRANSLATION_2D && (M(0, 0) != 1 || M(0, 1) != 0 || M(1, 0) != 0 || M(1, 1) != 1))
         return format("%g %g, %g %g is not 1 0, 0 1", M(0, 0), M(0, 1), M(1, 0), M(1, 1));
@@ -229,11 +229,14 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
     {
         const bool reason = report.stop == STOP_TOO_FEW_POINTS || report.stop == STOP_NO_MODEL ||
                             report.stop == STOP_NOT_SIGNIFICANT;
-        return inliers > 0 ? "inliers without a model" : reason ? "" : "no reason for no model";
+        return inliers > 0 ? "the mask has inliers, but there is no model"
+               : reason    ? ""
+                           : "there is no model, but Report::stop does not say why";
     }
     if (report.stop < STOP_MAX_ITERATIONS ||
         (inliers == 0 && call.params.widestReach <= call.params.reach))
-        return "a model and no reason for it: " + report.describe();
+        return "there is a model, but no inliers, or a Report::stop of a run without a model: " +
+               report.describe();
     if (!findsThreshold(call.params) &&
         std::abs(report.threshold / call.params.threshold - 1) > 1e-12)
         return format("the threshold is %.17g", report.threshold);

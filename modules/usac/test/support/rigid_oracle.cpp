@@ -46,7 +46,8 @@ std::string brokenRotation(const EstimatorCall& call, const Mat& model)
     const Matx33d R = unit * (1 / scale);
     const double off = cv::norm(R * R.t() - Matx33d::eye(), cv::NORM_INF);
     if (!(off <= 1e-9) || !(cv::determinant(R) > 0))
-        return format("no rotation: %g off, determinant %g", off, cv::determinant(R));
+        return format("not a rotation: |R R^T - I| is %g, the determinant %g", off,
+                      cv::determinant(R));
     if (call.problem == cv::usacv20::RIGID_3D && !(std::abs(scale * largest - 1) <= 1e-9))
         return format("the scale of a rigid motion is %.17g", scale * largest);
     return "";

@@ -34,7 +34,7 @@ enum OutlierModel {
     // With the following models, at most SceneOptions::structured wrong matches follow the model;
     // the others are uniform.
     OUTLIERS_SHIFT,  //!< shifted in image 2 by one common vector of 30 to 100 pixels, as for
-                     //!< repeated windows
+                     //!< repeated windows of a facade
     OUTLIERS_PLANE,  //!< true matches of another camera motion and of another plane
     OUTLIERS_PLACE,  //!< in image 2 at one of `places` points, with Gaussian noise of 0.4 pixels,
                      //!< as from a watermark or a dead pixel
@@ -175,7 +175,7 @@ cv::Mat estimate(const Scene& scene, const cv::usacv20::Params& params,
 cv::usacv20::Report reportOf(const Scene& scene, const cv::usacv20::Params& params,
                              cv::OutputArray mask = cv::noArray());
 
-//! The model in the internal coordinates of `points`, with unit Frobenius norm.
+//! The model in the internal (normalized) coordinates of `points`, with unit Frobenius norm.
 cv::Matx33d toInternal(const cv::usacv20::Correspondences& points, const cv::Matx33d& model);
 //! The model scaled to unit Frobenius norm.
 cv::Matx33d normalized(const cv::Matx33d& model);

@@ -226,9 +226,9 @@ TEST(Usac_ConfirmedOrder, goodScoresPayWhereFewAreRight)
     EXPECT_LE(found.iterations, 2000);  // 14 000 without scores
 }
 
-//! Scores must not mislead the search: neither if the best scores are those of a smaller second
-//! motion, of the true matches in a square of image 1, or of the matches near a point of image 1,
-//! nor if the scores are random or reversed.
+//! Scores must not mislead more than one of 40 searches, even if the best scores are those of a
+//! smaller second motion, of the true matches in a square of image 1, or of the matches near a
+//! point of image 1, or if the scores are random or reversed.
 TEST(Usac_ConfirmedOrder, badScoresAreSeen)
 {
     const ProblemType problems[] = {HOMOGRAPHY, ESSENTIAL};

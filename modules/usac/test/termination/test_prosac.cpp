@@ -41,7 +41,8 @@ struct Case
                              exact, length);
     }
 
-    //! The expected result, by evaluating the definitions for all lengths.
+    //! The expected result, by evaluating the definitions for all numbers n of best points.
+    //! `length` is set to the best n, or to 0 if there is none.
     int bruteForce(int& length) const
     {
         const int N = (int)inliers.size();
@@ -301,11 +302,10 @@ int iterationsFor(const Scene& scene, const Params& params, double kept)
     EXPECT_NEAR(c.bruteForce(length), iterations, 3);
     EXPECT_EQ((int)STOP_PROSAC, termination.reason());
     state.bestQuality.inliers = 4;
-    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "a sample is no support";
+    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "the sample itself is no support";
     state.bestQuality.inliers = 40;
     state.order = 0;
-    EXPECT_EQ(INT_MAX, termination.iterations(context, state))
-        << "a sampler that asks for no order";
+    EXPECT_EQ(INT_MAX, termination.iterations(context, state)) << "the points are not sorted";
     return iterations;
 }
 

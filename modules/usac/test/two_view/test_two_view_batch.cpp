@@ -204,8 +204,9 @@ double rightSamples(int sampleSize, int matches, int right)
 
 TEST(Usac_TwoViewRules, samples)
 {
-    // for fast(), the number of samples is that of the formula; for the default search (`usual`),
-    // which needs fewer samples, the number is smaller
+    // for fast(), the number of samples is that of the standard formula. For E and F, the default
+    // search (`usual`) needs fewer samples: one sample counts as 4 for F and, with n inliers, as
+    // (n / 11.5)^2, at least 1 and at most 4, for E (measured, see two_view/rules.cpp).
     Params params = Params::fast();
     params.confidence = 0.999;
     params.maxIterations = 7070;
@@ -214,7 +215,7 @@ TEST(Usac_TwoViewRules, samples)
                  expected = std::ceil(std::log(0.001) / std::log1p(-right));
     EXPECT_EQ(expected, rules.samples(params, 5, 75));
     EXPECT_NEAR(1 - std::pow(1 - right, 7070), rules.reached(params, 5, 75), 1e-12);
-    EXPECT_EQ(500, rules.samples(params, 7, 15));  // all matches are true
+    EXPECT_EQ(500, rules.samples(params, 7, 15));  // all matches are true: the minimum, 500
     EXPECT_EQ(1, rules.reached(params, 7, 15));
     EXPECT_GT(rules.samples(params, 7, 1000000000), 1e5);
     Params usual;

@@ -175,8 +175,8 @@ TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
     }
 }
 
-//! F must show that a focal length is wrong, also if many right matches are on a plane, which an E
-//! of wrong focal lengths explains. `rotations` must contain one rotation, that of the essential
+//! F must reveal a wrong focal length, even if many true matches are on a plane, with which an E of
+//! wrong focal lengths can agree. `rotations` must contain one rotation, that of the essential
 //! matrix nearest to F.
 TEST(Usac_TwoViewGeometry, wrong_focal_lengths)
 {
@@ -224,7 +224,7 @@ TEST(Usac_TwoViewGeometry, repeated_structure)
             const TwoViewGeometry found = estimateTwoViewGeometry(pairOf(scene), params);
             replaced += found.configuration == TWO_VIEW_UNCALIBRATED;
         }
-        EXPECT_LE(replaced, 5) << distance;  // without contradictsCameras(), 23 to 36
+        EXPECT_LE(replaced, 5) << distance;  // 23 to 36 without PairModels::contradictsCameras()
     }
 }
 

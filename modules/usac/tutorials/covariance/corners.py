@@ -75,7 +75,7 @@ def main(path):
         zoom.tick_params(labelsize=7)
     figure.savefig(path)
     inside = [np.mean([e @ np.linalg.solve(C, e) < 5.991 for e in many[:, i] - truth[i]]) for i, C in enumerate(shapes)]
-    print("noise {:.2f} px; corners within the ellipses, moved to the true corners: {}".format(
+    print("noise {:.2f} px; estimated corners within the ellipses, if these are centered at the true corners: {}".format(
         report.sigma, ", ".join("{:.0f} %".format(100 * part) for part in inside)))
 
 

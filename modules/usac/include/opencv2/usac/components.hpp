@@ -127,9 +127,9 @@ struct CV_EXPORTS Context
     const NonMinimalSolver& nonMinimalSolver() const;
 
     //! Error, not squared, up to which Quality::inliers counts a point (unless Score::usesThreshold
-    //! is false). If there is no score component: the threshold of the points.
+    //! is false). If there is no score component: Correspondences::threshold.
     double inlierThreshold() const;
-    //! Probability that a point is an inlier by chance, see Problem::randomInlierRatio.
+    //! Probability that a point is an inlier of a wrong model, see Problem::randomInlierRatio.
     double randomInlierRatio() const;
 
     //! True if the run must end now (Params::maxTime, ProgressScope); the component then returns
@@ -164,7 +164,7 @@ public:
     /** @brief Begins a run. Called before the run uses the component (except for constants such as
     MinimalSolver::sampleSize), even if there are too few points for a model. Called again in the
     same run if the points change: of more than 32768 points, the search uses only a random part,
-    and polishing uses all; #THRESHOLD_ESTIMATED first uses 512 points. The threshold of the points
+    and polishing uses all; #THRESHOLD_ESTIMATED first uses 512 points. Correspondences::threshold
     can change without another call.
 
     A component that stores data about a run (for example its points or learned values) resets them
@@ -336,14 +336,14 @@ public:
     virtual bool wholeModel() const;
     //! True: the cost is the number of points that are not inliers. Default: false.
     virtual bool countsInliers() const;
-    //! False: the score does not use the threshold of the points but counts a fixed fraction of the
+    //! False: the score does not use Correspondences::threshold but counts a fixed fraction of the
     //! points as inliers, as least median of squares does. Default: true.
     virtual bool usesThreshold() const;
-    //! Fraction of the threshold of the points, 0 to 1, up to which accumulate() counts a point as
-    //! an inlier; points beyond it contribute to the cost only. Default: 1.
+    //! accumulate() counts a point as an inlier if its error is at most this fraction (above 0 and
+    //! at most 1) of the threshold; points beyond it contribute to the cost only. Default: 1.
     virtual double inlierPart() const;
-    //! The threshold, not squared, for the mask and for the steps after the search. Default: the
-    //! threshold of the points.
+    //! The threshold, not squared, for the mask and for the steps after the search. Default:
+    //! Correspondences::threshold, which leaves the thresholds of search and mask unchanged.
     virtual double threshold(const Context& context, const Model& model) const;
 };
 

@@ -33,8 +33,8 @@ of the d parameters of Report::covariance. H, F and E are first brought to the s
 which the estimation returns them.
 
 The parameters of H, F and E are coordinates in an orthonormal basis of the tangent space of the
-valid matrices of unit norm (for F, those of rank 2); as H is returned with h33 = 1, its derivatives
-are those of the entries divided by h33. */
+valid matrices of unit norm (for F, those of rank 2). As H is returned with h33 = 1, the rows for H
+are the derivatives of the quotients h_ij / h33. */
 CV_EXPORTS_W Mat tangentOfModel(ProblemType problem, InputArray model);
 
 /** @brief Covariance of the entries of a model: T C T^T, where T is the result of #tangentOfModel

@@ -25,15 +25,15 @@ enum {
     MAX_SAMPLE_SIZE = 8,  //!< maximum number of points in a minimal sample
     MAX_MODELS = 10,      //!< maximum number of models from one minimal sample
     MAX_MODEL_SIZE = 12,  //!< maximum number of entries of a model
-    MAX_COLUMNS = 7       //!< maximum number of columns of Correspondences: six coordinates and a
-                          //!< factor
+    MAX_COLUMNS = 7       //!< maximum number of columns of Correspondences: six coordinates and
+                          //!< the factor of the error
 };
 //! Columns of Correspondences for problems of two views.
 enum TwoViewColumn {
-    X1,  //!< x of image 1
-    Y1,  //!< y of image 1
-    X2,  //!< x of image 2
-    Y2   //!< y of image 2
+    X1,  //!< x coordinate in image 1
+    Y1,  //!< y coordinate in image 1
+    X2,  //!< x coordinate in image 2
+    Y2   //!< y coordinate in image 2
 };
 
 /** @brief A model as a matrix of at most #MAX_MODEL_SIZE numbers: a homography, a fundamental or
@@ -105,7 +105,7 @@ coordinates[1] from the second. Each of these numbers has a column of `size` ele
 #X2, #Y2 for two views. For H and F, the points of each image are translated and scaled to about
 unit size (for F and for symmetric errors of H with the same scale in both images, so that errors
 are scaled by this factor, too). For E, they are on the normalized image plane. The order is
-pseudo-random and fixed, so that consecutive points are always a random sample.
+pseudo-random and fixed, so that consecutive points are always a random subset.
 
 If there are Params::sigmas, another column follows, with the factor by which the residual
 multiplies the error of the point: `meanSigma` divided by the sigma of the point. */
@@ -128,8 +128,8 @@ struct Correspondences
     int inputSize;           //!< number of rows in the caller's arrays
     int coordinates[2];      //!< numbers per point in each array; 0: there is no second array
     bool weighted;           //!< true if there are Params::sigmas
-    //! Mean of Params::sigmas, (sum s^d / N)^(1/d) with d = Problem::errorDimension(); 1: there are
-    //! none.
+    //! Mean of Params::sigmas, (sum s^d / N)^(1/d) with d = Problem::errorDimension(); 1 if there
+    //! are no sigmas.
     double meanSigma;
     const float* column[MAX_COLUMNS];  //!< single precision for scoring, 64-byte aligned
     const double* exact[MAX_COLUMNS];  //!< double precision for solvers and fits

@@ -31,8 +31,8 @@ single row or column is one point.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the
 threshold, else 0.
 @param report output, statistics of the run.
-@return 3x3, CV_64F, with h33 = 1 (unit Frobenius norm where h33 is 0); empty if there is none, and
-`report` says why.
+@return 3x3, CV_64F, with h33 = 1 (unit Frobenius norm if h33 is nearly 0); empty if there is none,
+and `report` says why.
 
 Points with NaN or infinite coordinates are never inliers. Raises cv::Exception for lists of
 different lengths, points of the wrong shape and invalid parameters. @cite ivashechkin2021usacv20

@@ -55,7 +55,7 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 @param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
 @param params options; those of the search (samples, local optimization, termination, time) have no
-effect; with a mask of the inliers, those of the polishing and `covariance` have none, either
+effect; with a mask of the inliers, those of the polishing and `covariance` have no effect, either
 @param mask, report as in #fitModel
 @param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares fit
 to these inliers is made, starting from the model. Empty: the model is polished as at the end of an

@@ -82,7 +82,7 @@ enum ProblemType {
     SIMILARITY = 4,  //!< 2x3 rotation, uniform scale and translation from 2 or more correspondences
     ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more points of space
     RIGID_3D = 6,       //!< 3x4 rotation and translation from 3 or more pairs of 3-D points
-    SIMILARITY_3D = 7,  //!< the same with a uniform scale
+    SIMILARITY_3D = 7,  //!< like #RIGID_3D, with a uniform scale
     TRANSLATION_2D = 8  //!< 2x3 translation from 1 or more correspondences
 };
 
@@ -108,8 +108,8 @@ enum SamplerType {
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
     //! P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
     //! @cite barath2019progressive. One in four of the non-uniform samples (Params::orderedEvery)
-    //! is drawn in this way (one in two if the order is only guessed), the others as in PROSAC; the
-    //! paper draws all in this way until the neighborhood contains all points. A neighborhood
+    //! is drawn in this way (one in two without scores or sorted points), the others as in PROSAC;
+    //! the paper draws all in this way until the neighborhood contains all points. A neighborhood
     //! doubles when its point is chosen again; in the paper it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC = 3,     //!< a random point and some of its neighbors @cite nasuto2002napsac
@@ -126,7 +126,7 @@ enum NeighborhoodType {
     NEIGHBORHOOD_RADIUS = 2  //!< the points within Params::neighborRadius pixels, through cv::flann
 };
 
-//! Error of a point that is minimized and compared with the threshold.
+//! The error of a point, which is minimized and compared with the threshold.
 enum ResidualType {
     //! H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose:
     //! reprojection error in the original (distorted) image. 3-D motions: distance between a mapped
@@ -179,11 +179,11 @@ enum VerificationType {
 enum LocalOptimizationType {
     LOCAL_OPTIMIZATION_NONE = 0,        //!< nothing
     LOCAL_OPTIMIZATION_GRAPH_CUT = 1,   //!< least squares with a shrinking threshold; then, if the
-                                        //!< model is clearly better than the best one, graph cut
+                                        //!< model clearly beats the best model so far, graph cut
                                         //!< and inner RANSAC @cite barath2018graph
     LOCAL_OPTIMIZATION_LO_RANSAC = 2,   //!< inner RANSAC and least squares with a shrinking
                                         //!< threshold @cite chum2003locally
-    LOCAL_OPTIMIZATION_FLO_RANSAC = 3,  //!< the same with fits of bounded size
+    LOCAL_OPTIMIZATION_FLO_RANSAC = 3,  //!< like LO-RANSAC, with fits of bounded size
                                         //!< @cite lebeda2012fixing
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4,            //!< fits marginalized over the noise scale
                                                        //!< @cite barath2019magsac
@@ -210,14 +210,15 @@ enum TerminationFlags {
                              //!< sample of m points, drawn without replacement, is all-inlier with
                              //!< probability C(I, m) / C(N, m) instead of (I / N)^m
     //! PROSAC's criterion, if inliers of the best model come early in a known order and samples of
-    //! its outliers yield no better model; needs PROSAC or P-NAPSAC with `orderedEvery` above 1,
-    //! local optimization and `runnersUp` above 0, else no effect
+    //! its outliers yield no better model; takes effect only with PROSAC or P-NAPSAC, local
+    //! optimization, `orderedEvery` above 1 and `runnersUp` above 0
     TERMINATION_ORDER = 64
 };
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
 //! checks that the problem has. For affine maps, absolute poses and 3-D motions,
-//! #DEGENERACY_DEGENSAC raises cv::Exception unless all bits are set (Params::usac2013 lacks one).
+//! #DEGENERACY_DEGENSAC raises cv::Exception unless all bits are set; Params::usac2013, which lacks
+//! #DEGENERACY_REPEATED, therefore causes this exception.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
@@ -283,8 +284,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW std::vector<float> scores;
     /** Standard deviation of the error of each correspondence, in pixels or up to a common factor
     (such as keypoint scales); N values from 1e-6 to 1e6, or no sigmas; with sigmas, `threshold`,
-    Usac::errors, Report::threshold and Report::sigma are in units of the sigmas, and a residual of
-    a program must weight its errors, see Correspondences. Default none. */
+    Usac::errors, Report::threshold and Report::sigma are multiples of the sigma of each match, and
+    a residual of your own must weight its errors, see Correspondences. Default none. */
     CV_PROP_RW std::vector<float> sigmas;
     /** Entries, row by row, of an initial model as the estimator returns it (such as that of the
     previous frame), or no model; see setInitialModel(). It is scored and optimized before the first
@@ -340,8 +341,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW double spatialWeight;
     //! Maximum number of runners-up: models that were not the best one, but are optimized when the
     //! search is about to end, because they have the most inliers that are outliers of the best
-    //! model. If above 0, samples are also drawn from the outliers of the best model. 0..100.
-    //! Default 16.
+    //! model. If above 0, samples are also drawn from these outliers. 0..100. Default 16.
     CV_PROP_RW int runnersUp;
     /** Samplers that prefer some points (all except #SAMPLER_UNIFORM) draw one in this many samples
     in their own way; the others are uniform. Only the uniform samples count for the termination
@@ -355,10 +355,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default
     //! #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT | #TERMINATION_ORDER.
     CV_PROP_RW int termination;
-    //! For #TERMINATION_P_NAPSAC: how many more inliers than the best model a "significantly"
-    //! better one has, as a fraction of the k inliers of the best model outside its sample. The
-    //! fraction is multiplied by k / (k + 30), so that it is smaller for few inliers; 0..1. Default
-    //! 0.05.
+    //! For #TERMINATION_P_NAPSAC and #TERMINATION_ORDER: how many more inliers than the best model
+    //! a "significantly" better one has, as a fraction of the k inliers of the best model outside
+    //! its sample. The fraction is multiplied by k / (k + 30), so that it is smaller for few
+    //! inliers; 0..1. Default 0.05.
     CV_PROP_RW double relaxation;
     //! Factor on the number of samples that the termination criteria ask for, as if 1 - confidence
     //! were raised to this power; 1..100. Default 1.

@@ -20,8 +20,8 @@ enum StopReason {
     STOP_TOO_FEW_POINTS = 1,  //!< fewer finite correspondences than a minimal sample: no model
     STOP_NO_MODEL = 2,        //!< no sample yielded a model with enough inliers (degenerate data)
     STOP_MAX_ITERATIONS = 3,  //!< Params::maxIterations was reached
-    STOP_STANDARD = 4,        //!< #TERMINATION_STANDARD fired, or practically all samples have been
-                              //!< drawn
+    STOP_STANDARD = 4,        //!< #TERMINATION_STANDARD fired, or practically all possible samples
+                              //!< have been drawn
     STOP_SPRT = 5,            //!< #TERMINATION_SPRT fired
     STOP_P_NAPSAC = 6,        //!< #TERMINATION_P_NAPSAC fired
     STOP_CUSTOM = 7,          //!< a Termination component of the caller fired
@@ -32,8 +32,8 @@ enum StopReason {
     STOP_NOT_SIGNIFICANT = 10,
     STOP_ORDER = 11,      //!< #TERMINATION_ORDER fired
     STOP_TIME = 12,       //!< Params::maxTime was reached: the model, if any, is the best so far
-    STOP_CANCELLED = 13,  //!< the function of a ProgressScope returned false: best model so far, if
-                          //!< any
+    STOP_CANCELLED = 13,  //!< the function of a ProgressScope returned false: the model, if any, is
+                          //!< the best so far
     STOP_NO_SEARCH = 14   //!< result of Usac::fit or Usac::refine, which do not search
 };
 
@@ -58,8 +58,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW int rejectedModels;
     //! Number of models rejected by the pre-emptive verification.
     CV_PROP_RW int refusedModels;
-    //! Number of models that were not better than the best model of a sample so far; some of these
-    //! are optimized nevertheless, see Params::runnersUp.
+    //! Number of models that were not better than the best model that any sample had given so far,
+    //! before local optimization; some of these are optimized nevertheless, see Params::runnersUp.
     CV_PROP_RW int droppedModels;
     //! Number of local optimizations.
     CV_PROP_RW int localOptimizations;
@@ -85,10 +85,10 @@ struct CV_EXPORTS_W_SIMPLE Report
     /** Upper bound of the probability that the same search finds a model with as many independent
     inliers (at the threshold, or at 4 or 16 times the threshold) in random matches of the same
     points, 0..1, after @cite moisan2004probabilistic. A value below 1e-6 and below a hundredth of
-    Params::significance can come from a subset of the points; if the run was stopped, any value can
-    come from only 50 000 points. Also set if the model was rejected because of this value; 1 if no
-    model was found, or without a search (Usac::fit, Usac::refine). With #THRESHOLD_ESTIMATED, it is
-    computed as if the estimated threshold had been given. */
+    its limit (Params::significance) can come from a subset of the points; if the run was stopped,
+    any value can come from only 50 000 points. Also set if the model was rejected because of it; 1
+    if no model was found, or without a search (Usac::fit, Usac::refine). With #THRESHOLD_ESTIMATED,
+    it is computed as if the estimated threshold had been given. */
     CV_PROP_RW double chance;
     //! Threshold of the mask, in the unit of Params::threshold: Params::threshold itself or, with
     //! #THRESHOLD_ESTIMATED or #QUALITY_LMEDS, a threshold estimated from the data.
@@ -127,14 +127,15 @@ struct CV_EXPORTS_W_SIMPLE Report
     #pointCovariance compute the covariance of a motion and of points.
 
     All entries are NaN if the covariance is not determined: if the inliers leave some of the
-    parameters free (F of a plane, F and E without a translation, points of a line), if at most two
-    degrees of freedom are left, or if it is unknown what the model minimizes, because there is no
-    polishing (#POLISHING_NONE) or a Polisher of your own without Polisher::support. The covariance
-    does not cover a wrong model, wrong matches that agree with each other, errors of the
-    calibration, or matches that are not independent (each repetition counts as a measurement). For
-    F and E it is too small if wrong matches are among the inliers (for example with a third of all
-    matches wrong, forward motion or planes). For all models it is too small if there are few
-    matches with noise as wide as the threshold. See doc/measurements/covariance.md. */
+    parameters free (for F: points on a plane; for F and E: no translation; for most models: points
+    on a line), if at most two degrees of freedom are left, or if it is unknown what the model
+    minimizes, because there is no polishing (#POLISHING_NONE) or a Polisher of your own without
+    Polisher::support. The covariance does not cover a wrong model, wrong matches that agree with
+    each other, errors of the calibration, or matches that are not independent (each repetition
+    counts as a measurement). For F and E it is too small if wrong matches near the epipolar lines
+    are among the inliers (for example if a third of all matches are wrong, mainly with forward
+    motion or planes). For all models it is too small if there are few matches with noise as wide as
+    the threshold. See doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
     //! Probability, 0..1, of a difference at least as large as that between the initial model and
     //! the model of the points, if Params::initialCovariance and `covariance` describe the errors

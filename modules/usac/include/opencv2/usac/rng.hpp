@@ -31,8 +31,8 @@ public:
     unsigned next() { return (unsigned)(mix(key + 0x9e3779b97f4a7c15ULL * ++counter) >> 32); }
     //! Uniform in 0 .. n-1, n > 0.
     int uniform(int n) { return (int)(((uint64)next() * (unsigned)n) >> 32); }
-    //! Writes `count` distinct numbers in 0 .. n-1, where count <= n. Compares all pairs, so that
-    //! `count` should be small, such as the size of a sample.
+    //! Writes `count` distinct numbers in 0 .. n-1, where count <= n. Compares all pairs; `count`
+    //! should therefore be small, such as the size of a sample.
     void distinct(int n, int count, int* out)
     {
         for (int i = 0; i < count;)

@@ -49,7 +49,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     pairs with these ratios, see #samples. Default none: the ratios are unknown. */
     CV_PROP_RW std::vector<double> ratios;
     //! The pair is planar or panoramic if a homography explains more than this fraction of the
-    //! inliers; 0..1. Default 0.8.
+    //! inliers of the accepted model; 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
     //! The focal lengths are considered wrong if the number of inliers of E is clearly less than
     //! this fraction of the number of inliers of F, see #estimateTwoViewGeometry; 0..1. Default
@@ -171,7 +171,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
 to each search separately. `initialModel` and `sigmas` must be empty. With #THRESHOLD_ESTIMATED, the
 threshold of the pair is estimated until a model is accepted; from then on it is Report::threshold
-of this model (divided by 1.77 if the model is H)
+of this model (divided by 1.77, the ratio of the thresholds of H and E, if the model is H)
 @param rules rules by which models are accepted and the configuration is chosen
 @return the configuration with its models, inliers and pose.
 
@@ -181,9 +181,9 @@ only if its Report::chance is at most the square of `significance`. If F is acce
 rejected or explains clearly fewer matches, E is estimated once more, starting from F. H is
 estimated from the inliers of E or F or, if both were rejected, from all matches. The focal lengths
 are rejected if E has clearly less than `calibrationRatio` of the inliers of F, and F loses hardly
-any inlier of E, and (if most inliers of E are on a plane) the gain of F is not by chance. These are
-the rules of COLMAP, with differences listed in doc/collections.md. The threshold of H is larger
-than that of E because the error of H has two coordinates.
+any inlier of E, and (if most inliers of E are on a plane) F has not gained its additional inliers
+by chance. These are the rules of COLMAP, with differences listed in doc/collections.md. The
+threshold of H is larger than that of E because the error of H has two coordinates.
 
 Raises cv::Exception for lists of different lengths, points of the wrong shape, invalid cameras,
 distortion without a camera, and invalid options. */

@@ -67,7 +67,7 @@ ArrayMat::ArrayMat(const py::object& given, const char* name)
     py::array array = py::reinterpret_borrow<py::array>(given);
     const int depth = depthOf(array.dtype()), dimensions = (int)array.ndim();
     if (depth < 0 || dimensions < 1 || dimensions >= TOO_MANY)
-        CV_Error_(Error::StsBadArg, ("%s: numbers of %d bytes and %d dimensions are no matrix",
+        CV_Error_(Error::StsBadArg, ("%s: %d-byte elements in %d dimensions do not form a matrix",
                                      name, (int)array.itemsize(), dimensions));
     const bool channels = dimensions == 3 && array.shape(2) <= CV_CN_MAX && array.shape(2) > 0;
     if (!fits(array, channels ? 2 : 1))

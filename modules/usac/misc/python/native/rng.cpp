@@ -28,12 +28,12 @@ static int uniform(Rng& rng, int n)
 void addRng(py::module_& module)
 {
     py::class_<Rng>(module, "Rng",
-                    "Pseudo-random numbers: those of a seed and a stream, the same ones each time.")
+                    "Pseudo-random numbers; the same seed and stream always give the same numbers.")
         .def(py::init<uint64, uint64>(), py::arg("seed") = 0, py::arg("stream") = 0)
         .def("next", &Rng::next, "32 uniformly distributed bits.")
-        .def("uniform", &uniform, py::arg("n"), "A uniform number of 0 .. n-1.")
+        .def("uniform", &uniform, py::arg("n"), "A uniformly distributed integer from 0 to n-1.")
         .def("distinct", &distinct, py::arg("n"), py::arg("count"),
-             "An array of int32: count distinct numbers of 0 .. n-1, at most 8.");
+             "An array of int32 with count distinct integers from 0 to n-1; count is at most 8.");
 }
 
 }  // namespace python

@@ -53,7 +53,7 @@ public:
     void enter()
     {
         if (scope)
-            CV_Error(Error::StsError, "progress: it is in use");
+            CV_Error(Error::StsError, "progress: this object is already in use");
         thread = std::this_thread::get_id();
         scope.reset(new ProgressScope([this](const Report& report) {
             const py::gil_scoped_acquire locked;

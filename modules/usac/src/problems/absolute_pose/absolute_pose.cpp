@@ -36,7 +36,8 @@ public:
         return array == 0 ? "objectPoints" : "imagePoints";
     }
     bool commonUnit() const CV_OVERRIDE { return false; }
-    //! Time per sample, in point tests, and number of models per sample; both were measured.
+    //! Time per sample in point tests (see SampleCost), and number of models per sample; both were
+    //! measured.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(800, 1.7); }
 
     double toModelCoordinates(double* const* columns, int count) const CV_OVERRIDE
@@ -100,7 +101,7 @@ public:
     {
         if (type == RESIDUAL_SYMMETRIC)
             CV_Error(Error::StsBadArg,
-                     "residual: RESIDUAL_SYMMETRIC needs two images, an absolute pose has one");
+                     "residual: RESIDUAL_SYMMETRIC needs two images; an absolute pose has one");
         return createResidualOf<ReprojectionError>();
     }
 

@@ -19,8 +19,8 @@ constexpr double UNSEEN = 1e100;
 }  // namespace
 
 //! Projects the object point of a datum. False if the camera does not see the point. `derivative`,
-//! unless null, is the derivative with respect to PoseCamera::matrix (R X + t), the point before
-//! the division by its depth.
+//! unless null, is the derivative of `seenAt` with respect to PoseCamera::matrix (R X + t), the
+//! point before the division by its depth.
 bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
                            Matx<double, 2, 3>* derivative) const
 {

@@ -13,9 +13,10 @@ namespace usacv20 {
 
 /** @brief Reprojection error in the original, distorted image.
 
-A datum is an object point and an image point of PoseCamera::toSearchUnits; a model is a 3x4 matrix
-`matrix` [R t], see PoseCamera. For points that are not in front of the camera and for points that
-the lens does not image, squared errors are infinite and the components of the error are 1e100. */
+A datum is an object point and an image point converted by PoseCamera::toSearchUnits; a model is a
+3x4 matrix `matrix` [R t], see PoseCamera. For points that are not in front of the camera and for
+points that the lens does not image, squared errors are infinite and the components of the error are
+1e100. */
 class LensResidual : public Residual
 {
 public:

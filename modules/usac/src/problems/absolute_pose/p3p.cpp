@@ -39,7 +39,8 @@ constexpr double LEAST_HEIGHT = 1e-9, LEAST_EXTENT = 1e-13;
 //! Unit vectors of two rays are equal up to rounding if their distance is at most this value.
 constexpr double LEAST_DISTANCE = 4e-15;
 //! Largest reprojection error of a point of the sample, on the plane z = 1, with which a pose is
-//! accepted. The error is estimated from rounding errors and from the misfit of the two triangles.
+//! accepted. The error is estimated from rounding errors and from the misfit between the triangle
+//! of the object points and the triangle of the same points in camera coordinates.
 constexpr double MISFIT = 1e-6;
 
 //! Three points, reordered so that the first one lies opposite the longest side.

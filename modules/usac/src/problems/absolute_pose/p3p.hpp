@@ -14,7 +14,8 @@ namespace usacv20 {
 
 The columns of a datum are X, Y and Z of the object point and u and v of its image on the plane
 z = 1 of the camera. A model is the 3x4 matrix [R t] that maps object points to camera coordinates;
-R is a rotation.
+R is a rotation. This is for the identity as camera matrix; for other camera matrices, see the
+constructor.
 
 The law of cosines gives three quadrics in the distances of the points from the camera. The ratios
 of these distances are the intersections of two conics @cite persson2018lambda, found by means of a

@@ -17,9 +17,9 @@ namespace {
 squared errors of points in front of it. */
 constexpr double BEHIND = 1e200;
 
-/** Reprojection error p(P X) - x for a point X of space and the 3x4 matrix P of a camera
-@cite hartley2003multiple. The squared error is infinite for a point that is not in front of the
-camera. */
+/** Reprojection error p(P X) - x for a point X of space and the 3x4 matrix P of a camera, where p
+is the perspective division @cite hartley2003multiple. The squared error is infinite for a point
+that is not in front of the camera. */
 struct ReprojectionError
 {
     enum { COLUMNS = 5, NUMBERS = 12, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 1 };

@@ -210,8 +210,9 @@ bool same(const TriangleDepths& a, const TriangleDepths& b)
 
 int solveTriangle(const Triangle& T, TriangleDepths* depths)
 {
-    // The third equation of TriangleDepths, times a12 and a13, is subtracted from the first and
-    // from the second equation. This leaves two homogeneous quadratic equations in p, q and w.
+    // The third equation of TriangleDepths is multiplied by a12 and subtracted from the first one,
+    // and multiplied by a13 and subtracted from the second one. This leaves two homogeneous
+    // quadratic equations in p, q and w.
     const double pq = 1 - 0.5 * T.sigma * T.sigma * T.s23, half = 0.5 * T.sigma;
     const double w12 = T.s12 - T.a12 * T.s23, w13 = T.s13 - T.a13 * T.s23;
     const Conic first = {{1 - T.a12, T.a12 * pq, half * w12, -T.a12, -half * T.a12 * T.s23, w12}};

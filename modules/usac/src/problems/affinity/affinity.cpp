@@ -62,7 +62,7 @@ public:
 //! Points count as collinear if the determinant of the matrix of their second moments in image 1 is
 //! at most this fraction of the squared trace. Rounding alone can cause a determinant of about
 //! DBL_EPSILON times the squared trace; the value includes a margin for points that are close
-//! together.
+//! together, whose rounding errors are larger relative to their distances.
 constexpr double ON_A_LINE = 1e-13;
 
 //! Least squares of the transfer error, in closed form: the linear part of the map is the
@@ -99,7 +99,7 @@ Ptr<NonMinimalSolver> createAffinityLeastSquares() { return makePtr<AffinityLeas
 
 Ptr<Problem> createAffinity2DProblem()
 {
-    // 150 is SampleCost::time, measured in the same run as that of a homography
+    // 150 is SampleCost::time, in point tests; it was measured together with that of a homography
     const PlaneMapParts parts = {"affinity", 150, false, createAffinity3Solver,
                                  createAffinityLeastSquares};
     return makePtr<PlaneMap<AffinityParameterization>>(parts);

@@ -29,8 +29,8 @@ struct AffinityMap
 
 typedef PlaneParameterization<AffinityMap> AffinityParameterization;
 
-//! Creates the problem of an affine map from image 1 to image 2. Such a map describes a plane that
-//! is small or far from the camera.
+//! Creates the problem of an affine map from image 1 to image 2. Such a map approximates the
+//! homography of a planar surface that is small compared with its distance from the cameras.
 Ptr<Problem> createAffinity2DProblem();
 //! Creates the 3-point solver, see Affinity3Solver.
 Ptr<MinimalSolver> createAffinity3Solver();

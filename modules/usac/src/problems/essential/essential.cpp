@@ -41,7 +41,8 @@ public:
     String name() const CV_OVERRIDE { return "essential"; }
     int dimension() const CV_OVERRIDE { return EssentialParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    //! Time per sample, in point tests, and number of models per sample; both were measured.
+    //! Time per sample in point tests (see SampleCost), and number of models per sample; both were
+    //! measured.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1500, 2); }
     //! Two camera motions explain all points of a plane @cite ma2004invitation; only points off the
     //! plane show which motion is right.

@@ -11,13 +11,13 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-/* A point is within the threshold for the epipole e if (e n)^2 <= e^T G e, see
-PlaneParallax::setPlane(). For e = u + t v on a line, this becomes A t^2 + 2 B t + C <= 0. The arc
-begins where this polynomial becomes negative, at t = (-B - sqrt(D)) / A, and ends at
-(-B + sqrt(D)) / A; it passes through infinity if A is negative. D = B^2 - A C is expanded, because
-the largest terms, r0^2 r1^2, cancel. If D <= 0, the point is within the threshold for every e on
-the line, because some e on the line fulfills e n = 0. Then the point does not vote: its arc is from
-0 to -1. */
+/* A point is within the threshold for the epipole e if (e n)^2 <= e^T G e, where e n is a scalar
+product, see PlaneParallax::setPlane(). For e = u + t v on a line, this becomes
+A t^2 + 2 B t + C <= 0. The arc begins where this polynomial becomes negative, at
+t = (-B - sqrt(D)) / A, and ends at (-B + sqrt(D)) / A; it passes through infinity if A is negative.
+D = B^2 - A C is expanded, because the largest terms, r0^2 r1^2 with r0 = u n and r1 = v n, cancel.
+If D <= 0, the point is within the threshold for every e on the line, because some e on the line
+fulfills e n = 0. Then the point does not vote: its arc is from 0 to -1. */
 void arcsKernel(const float* rows, int stride, const float* weights, int* USAC_RESTRICT from,
                 int* USAC_RESTRICT to)
 {

@@ -16,6 +16,8 @@ namespace usacv20 {
 
 namespace {
 
+// In this file, a homography maps a match, and the match is on its plane, if the transfer error is
+// at most three inlier thresholds, see planeLimit(), unless another limit is given.
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
 //! Least-squares fits of the homography of a plane: maximum numbers of points in a fit (MAX_FIT),
@@ -34,7 +36,8 @@ constexpr double SAME_PLANE = 0.9;
 //! before the plane is fitted.
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! A dominant plane also has at least this fraction w of all points. With w = 0.1, one sample in
-//! 5000 (21 w^5) has five of its seven points on the plane; smaller planes arise by chance.
+//! 5000 (21 w^5) has five of its seven points on the plane. For smaller planes, this is so rare
+//! that a plane found in a sample is more likely to fit its points by chance.
 constexpr double SEEN = 0.1;
 //! Models whose number of inliers is less than this fraction of that of the best model are not
 //! searched for. The fraction is below 1 because local optimization can add inliers.
@@ -48,12 +51,13 @@ constexpr double OFF_PLANE = 4;
 If five or more of the seven points lie on a plane, F fits everything on the plane and little else.
 At least one of five fixed triples of the sample then lies on the plane. F and a triple determine a
 homography; the sample is degenerate if one of the five homographies maps at least five of the seven
-points. A locally optimized model has no sample; for such a model, a plane with more than half of
-its inliers is searched for. The remedy is plane and parallax: the homography H of the plane,
-refined on the points of the plane, and two correspondences off the plane determine F = [e]x H. The
-paper samples such pairs; PlaneParallax describes the method used here. The best F = [e]x H replaces
-the original model only if its score is better, so that other scenes are not affected. A plane with
-fewer points than half of the model's inliers is ignored, because ordinary samples then find F. */
+points. A locally optimized or initial model has no sample; a plane with more than half of the
+inliers of such a model is searched for. The remedy is plane and parallax: the homography H of the
+plane, refined on the points of the plane, and two correspondences off the plane determine
+F = [e]x H. The paper samples such pairs; PlaneParallax describes the method used here. The best
+F = [e]x H replaces the original model only if its score is better, so that other scenes are not
+affected. A plane with fewer points than half of the model's inliers is ignored, because ordinary
+samples then find F. */
 class Degensac : public Degeneracy
 {
 public:
@@ -176,6 +180,7 @@ private:
 
     /** Repeats least squares over the points on the plane until their number stops growing, at most
     MAX_FITS times: the homography of three noisy points often explains only some of them.
+    @param least minimum number of points on a dominant plane
     @param H replaced by the homography of the last fit
     @return false if fewer than LEAST_POINTS or ROUGHLY times `least` points are on the plane before
     the first fit, or fewer than `least` after the last fit, or if a fit fails; otherwise onPlane

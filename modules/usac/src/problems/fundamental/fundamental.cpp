@@ -31,10 +31,11 @@ protected:
 };
 
 /** The matrix of rank 2 that is closest to F, scaled to unit norm. F must have unit norm; it is
-returned unchanged if its rank is 2 up to rounding. The product T2^T F T1, where T1 and T2 normalize
-the points of the images, has rank 2 only up to the rounding errors of its largest terms. If these
-terms cancel, for example because both epipoles are at the origin and coordinates are large, these
-errors are not small relative to the product. */
+returned unchanged if its rank is 2 up to rounding. The argument is a product T2^T M T1, where T1
+and T2 normalize the points of the images and M, the model of the search, has rank 2. The product
+has rank 2 only up to the rounding errors of its largest terms. If these terms cancel, for example
+because both epipoles are at the origin and coordinates are large, these errors are not small
+relative to the product. */
 Matx33d toRankTwo(const Matx33d& F)
 {
     Vec3d w;
@@ -52,7 +53,8 @@ public:
     String name() const CV_OVERRIDE { return "fundamental"; }
     int dimension() const CV_OVERRIDE { return FundamentalParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 1; }
-    //! Time per sample, in point tests, and number of models per sample; both were measured.
+    //! Time per sample in point tests (see SampleCost), and number of models per sample; both were
+    //! measured.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(300, 1.2); }
     int normalization(int) const CV_OVERRIDE { return SCALE_COMMON; }
     bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE

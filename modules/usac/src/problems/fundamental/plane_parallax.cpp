@@ -15,7 +15,8 @@ namespace {
 
 //! The line of a match is divided into bins, the possible positions of the epipole. The bins of the
 //! match's points x2 and H x1, and up to NEAR bins on either side of them, do not count: an epipole
-//! in these bins fits the match in any case, which is not evidence for the epipole.
+//! at x2 fits the match whatever its x1 is, and an epipole at H x1 fits it whatever its x2 is, so
+//! that the match is no evidence for these epipoles.
 constexpr int NEAR = 2;
 
 /* doc/measurements/constants_tables.md lists the effects of halving or doubling the following
@@ -24,8 +25,9 @@ constexpr int NEAR = 2;
 //! Assumed fraction of the correct matches whose lines lead to the epipole despite noise.
 constexpr double GOOD_LINES = 0.5;
 //! An epipole is fitted only if the number of its votes is at least this fraction of the number of
-//! inliers among the voters: that of the best model, or the wanted number if this is larger. The
-//! fraction is below 1 because the cost can be lower even if there are no more inliers.
+//! inliers among the voters (the matches off the plane): that of the best model, or the wanted
+//! number if this is larger. The fraction is below 1 because the cost can be lower even if there
+//! are no more inliers.
 constexpr double WORTH_A_FIT = 0.8;
 //! A fit continues after two steps if its cost over the voters exceeds the lowest such cost by at
 //! most GOES_ON. A fitted epipole is scored over all points if the excess is at most WORTH_RATING,
@@ -68,7 +70,8 @@ void lineBasis(const Vec3d& n, Vec3d& u, Vec3d& v)
     v *= 1 / norm(v);
 }
 
-//! Computes the coefficients in a^T G b of the upper triangle of a symmetric matrix G.
+//! Computes the coefficients of the six entries of the upper triangle of a symmetric matrix G in
+//! a^T G b, row by row.
 template <typename T>
 void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
 {
@@ -269,9 +272,9 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
     quality = whole;
 }
 
-//! Least squares over at most `most` voters within `width` thresholds of F = [e]x H. The
-//! denominators of their Sampson errors are computed from the input `e` and are then constant.
-//! False if these voters do not determine `e`.
+//! Least squares over at most `most` voters whose Sampson errors under F = [e]x H are at most
+//! `width` thresholds. The denominators of these errors are computed from the input `e` and are
+//! then constant. False if these voters do not determine `e`.
 bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
 {
     const Correspondences& p = voters.view();
@@ -280,7 +283,7 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
     kernelsOf<SampsonError>().errors(p, m, 0, p.size, errors);
     const float widest = (float)(width * width * limit);
     int near[MAX_POINTS + 1], count = 0;
-    for (int i = 0; i < p.size && count < most; ++i)  // avoids a branch that is hard to predict
+    for (int i = 0; i < p.size && count < most; ++i)  // no `if`: it would be hard to predict
     {
         near[count] = i;
         count += errors[i] <= widest;

@@ -23,10 +23,10 @@ projective (thus closed) line, which is computed in closed form. The position wh
 overlap is the best e over all pairs with the drawn match, whatever the noise of the second match.
 Therefore about w^-1 lines suffice.
 
-The lines are drawn as in RANSAC, but without replacement: in the order of the points, until one of
-the lines leads to a better e with the given confidence. The number of lines follows from the number
-of inliers that a model of interest has, see search(). This number is at most the number of points,
-which bounds the time if no correct match is off the plane. */
+The lines are drawn as in RANSAC, but without replacement: in the order of the points, until with
+the given confidence one of them has led to a better e, if there is one. The number of lines follows
+from the number of inliers that a model of interest has, see search(). There are at most as many
+lines as points off the plane, which bounds the time if no correct match is off the plane. */
 class PlaneParallax
 {
 public:

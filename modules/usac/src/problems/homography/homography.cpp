@@ -22,7 +22,8 @@ public:
     String name() const CV_OVERRIDE { return "homography"; }
     int dimension() const CV_OVERRIDE { return HomographyParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 2; }
-    //! Time per sample, in point tests, and number of models per sample; both were measured.
+    //! Time per sample in point tests (see SampleCost), and number of models per sample; both were
+    //! measured.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(250, 1); }
 
     //! The transfer error is measured in image 2, so that the scale of image 1 does not matter;

@@ -16,7 +16,7 @@ Ptr<Problem> createHomographyProblem();
 Ptr<MinimalSolver> createHomography4Solver();
 //! Creates the least-squares fit of a homography.
 Ptr<NonMinimalSolver> createHomographyFit(const Ptr<Residual>& residual);
-//! Creates the check of the orientation of samples and of near-singular models, see
+//! Creates the check for inconsistently oriented samples and for near-singular models, see
 //! HomographyOrientation.
 Ptr<Degeneracy> createHomographyOrientation();
 

@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 //! Three points count as collinear if twice the area of their triangle is at most this fraction of
-//! the largest squared distance of another point of the sample from its last point.
+//! the largest squared distance between the last point of the sample and one of its other points.
 constexpr double COLLINEAR = 1e-6;
 
 /** Computes the matrix B that maps the standard projective basis to four given points. Its columns
@@ -51,9 +51,10 @@ bool fromBasis(const double* x, const double* y, const int* s, double* B)
 
 /** @brief The homography that maps four points exactly, in closed form.
 
-Both quadruples are mapped from the standard projective basis; H = B2 adj(B1), up to scale
-@cite hartley2003multiple. A sample with three (nearly) collinear points or two equal points in
-either image is degenerate. The solver takes about 150 operations. */
+The matrices B1 and B2 map the standard projective basis to the four points in image 1 and in image
+2, see fromBasis(); H = B2 adj(B1), up to scale @cite hartley2003multiple. A sample with three
+(nearly) collinear points or two equal points in either image is degenerate. The solver takes about
+150 operations. */
 class Homography4Solver : public MinimalSolver
 {
 public:

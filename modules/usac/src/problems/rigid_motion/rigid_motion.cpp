@@ -46,9 +46,10 @@ public:
     int dimension() const CV_OVERRIDE { return RigidParameterization<SCALED>::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 3; }
     int coordinates(int) const CV_OVERRIDE { return 3; }
-    //! With a scale, the unit of space 1 is unknown.
+    //! If the scale is estimated, too, space 1 can have another unit than space 2, whose unit is
+    //! also that of the threshold.
     bool commonUnit() const CV_OVERRIDE { return !SCALED; }
-    //! The time was measured in the same run as those of H, affinity and similarity.
+    //! The time, in point tests, was measured together with those of H, affinity and similarity.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(320, 1); }
     int normalization(int) const CV_OVERRIDE { return SCALED ? SCALE_EACH : SCALE_COMMON; }
 

@@ -66,7 +66,7 @@ Ptr<NonMinimalSolver> createSimilarityLeastSquares() { return makePtr<Similarity
 
 Ptr<Problem> createSimilarity2DProblem()
 {
-    // 120 is SampleCost::time, measured in the same run as that of a homography
+    // 120 is SampleCost::time, in point tests; it was measured together with that of a homography
     const PlaneMapParts parts = {"similarity", 120, false, createSimilarity2Solver,
                                  createSimilarityLeastSquares};
     return makePtr<PlaneMap<SimilarityParameterization>>(parts);

@@ -36,7 +36,8 @@ public:
     DominantPlane() : count(0) {}
 
     /** @brief Computes homographies from random triples of inliers and finds the one that maps the
-    largest number of inliers. Only the first MAX_INLIERS inliers are used.
+    largest number of inliers. An inlier is here a match whose Sampson distance is at most the
+    inlier threshold. Only the first MAX_INLIERS inliers are used.
     @param context the points
     @param rng draws the triples
     @param F model whose inliers are tested

@@ -12,9 +12,10 @@ namespace usacv20 {
 namespace {
 
 /** Oriented epipolar constraint @cite chum2004epipolar: points in front of both cameras fulfill
-e2 x x2 = s F x1, where e2 is the epipole of image 2. The sign of s is the same for all points.
-Either sign is possible, because the signs of F and e2 are arbitrary. A model whose own sample
-violates this constraint is rejected before any other point is tested. */
+e2 x x2 = s F x1, where e2 is the epipole of image 2 and s is a factor that differs from point to
+point but has the same sign for all points. Either sign is possible, because the signs of F and e2
+are arbitrary. A model whose own sample violates this constraint is rejected before any other point
+is tested. */
 class OrientedEpipolar : public Degeneracy
 {
 public:

@@ -106,8 +106,8 @@ void createChecksOfMaps(int flags, const String& problem,
     if ((flags & DEGENERACY_DEGENSAC) && flags != all)
         CV_Error_(
             Error::StsBadArg,
-            ("degeneracy: %d has DEGENERACY_DEGENSAC, which is for F and E; for the problem %s "
-             "take DEGENERACY_REPEATED, 0, or the default %d (all checks that it has)",
+            ("degeneracy: %d contains DEGENERACY_DEGENSAC, which is for F and E; for the problem "
+             "%s, use DEGENERACY_REPEATED, 0, or the default %d (all checks for this problem)",
              flags, problem.c_str(), all));
     if (flags & DEGENERACY_REPEATED)
     {

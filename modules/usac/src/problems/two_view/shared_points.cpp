@@ -81,9 +81,10 @@ not constrained. The ratio of the lengths of the normals of F x1 and F^T x2 is t
 distances between neighboring epipolar lines in the two images. For correct geometries this is the
 ratio of the local scales. The ratio is too large if it exceeds #FAR_APART times the ratio of the
 image sizes and if a shift of one end by #ANYWHERE thresholds moves the epipolar line across the
-whole other image. (The first condition alone is not enough: if a camera is among the points, the
-scale within its image varies by factors of hundreds.) If a camera moves forward, points near one
-epipole are near the other epipole, too, so that the ratio is not too large for their matches.
+whole other image. (The first condition alone is not enough: if a camera is in the middle of the
+scene, the scale varies by factors of hundreds within its image.) If a camera moves forward, points
+near one epipole are near the other epipole, too, so that the ratio is not too large for their
+matches.
 
 The first #LOOKED_AT points decide whether the other points are tested at all. The quality is not
 changed for scores that are not a sum over the points. */

@@ -8,8 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! An isosceles triangle, seen from its plane of symmetry: a12 and a13 are `side`, and s12, s13 and
-//! s23 are proportional to `ray`, `ray` and `base`.
+//! An isosceles triangle, seen from its plane of symmetry. a12 and a13 are the squared lengths of
+//! the equal sides (`side`), in the unit in which a23 is 1. s12, s13 and s23, the squared distances
+//! between the unit vectors of two viewing rays, are proportional to `ray`, `ray` and `base`.
 Triangle isosceles(double side, double ray, double base, double sigma)
 {
     const double largest = std::max(ray, base);
@@ -17,8 +18,8 @@ Triangle isosceles(double side, double ray, double base, double sigma)
     return T;
 }
 
-//! Determinant of the conic a23 Q12 - a12 Q23 in p, q, w, where a_ij = Q_ij are the three equations
-//! in violation(), with a23 = 1.
+//! Determinant of the conic a23 Q12 - a12 Q23 in p, q, w (see TriangleDepths), where a_ij = Q_ij
+//! are the three equations in violation(), with a23 = 1.
 double determinantOf(const Triangle& T)
 {
     const double s = T.sigma, pq = T.a12 * (1 - s * s * T.s23 / 2),

@@ -100,7 +100,7 @@ void expectMinimum(const RigidScene& scene, const std::vector<double>& weights)
         const Matx33d R = randomRotation(rng);
         const double scale = SCALED ? std::exp(rng.uniform(-1., 1.)) : 1;
         const Vec3d t = uniformVector(rng, -2., 2.);
-        EXPECT_GT(costOf(scene, weights, motionFrom(scale, R, t)), cost) << "anywhere else";
+        EXPECT_GT(costOf(scene, weights, motionFrom(scale, R, t)), cost) << "a random motion";
     }
 }
 

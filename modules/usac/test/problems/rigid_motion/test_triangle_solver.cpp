@@ -166,7 +166,7 @@ void expectTruth(int samples)
             EXPECT_EQ(0, missed);
             EXPECT_EQ(0, none);
             EXPECT_EQ(0, notRotations);
-            EXPECT_LE(worst, 30) << "times what rounding explains";
+            EXPECT_LE(worst, 30) << "times the error that rounding explains";
             EXPECT_LE(hidden, kind == THIN ? 3 * samples / 10 : 0);
             if (cvtest::debugLevel > 0)
                 printf("%s, scaled %d: error at most %.1f times the rounding, %d hidden\n",

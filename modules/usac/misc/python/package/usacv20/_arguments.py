@@ -118,8 +118,8 @@ def refuseMasked(value: Any, name: str) -> None:
     """Raises usacv20.error for a numpy.ma array with masked elements, because a conversion would lose
     the mask."""
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
-        raise fail("{}: a masked array is not taken, as its mask would be lost: give the rows that it leaves, of all arrays the "
-                   "same, or filled(numpy.nan), whose rows are never inliers".format(name))
+        raise fail("{}: masked arrays are not accepted, because the mask would be lost: give only the unmasked rows, the same "
+                   "rows of all arrays, or filled(numpy.nan); rows with NaN are never inliers".format(name))
 
 
 def _converted(value: Any, name: str) -> npt.NDArray[Any]:
@@ -178,11 +178,11 @@ def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
     return given if cols == 3 else None
 
 
-# Constants of _looksLikeColumn:
+# Constants of _looksLikeColumn, where w is the third column:
 # _ROWS -- minimum number of rows
 # _MOST_ROWS -- approximate maximum number of rows that are examined
 # _SURE -- number of standard errors that are added to the slope of the regression
-# _INDEPENDENT -- w is regarded as independent only if this sum is below this limit
+# _INDEPENDENT -- w is regarded as independent only if slope + _SURE standard errors is below this limit
 # _EXPLAINED -- fraction of the variance of w: if a linear function of the first two columns
 # explains at least this fraction, w is regarded as such a function
 #
@@ -237,19 +237,21 @@ def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
     (0..1, not all 1), and a warning is given if it looks like sizes of features."""
     given = array(value, name)
     if given.ndim == 3 and min(given.shape[0], given.shape[1]) > 1 and given.shape[2] > 1:
-        raise fail("{}: one list of points is expected, Nx{k} or Nx1x{k}, not the shape {}; many lists are for the functions of many "
-                   "pairs, estimateHomographies and so on".format(name, given.shape, k=2 if plane else 3))
+        raise fail("{}: one list of points is expected, Nx{k} or Nx1x{k}, not the shape {}; for the lists of many pairs there "
+                   "are estimateHomographies and similar functions".format(name, given.shape, k=2 if plane else 3))
     rows = _three(given) if plane and given.size else None
     if rows is not None and np.isfinite(rows[:, 2]).any():
         third = rows[:, 2]
         known = third[np.isfinite(third)]
         if known.min() >= 0 and known.max() <= 1 and known.min() < 1:
-            raise fail("{}: the third coordinate is homogeneous, a divisor, but from {:g} to {:g} it looks like a confidence: give x and "
-                       "y alone, points[:, :2], and the confidences as Params.scores; what is homogeneous divided by it".format(
+            raise fail("{}: the third coordinate is homogeneous (x and y are divided by it), but its values from {:g} to {:g} "
+                       "look like a confidence: give x and y alone, points[:, :2], and the confidences as Params.scores; divide "
+                       "homogeneous points by their third coordinate first".format(
                            name, known.min(), known.max()))
         if _looksLikeColumn(rows):
-            warnings.warn("{}: the third coordinate is homogeneous, a divisor, but has nothing to do with the other two: if it is the "
-                          "size or a score of a feature, give x and y alone, points[:, :2]".format(name), stacklevel=3)
+            warnings.warn("{}: the third coordinate is homogeneous (x and y are divided by it), but looks independent of x and "
+                          "y: if it is the size or a score of a feature, give x and y alone, "
+                          "points[:, :2]".format(name), stacklevel=3)
     return given
 
 
@@ -260,14 +262,14 @@ def checkOutput(given: Any, name: str) -> None:
     if not isinstance(given, np.ndarray):
         raise fail("{}: an array that receives the result is expected, or None, not {}".format(name, shown(given)))
     if not given.flags.writeable:
-        raise fail("{}: it receives the result and is read-only".format(name))
+        raise fail("{}: the array must receive the result, but it is read-only".format(name))
 
 
 def checkMask(given: Any, name: str) -> None:
     """Does the same as checkOutput() for a mask, and raises usacv20.error for an array of a type other than uint8 and bool."""
     checkOutput(given, name)
     if isinstance(given, np.ndarray) and given.dtype not in (np.uint8, np.bool_):
-        raise fail("{}: an array of uint8 or bool receives the mask, not of {}".format(name, given.dtype))
+        raise fail("{}: an array of uint8 or bool is expected for the mask, not of {}".format(name, given.dtype))
 
 
 def output(given: Any, result: Any) -> Any:

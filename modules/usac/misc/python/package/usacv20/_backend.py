@@ -27,5 +27,6 @@ else:
     try:
         from . import _native as native
     except ImportError as failure:
-        raise ImportError("usacv20: the compiled part was not found or cannot be loaded ({}); it is of one version of Python, "
-                          "this is {}.{}: install the package with this one".format(failure, *sys.version_info[:2])) from failure
+        raise ImportError("usacv20: the compiled part was not found or cannot be loaded ({}); it works with one version of "
+                          "Python only, and this is {}.{}: install the package with "
+                          "this version".format(failure, *sys.version_info[:2])) from failure

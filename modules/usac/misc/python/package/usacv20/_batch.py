@@ -88,8 +88,8 @@ def _lists(given: Any, name: str) -> List[Any]:
         given = list(given)
         onePair = any(np.ndim(point) == 0 and np.size(point) == 1 for entry in given[:1] for point in _some(entry))
     if onePair:
-        raise fail("{}: a list with the points of each pair is expected; one pair, as here, is for the function of one, "
-                   "estimateHomography and so on".format(name))
+        raise fail("{}: a list with the points of each pair is expected; for a single pair, as here, there are "
+                   "estimateHomography and similar functions".format(name))
     return list(given)
 
 
@@ -115,7 +115,7 @@ def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _Params
                                                                                               len(second)))
     options = [params] if params is None or isinstance(params, Params) else list(params)
     if len(options) not in (1, count):
-        raise fail("params: 1 or {} are expected, not {}".format(count, len(options)))
+        raise fail("params: one for all tasks or one for each of the {} tasks is expected, not {}".format(count, len(options)))
     prepared = [optionsOf(given, "params" if len(options) == 1 else "params[{}]".format(i)) for i, given in enumerate(options)]
     mistakes = _Mistakes(returnExceptions)
     camera1, camera2, lens1, lens2 = (

@@ -37,7 +37,7 @@ class Correspondences(typing.NamedTuple):
     data: npt.NDArray[np.float64]  #: N x number of columns; for two views, the columns are x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, row of each point in the caller's arrays
     scores: Optional[npt.NDArray[np.float32]]  #: N, Params.scores in the order of these points; None: no scores
-    threshold: float  #: of the search, in these coordinates, not squared; at first Params.threshold times Params.reach
+    threshold: float  #: threshold of the search, in the unit of `data`, not squared; at first Params.threshold times Params.reach
     sampleSize: int  #: number of points in a minimal sample
 
 
@@ -138,7 +138,7 @@ class Score(_Component):
 
 def _noComponent(name: str) -> str:
     return "components.{}: Python can replace components.sampler and components.score; {}".format(
-        name, "all others only C++ can (samples/custom_residual.cpp), Params chooses among those that there are")
+        name, "the others can be replaced in C++ only (samples/custom_residual.cpp); Params selects among the existing ones")
 
 
 class Components:
@@ -205,7 +205,7 @@ class Usac:
         def __setattr__(self, name: str, value: Any) -> None:
             if not hasattr(type(self), name):
                 where = "components.{}".format(name) if name in ("sampler", "score") else "components or params"
-                raise AttributeError("Usac.{}: there is no such attribute; {} is what can be replaced".format(name, where))
+                raise AttributeError("Usac.{}: there is no such attribute; did you mean {}?".format(name, where))
             super().__setattr__(name, value)
 
     def __init__(self, usac: native.Usac, problem: int, params: Optional[Params]) -> None:

@@ -52,7 +52,7 @@ class ProblemType(enum.IntEnum):
     SIMILARITY = 4  # 2x3 rotation, uniform scale and translation from 2 or more correspondences
     ABSOLUTE_POSE = 5  # 3x4 pose of a calibrated camera from 3 or more points of space
     RIGID_3D = 6  # 3x4 rotation and translation from 3 or more pairs of 3-D points
-    SIMILARITY_3D = 7  # the same with a uniform scale
+    SIMILARITY_3D = 7  # like RIGID_3D, with a uniform scale
     TRANSLATION_2D = 8  # 2x3 translation from 1 or more correspondences
 
 
@@ -83,7 +83,7 @@ class NeighborhoodType(enum.IntEnum):
 
 
 class ResidualType(enum.IntEnum):
-    """Error of a point that is minimized and compared with the threshold."""
+    """The error of a point, which is minimized and compared with the threshold."""
 
     # H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose: reprojection error in the original
     # (distorted) image. 3-D motions: distance between a mapped point and its counterpart
@@ -133,11 +133,11 @@ class LocalOptimizationType(enum.IntEnum):
     """How each model that is better than all before is improved."""
 
     LOCAL_OPTIMIZATION_NONE = 0  # nothing
-    # least squares with a shrinking threshold; then, if the model is clearly better than the best one, graph cut and inner
+    # least squares with a shrinking threshold; then, if the model clearly beats the best model so far, graph cut and inner
     # RANSAC
     LOCAL_OPTIMIZATION_GRAPH_CUT = 1
     LOCAL_OPTIMIZATION_LO_RANSAC = 2  # inner RANSAC and least squares with a shrinking threshold
-    LOCAL_OPTIMIZATION_FLO_RANSAC = 3  # the same with fits of bounded size
+    LOCAL_OPTIMIZATION_FLO_RANSAC = 3  # like LO-RANSAC, with fits of bounded size
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4  # fits marginalized over the noise scale
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5  # re-weighted fits with marginalized weights
     LOCAL_OPTIMIZATION_GC_RANSAC = 6  # graph cut and inner RANSAC alternately, as long as the model improves
@@ -155,7 +155,7 @@ class TerminationFlags(enum.IntFlag):
     # all-inlier with probability C(I, m) / C(N, m) instead of (I / N)^m
     TERMINATION_EXACT = 32
     # PROSAC's criterion, if inliers of the best model come early in a known order and samples of its outliers yield no better
-    # model; needs PROSAC or P-NAPSAC with orderedEvery above 1, local optimization and runnersUp above 0, else no effect
+    # model; takes effect only with PROSAC or P-NAPSAC, local optimization, orderedEvery above 1 and runnersUp above 0
     TERMINATION_ORDER = 64
 
 
@@ -188,7 +188,7 @@ class StopReason(enum.IntEnum):
     STOP_TOO_FEW_POINTS = 1  # fewer finite correspondences than a minimal sample: no model
     STOP_NO_MODEL = 2  # no sample yielded a model with enough inliers (degenerate data)
     STOP_MAX_ITERATIONS = 3  # Params.maxIterations was reached
-    STOP_STANDARD = 4  # TERMINATION_STANDARD fired, or practically all samples have been drawn
+    STOP_STANDARD = 4  # TERMINATION_STANDARD fired, or practically all possible samples have been drawn
     STOP_SPRT = 5  # TERMINATION_SPRT fired
     STOP_P_NAPSAC = 6  # TERMINATION_P_NAPSAC fired
     STOP_CUSTOM = 7  # a Termination component of the caller fired
@@ -198,7 +198,7 @@ class StopReason(enum.IntEnum):
     STOP_NOT_SIGNIFICANT = 10
     STOP_ORDER = 11  # TERMINATION_ORDER fired
     STOP_TIME = 12  # Params.maxTime was reached: the model, if any, is the best so far
-    STOP_CANCELLED = 13  # the function of a ProgressScope returned false: best model so far, if any
+    STOP_CANCELLED = 13  # the function of a ProgressScope returned false: the model, if any, is the best so far
     STOP_NO_SEARCH = 14  # result of Usac.fit or Usac.refine, which do not search
 
 

@@ -16,7 +16,7 @@ from typing import Any, Callable, List, Type
 _PACKAGE = __name__.rpartition(".")[0]
 _made: List[Type[Exception]] = []
 
-_ABOUT = """A mistake in the arguments, named in the message, or a failure of a component.
+_ABOUT = """Raised for an invalid argument, which the message names, or for a failure of a component.
 
 A subclass of cv2.error where cv2 can be imported. Errors that the compiled part has found have the attributes code, err, file,
 func, line and msg, like those of cv2."""

@@ -56,7 +56,7 @@ def _checkPlace(form: Tuple[str, ...], args: Tuple[Any, ...]) -> None:
     place = _placeOfParams(args)
     if place >= 0 and (place >= len(form) or form[place] not in ("method", "params")):
         raise fail("{}: a Params is argument {}, where {} is expected".format(
-            _NAME, place + 1, form[place] if place < len(form) else "no more of them"))
+            _NAME, place + 1, form[place] if place < len(form) else "no argument"))
     if len(args) > 2 and isinstance(args[2], (UsacV20Method, Params)):
         raise fail("cameraMatrix: a 3x3 matrix is expected, or a focal length, not {}".format(shown(args[2])))
 
@@ -116,7 +116,7 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
         ten matrices, stacked in an array of up to 30x3
     mask -- as a result: Nx1 array of uint8, 1 for inliers"""
     if "params" in kwargs and ("method" in kwargs or _placeOfParams(args) >= 0):
-        raise fail("findEssentialMat: params is given twice, or beside method")
+        raise fail("findEssentialMat: params is given twice, or together with method")
     if "params" in kwargs and "cameraMatrix" in kwargs:
         kwargs["method"] = kwargs.pop("params")
     elif "params" in kwargs and len(args) == 3 and not ("cameraMatrix2" in kwargs or "dist_coeff1" in kwargs):

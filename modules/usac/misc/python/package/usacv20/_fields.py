@@ -105,7 +105,7 @@ class Named(Integer):
         self.named.update({name[len(prefix):]: number for name, number in list(self.named.items())})
 
     def refused(self, value: Any) -> TypeError:
-        return TypeError("{}: a {} is expected, {}, or such a name ('{}'), not {}".format(
+        return TypeError("{}: a {} is expected, {}, or a short name such as '{}', not {}".format(
             self.name, self.enumeration.__name__, ", ".join(self.names),
             min((name for name in self.named if name not in self.names), key=len).lower(), _arguments.shown(value)))
 

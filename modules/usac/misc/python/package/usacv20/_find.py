@@ -38,12 +38,12 @@ def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace
     is in any other position, or if both arguments are given by name."""
     if "params" in kwargs:
         if method in kwargs:
-            raise fail("{}: params and {} are given, both say what to use".format(function, method))
+            raise fail("{}: params and {} are both given, but only one of them can select the options".format(function, method))
         return True
     for place, value in enumerate(args):
         if isinstance(value, Params):
             if place not in (flagPlace, paramsPlace):
-                wanted = names[place] if place < len(names) else "more arguments"
+                wanted = names[place] if place < len(names) else "no argument"
                 raise fail("{}: a Params is the argument {} of {}, where {} is expected".format(
                     function, place + 1, function, wanted))
             return place == paramsPlace
@@ -55,7 +55,7 @@ def refuseBesideParams(function: str, values: Dict[str, Any], defaults: Dict[str
     arguments belong to calls with a flag; a Params has fields with the same meaning."""
     for name in others:
         if values[name] is not defaults[name] and values[name] is not None:
-            raise fail("{}: {} is given beside a Params, whose field it is".format(function, name))
+            raise fail("{}: {} is given together with a Params, which has a field for it".format(function, name))
 
 
 def flag(value: Any, name: str = "method") -> int:

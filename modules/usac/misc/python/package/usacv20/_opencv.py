@@ -74,7 +74,7 @@ class Patch:
                 return ours(*args, **kwargs)
             return original(*args, **kwargs)
 
-        function.__doc__ = "{}\n\nWith one of USACV20* in the place of the flag, or a usacv20.Params:\n\n{}".format(
+        function.__doc__ = "{}\n\nWith one of the flags USACV20*, or with a usacv20.Params in place of the flag:\n\n{}".format(
             original.__doc__, ours.__doc__)
         setattr(function, _MARK, self)
         return function

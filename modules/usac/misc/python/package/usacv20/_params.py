@@ -71,8 +71,8 @@ class Params:
     threshold = Real("""Inlier threshold in pixels, not squared; > 0. H, affine maps: distance in image 2. F, E: Sampson
         distance. Absolute pose: reprojection error in the original (distorted) image. 3-D motions: distance between a mapped
         point and its counterpart, in the unit of the points. Default 1.5.""")
-    thresholdType = Option(e.ThresholdType, """ThresholdType of threshold. With THRESHOLD_ESTIMATED, threshold is the largest
-        plausible one; that of the mask follows from the noise of the inliers, see Report.threshold. Default
+    thresholdType = Option(e.ThresholdType, """ThresholdType of threshold. With THRESHOLD_ESTIMATED, threshold is the upper
+        limit of the estimated threshold, which follows from the noise of the inliers, see Report.threshold. Default
         THRESHOLD_GIVEN.""")
     confidence = Real("""Probability that the search does not miss a better model (TERMINATION_P_NAPSAC: a significantly
         better one, see relaxation), unless maxIterations ends it first; in (0, 1). Default 0.99.""")
@@ -85,20 +85,20 @@ class Params:
         The result does not depend on it. Default 1.""")
     sampler = Option(e.SamplerType, "SamplerType: how samples are drawn. Default SAMPLER_P_NAPSAC.")
     ordering = Option(e.OrderingType, "OrderingType: where the order of the points comes from. Default ORDERING_AUTO.")
-    scores = Scores(np.float32, """Score of each correspondence, an array of N float32, or of none. Lists of numbers of shape
-        N, N x 1 or 1 x N are copied into it; its elements can be changed in place. NaN is the worst score;
+    scores = Scores(np.float32, """Score of each correspondence: an array of N float32, or an empty one. Assigned numbers of shape
+        N, N x 1 or 1 x N are copied into this array; its elements can be changed in place. NaN is the worst score;
         SAMPLER_IMPORTANCE takes scores as probabilities and raises usacv20.error for NaN. Default none.""")
     sigmas = Scores(np.float32, """Standard deviation of the error of each correspondence, up to a common factor, such as the scale of its
-        keypoint; N numbers, 1e-6..1e6, or none. Errors are divided by it in score, fits, mask and covariance: threshold,
-        Report.threshold, Report.sigma and Usac.errors are in this unit. Default none: all are 1.""")
+        keypoint; N numbers, 1e-6..1e6, or none. Each error is divided by its sigma in score, fits, mask and covariance:
+        threshold, Report.threshold, Report.sigma and modelErrors refer to the divided errors. Default none: all are 1.""")
     initialModel = Numbers(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
-        array of float64, or of none; see setInitialModel(). It is scored and optimized before the first sample, like a model
-        of a sample. Default none.""")
+        array of float64, empty if there is none; see setInitialModel(). It is scored and optimized before the first sample,
+        like a model of a sample. Default none.""")
     initialCovariance = Numbers(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
-        Report.covariance; an array of float64, or of none. With it, the initial model is a prior: the result is the mean of
-        it and of the model of the points, weighted by their covariances. If the two contradict each other, it is the model
-        of the points alone, see Report.priorChance. Default none.""")
-    scoreOrder = Option(e.ScoreOrder, "ScoreOrder: which end of scores is the good one. Default SCORES_LOWER_IS_BETTER.")
+        Report.covariance; an array of float64, empty if there is none. With it, the initial model is a prior: the result is
+        the mean of the initial model and of the model of the points, weighted by their covariances. If the two models
+        contradict each other, the result is the model of the points alone, see Report.priorChance. Default none.""")
+    scoreOrder = Option(e.ScoreOrder, "ScoreOrder: whether low or high scores are better. Default SCORES_LOWER_IS_BETTER.")
     neighborhood = Option(e.NeighborhoodType, "NeighborhoodType: which points are neighbors. Default NEIGHBORHOOD_GRID.")
     neighbors = Integer("""Number of neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers; each further
         layer has twice as many; 1..1000. Default 10.""")
@@ -208,7 +208,7 @@ class Params:
 
         def __setattr__(self, name: str, value: Any) -> None:
             if getattr(self, "_fixed", False) and name in _FIELDS:
-                raise AttributeError("params.{}: what an estimator uses cannot be written; other options for the next run: "
+                raise AttributeError("params.{}: the options of an estimator are read-only; to set others for the next run: "
                                      "usac.params = usac.params.replace({}=...)".format(name, name))
             super().__setattr__(name, value)
 
@@ -221,7 +221,7 @@ class Params:
         return type(self)(**dict(self._items(), **fields))
 
     def _prepared(self) -> Any:
-        """Returns the options in the form of the compiled part, with the current contents of the
+        """Returns the options as an object of the compiled part, with the current contents of the
         arrays, which a program may have changed in place."""
         options = self._native
         arrays = self.scores, self.sigmas, self.initialModel, self.initialCovariance
@@ -394,7 +394,7 @@ def _shown(value: Any) -> str:
 
 
 def optionsOf(params: Any, name: str = "params") -> Any:
-    """Returns the options in the form of the compiled part; None means the defaults."""
+    """Returns the options as an object of the compiled part; None means the defaults."""
     if params is None:
         return native.Params()
     if not isinstance(params, Params):

@@ -113,7 +113,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
         if not v.get("useExtrinsicGuess") or name == "inliers":
             checkOutput(v[name], name)
     if isinstance(v["inliers"], np.ndarray) and v["inliers"].dtype != np.int32:
-        raise fail("inliers: an array of int32 receives the indices of the inliers, not of {}".format(v["inliers"].dtype))
+        raise fail("inliers: an array of int32 is expected for the indices of the inliers, not of {}".format(v["inliers"].dtype))
     if options or isinstance(v["flags"], Params):
         if not options:
             refuseBesideParams(_NAME, v, _DEFAULTS, ("useExtrinsicGuess", "iterationsCount", "reprojectionError", "confidence"))

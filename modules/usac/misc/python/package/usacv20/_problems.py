@@ -39,7 +39,7 @@ def estimateHomography(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
-    model -- 3x3 array of float64, with h33 = 1 (unit Frobenius norm where h33 is 0); None if there is no model
+    model -- 3x3 array of float64, with h33 = 1 (unit Frobenius norm if h33 is nearly 0); None if there is no model
     mask -- Nx1 array of uint8, 1 for inliers
     report -- Report; report.stop is the reason why the search ended, or why there is no model
 

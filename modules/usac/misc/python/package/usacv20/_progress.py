@@ -42,19 +42,19 @@ class progress:
 
     def __init__(self, function: typing.Callable[[Report], bool]) -> None:
         if not callable(function):
-            raise fail("function: something that can be called is expected, not {}".format(shown(function)))
+            raise fail("function: a function or another callable is expected, not {}".format(shown(function)))
         self._function = function
         self._native: Optional[native.Progress] = None
 
     def _ask(self, report: Any) -> bool:
         answer = self._function(Report._of(report))
         if not isinstance(answer, (bool, np.bool_)):
-            raise fail("function: it has to return True, to go on, or False, not {}".format(shown(answer)))
+            raise fail("function: it must return True to continue or False to stop, not {}".format(shown(answer)))
         return bool(answer)
 
     def __enter__(self) -> progress:
         if self._native is not None:
-            raise fail("progress: it is in use")
+            raise fail("progress: this object is already in use")
         entered = native.Progress(self._ask)
         entered.enter()
         self._native = entered

@@ -28,12 +28,12 @@ if TYPE_CHECKING:
 class RelativePose(typing.NamedTuple):
     """The results of estimateRelativePose other than the motion."""
 
-    report: Report  # on the search for the essential matrix; report.inliers is the number of inliers in the mask
+    report: Report  # report on the search for the essential matrix; its `inliers` is the number of inliers in the mask
     essential: _Double  # [t]x R, 3x3, singular values (1, 1, 0)/sqrt(2); None if there is no model
     behind: int  # number of inliers of the essential matrix that are triangulated behind a camera; the mask is 0 for them
     onPlane: int  # number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none
-    # If there is a dominant plane: rotation of the second motion that is compatible with the
-    # homography of the plane, 3x3. None if there is no such motion.
+    # If there is a dominant plane: rotation, 3x3, of the second of the two motions that are
+    # compatible with the homography of the plane. None if there is no such motion.
     otherR: _Double
     otherT: _Double  # translation of the second motion, 3x1, unit length; None if otherR is None
     otherInliers: int  # number of inliers of the second motion in front of both cameras

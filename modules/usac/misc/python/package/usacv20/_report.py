@@ -95,8 +95,8 @@ class Report:
         normalized image plane.""")
     cost = Field[float]("""Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of
         min(error^2 / threshold^2, 1).""")
-    setupMs = Field[float]("""Milliseconds before the search: reading and ordering the points, and the samples of
-        THRESHOLD_ESTIMATED.""")
+    setupMs = Field[float]("""Milliseconds before the search: reading and ordering the points, and the samples that
+        THRESHOLD_ESTIMATED needs to estimate the threshold.""")
     searchMs = Field[float]("Milliseconds in the hypothesize-and-verify loop without the local optimization.")
     localMs = Field[float]("Milliseconds in all local optimizations.")
     polishMs = Field[float]("Milliseconds for the final polishing and the mask.")

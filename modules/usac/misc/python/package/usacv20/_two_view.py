@@ -130,7 +130,7 @@ class TwoViewGeometry(typing.NamedTuple):
     # k x 3 x 3: for cameras with known focal lengths, the k rotations compatible with the matches; if
     # the matches are correct, one of the rotations is the true one.
     rotations: _Double
-    report: Report  # on the search for the model of the mask, or for the best rejected model
+    report: Report  # report on the search for the model of the mask, or for the best rejected model
     iterations: int  # number of samples drawn, not counting those from which H was estimated among the inliers of E or F
     milliseconds: float  # elapsed time
     reason: str  # the reason why there are no inliers, one line without a period; empty if there are inliers
@@ -192,13 +192,13 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
 
     If both focal lengths are known, an essential matrix E is estimated, and then a fundamental
     matrix F starting from E; otherwise only F. If E is rejected, F is searched for with 500
-    samples, and its report.chance must be at most the square of the significance. If F is accepted,
-    and E is rejected or explains clearly fewer matches, E is estimated once more, starting from F. H
-    is estimated from the inliers of E or F or, if both were rejected, from all matches. The focal
-    lengths are rejected if E has clearly less than rules.calibrationRatio of the inliers of F, and F
-    loses hardly any inlier of E, and (if most inliers of E are on a plane) the gain of F is not by
-    chance. An invalid argument
-    raises usacv20.error, whose message names the argument."""
+    samples, and its report.chance must be at most the square of params.significance. If F is
+    accepted, and E is rejected or has clearly fewer inliers, E is estimated once more, starting from
+    F. H is estimated from the inliers of E or F or, if both were rejected, from all matches. The focal
+    lengths are rejected if the number of inliers of E is clearly less than rules.calibrationRatio
+    times that of F, if hardly any inliers of E are outliers of F, and if (in case most inliers of E
+    are on a plane) the additional inliers of F are not due to chance. An invalid argument raises
+    usacv20.error, whose message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
 

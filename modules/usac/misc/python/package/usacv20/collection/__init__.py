@@ -5,9 +5,9 @@
 """Estimates the two-view geometry of all pairs of a collection of images: python3 -m
 usacv20.collection --help
 
-    verify DATABASE   all pairs of a COLMAP database, replacing COLMAP's own verification
-    pairs LIST        all pairs of a folder or file of matches
-    report DATABASE   the results of a run
+    verify DATABASE   estimates all pairs of a COLMAP database, replacing COLMAP's own verification
+    pairs LIST        estimates all pairs of a folder or file of matches
+    report DATABASE   describes the results of a run
 
 doc/collections.md describes the rules, the files and the costs."""
 

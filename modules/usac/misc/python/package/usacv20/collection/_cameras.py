@@ -83,7 +83,7 @@ class Camera(typing.NamedTuple):
         if "f" in value:
             value["fx"] = value["fy"] = value["f"]
         if not np.all(np.isfinite(values)) or value["fx"] <= 0 or value["fy"] <= 0:
-            raise CollectionError("camera {}: parameters are to be finite, focal lengths positive, not {}".format(
+            raise CollectionError("camera {}: finite parameters and positive focal lengths are expected, not {}".format(
                 id, ", ".join("{}={:g}".format(key, value[key]) for key in names)))
         matrix = np.array([[value["fx"], 0, value["cx"]], [0, value["fy"], value["cy"]], [0, 0, 1]])
         return cls(id, name, width, height, matrix, tuple(value[key] for key in _DISTORTIONS), name.endswith("FISHEYE"),

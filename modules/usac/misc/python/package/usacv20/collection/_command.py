@@ -21,8 +21,9 @@ from ._verify import go, settle, verifyDatabase
 
 DONE, FAULTS, MISTAKE, INTERRUPTED = 0, 1, 2, 130
 
-_EPILOG = """exit code: 0 all pairs are done (refused ones, too); 1 some cannot be read, each is named on a line; 2 nothing could
-be done; 130 interrupted: what was done is stored, --resume goes on"""
+_EPILOG = """exit code: 0 all pairs are done (refused pairs, too); 1 some pairs cannot be read, and the first of them are named on
+stderr; 2 the command could not start or continue, and a message says why; 130 interrupted: the results so far are stored, and
+--resume continues the run"""
 
 
 def _threshold(text: str) -> Optional[float]:
@@ -40,7 +41,7 @@ def _count(text: str) -> int:
     except ValueError:
         number = -1
     if number < 0:
-        raise argparse.ArgumentTypeError("a number from 0 on is expected, not {!r}".format(text))
+        raise argparse.ArgumentTypeError("an integer of at least 0 is expected, not {!r}".format(text))
     return number
 
 
@@ -48,82 +49,97 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
     default = Settings()
     group = parser.add_argument_group("estimation")
     group.add_argument("--threshold", type=_threshold, default=None, metavar="PIXELS",
-                       help="largest error of an inlier, or auto (default): found from a part of the pairs, with --resume that of "
-                            "the run that goes on; with --method USACV20_AUTO the largest plausible one")
-    group.add_argument("--method", choices=sorted(METHODS), default=default.method, help="preset (default %(default)s)")
-    group.add_argument("--confidence", type=float, default=default.confidence, help="default %(default)s")
+                       help="maximum error of an inlier, or auto (default): estimated from a sample of the pairs or, with "
+                            "--resume, equal to the threshold of the last run; with --method USACV20_AUTO, upper limit of the "
+                            "threshold that is estimated for each pair")
+    group.add_argument("--method", choices=sorted(METHODS), default=default.method,
+                       help="method flag of usacv20 (default %(default)s)")
+    group.add_argument("--confidence", type=float, default=default.confidence,
+                       help="probability that the model of a pair is found, see --min-inlier-ratio (default %(default)s)")
     group.add_argument("--max-iterations", type=_count, default=default.maxIterations, metavar="N",
-                       help="samples of a model (default %(default)s); where that is too few for --confidence the reason of a "
-                            "refused pair says so")
+                       help="maximum number of samples for a model (default %(default)s); if it is too small for --confidence, "
+                            "the reason of a refused pair says so")
     group.add_argument("--min-inlier-ratio", type=float, default=default.inlierRatio, metavar="PART",
-                       help="of the matches: what --confidence is for; bounds the samples (default %(default)s)")
+                       help="smallest inlier ratio for which the model is found with probability --confidence; determines the "
+                            "number of samples (default %(default)s)")
     group.add_argument("--min-inliers", type=_count, default=default.minInliers, metavar="N",
-                       help="of a pair that is kept (default %(default)s)")
+                       help="minimum number of inliers of an accepted pair (default %(default)s)")
     group.add_argument("--significance", type=float, default=default.significance, metavar="CHANCE",
-                       help="chance with which random matches would give as good a pair: of pairs without overlap whose matches are "
-                            "random at most this part is kept, more of those whose wrong matches agree, as repeated structure has "
-                            "them (default %(default)s)")
-    group.add_argument("--no-watermarks", action="store_true", help="do not look for pairs that share a mark or frame only")
-    group.add_argument("--seed", type=int, default=default.seed, help="of the pseudo-random samples (default %(default)s)")
+                       help="upper limit of the probability that random matches would give an equally good result: of pairs "
+                            "without overlap whose matches are random, at most this fraction is accepted; of those whose wrong "
+                            "matches agree with each other, as with repeated structure, it can be more (default %(default)s)")
+    group.add_argument("--no-watermarks", action="store_true",
+                       help="do not detect pairs that have only a mark or frame in common")
+    group.add_argument("--seed", type=int, default=default.seed, help="seed of the pseudo-random samples (default %(default)s)")
 
 
 def _addEngine(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("engine")
     group.add_argument("--resume", action="store_true",
-                       help="go on with the last run: pairs that are done are skipped, those that are new or were left are done")
+                       help="continue the last run: pairs that are done are skipped; new pairs, and pairs that were not done, "
+                            "are processed")
     where = group.add_mutually_exclusive_group()
-    where.add_argument("--threads", type=_count, default=0, metavar="N", help="of this process (default 0: one for each core)")
-    where.add_argument("--workers", type=_count, default=0, metavar="N", help="processes of a cluster on this machine (Dask)")
-    where.add_argument("--scheduler", default="", metavar="tcp://HOST:PORT", help="of a cluster that runs already (Dask)")
+    where.add_argument("--threads", type=_count, default=0, metavar="N",
+                       help="number of threads of this process (default 0: one for each core)")
+    where.add_argument("--workers", type=_count, default=0, metavar="N",
+                       help="number of worker processes to start on this machine (Dask)")
+    where.add_argument("--scheduler", default="", metavar="tcp://HOST:PORT",
+                       help="address of the scheduler of a running cluster (Dask)")
     group.add_argument("--chunk", type=_count, default=CHUNK, metavar="N",
-                       help="pairs that are handed out and stored together (default %(default)s)")
+                       help="number of pairs that are estimated and stored together (default %(default)s)")
     bar = group.add_mutually_exclusive_group()
-    bar.add_argument("--progress", action="store_true", default=None, help="a progress bar, whatever stderr is")
-    bar.add_argument("--no-progress", action="store_false", dest="progress", help="no progress bar")
+    bar.add_argument("--progress", action="store_true", default=None, help="show a progress bar even if stderr is not a terminal")
+    bar.add_argument("--no-progress", action="store_false", dest="progress", help="show no progress bar")
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="usacv20-collection", epilog=_EPILOG,
-                                     description="Two-view geometry of all pairs of a collection of images.")
+                                     description="Estimates the two-view geometry of all pairs of a collection of images.")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
 
-    verify = commands.add_parser("verify", epilog=_EPILOG, help="all pairs of a COLMAP database",
+    verify = commands.add_parser("verify", epilog=_EPILOG, help="estimate all pairs of a COLMAP database",
                                  description="Estimates the two-view geometry of all pairs of a COLMAP database and writes "
-                                 "its table two_view_geometries, from which colmap mapper goes on. Other tables of COLMAP are "
-                                 "not changed.")
+                                 "its table two_view_geometries, which colmap mapper reads. Other tables of COLMAP are not "
+                                 "changed.")
     verify.add_argument("database", metavar="DATABASE")
     verify.add_argument("--pairs", metavar="FILE",
-                        help="verify only these pairs, the names of two images on a line; rows of others stay as they are")
-    verify.add_argument("--output", metavar="COPY", help="leave the database as it is and write to a copy")
+                        help="verify only the pairs in this file, with two image names on each line; rows of other pairs do not "
+                             "change")
+    verify.add_argument("--output", metavar="COPY", help="do not change the database, but write to a copy of it")
     scores = verify.add_mutually_exclusive_group()
-    scores.add_argument("--scores", metavar="FILE", help="of the matches, as hloc writes them (HDF5)")
-    scores.add_argument("--scores-column", metavar="NAME", help="of the table matches, with a float32 or float64 for each match")
-    verify.add_argument("--lower-is-better", action="store_true", help="of the numbers in --scores-column (default: higher)")
+    scores.add_argument("--scores", metavar="FILE", help="file with scores of the matches, as hloc writes it (HDF5)")
+    scores.add_argument("--scores-column", metavar="NAME",
+                        help="column of the table matches with a float32 or float64 score for each match")
+    verify.add_argument("--lower-is-better", action="store_true",
+                        help="lower scores in --scores-column are better (default: higher)")
     verify.add_argument("--no-loops", action="store_false", dest="loops",
-                        help="keep pairs, too, whose rotation contradicts that of pairs with more matches (repeated structure)")
+                        help="also keep pairs whose rotation contradicts that of pairs with more inliers, as repeated structure "
+                             "causes them")
     _addEstimation(verify)
     _addEngine(verify)
     verify.set_defaults(function=_verify)
 
-    pairs = commands.add_parser("pairs", epilog=_EPILOG, help="all pairs of a folder or file of matches",
-                                description="The same for matches outside of a database: a folder of .corr or NPZ files, an "
-                                "NPZ or HDF5 file of many pairs.")
+    pairs = commands.add_parser("pairs", epilog=_EPILOG, help="estimate all pairs of a folder or file of matches",
+                                description="Estimates the two-view geometry of all pairs whose matches are outside of a "
+                                "database: in a folder of .corr, NPZ or HDF5 files, or in an NPZ or HDF5 file of many pairs.")
     pairs.add_argument("list", metavar="LIST")
-    pairs.add_argument("--output", metavar="FILE", required=True, help="results; its ending, .db, .npz or .h5, tells the format")
-    pairs.add_argument("--keypoints", metavar="FILE", help="of hloc (HDF5), if LIST is its file of matches")
+    pairs.add_argument("--output", metavar="FILE", required=True,
+                       help="file for the results; its extension, such as .db, .npz or .h5, determines the format")
+    pairs.add_argument("--keypoints", metavar="FILE", help="hloc's file of features (HDF5), if LIST is hloc's file of matches")
     _addEstimation(pairs)
     _addEngine(pairs)
     pairs.set_defaults(function=_pairs)
 
-    report = commands.add_parser("report", help="what a run has found",
-                                 description="Which pairs are verified and why the others are refused; inlier ratios, "
-                                 "iterations, times; the pairs most worth a look.")
+    report = commands.add_parser("report", help="describe the results of a run",
+                                 description="Shows how many pairs are verified and why the others are refused, inlier "
+                                 "ratios, numbers of samples and times, and lists pairs that should be checked.")
     report.add_argument("database", metavar="DATABASE", help="a database after verify, or the results of pairs")
     report.add_argument("--pictures", metavar="FOLDER",
-                        help="write the histograms and the matrix of the pairs as PNG (matplotlib)")
-    report.add_argument("--json", metavar="FILE", help="write the numbers of the report")
-    report.add_argument("--csv", metavar="FILE", help="write a line for each pair")
-    report.add_argument("--most", type=_count, default=5, metavar="N", help="pairs of a kind worth a look (default %(default)s)")
+                        help="write the histograms and the matrix of the pairs to this folder as PNG files (needs matplotlib)")
+    report.add_argument("--json", metavar="FILE", help="write the numbers of the report to this file")
+    report.add_argument("--csv", metavar="FILE", help="write a line for each pair to this file")
+    report.add_argument("--most", type=_count, default=5, metavar="N",
+                        help="maximum number of listed pairs of each kind that should be checked (default %(default)s)")
     report.set_defaults(function=_report)
     return parser
 

@@ -39,7 +39,8 @@ class Cluster:
                  say: Callable[[str], None]) -> None:
         distributed = need("distributed", "for --workers and --scheduler")
         if workers and scheduler:
-            raise CollectionError("--workers starts processes here, --scheduler uses those that run: one of them, not both")
+            raise CollectionError("--workers starts processes on this machine, --scheduler uses a running cluster: give one, not "
+                                  "both")
         self._source, self._settings, self._verify, self._say = source, settings, verify, say
         self._packed = pickle.dumps(source)
         self._cluster: Any = None
@@ -59,13 +60,13 @@ class Cluster:
         try:
             client = distributed.Client(target, timeout=_CONNECT, set_as_default=False)
         except (OSError, ValueError) as error:  # TimeoutError is an OSError; ValueError is raised for an invalid address
-            raise CollectionError("--scheduler {}: nobody answers there: {}".format(
+            raise CollectionError("--scheduler {}: no scheduler answers at this address: {}".format(
                 scheduler, " ".join(str(error).split()))) from error
         try:
             client.wait_for_workers(1, timeout=_JOIN)
         except Exception as error:
             client.close()
-            raise CollectionError("{}: no worker came within {:.0f} seconds".format(
+            raise CollectionError("{}: no worker was available within {:.0f} seconds".format(
                 "--scheduler " + scheduler if scheduler else "--workers", _JOIN)) from error
         return client
 
@@ -81,7 +82,7 @@ class Cluster:
         others = sorted(address for address, value in found.items() if value != own)
         if not others:
             return own
-        self._say("{} of {} workers do not see the same files ({}: {}): pairs are sent to all".format(
+        self._say("{} of {} workers do not see the same files ({}: {}): this process reads the pairs and sends them".format(
             len(others), len(found), others[0], found[others[0]]))
         return None
 
@@ -90,7 +91,7 @@ class Cluster:
             before, self._threads = self._threads, sum(self._client.nthreads().values())
             self._counted = time.monotonic()
             if before and not self._threads:
-                self._say("all workers are gone; waiting for others")
+                self._say("all workers have ended; waiting for new ones")
         return _PER_THREAD * max(1, self._threads)
 
     def submit(self, keys: typing.Sequence[Key]) -> Future:
@@ -111,7 +112,8 @@ class Cluster:
 
     def explain(self, error: BaseException) -> BaseException:
         if type(error).__name__ == "KilledWorker":
-            return CollectionError("several workers died of the same chunk of pairs; is the memory enough? ({})".format(
+            return CollectionError("several workers died while they processed the same chunk of pairs; is there enough memory? "
+                                   "({})".format(
                 " ".join(str(error).split())))
         return error
 

@@ -44,7 +44,7 @@ COLUMNS = (("name", "TEXT PRIMARY KEY NOT NULL"), ("image1", "TEXT"), ("image2",
            ("translation", "BLOB"), ("F", "BLOB"), ("E", "BLOB"), ("H", "BLOB"), ("inlier_matches", "BLOB NOT NULL"))
 _PAIRS = "SELECT {} FROM {} ORDER BY name".format(", ".join(name for name, _ in COLUMNS), TABLE)
 _BLOCK = 1000  # number of pairs in a transaction when a complete file is copied to OUTPUT.part
-_THERE = "there is such a file already (--resume goes on with it)"
+_THERE = "this file exists already (--resume continues its run)"
 _OTHER = "the results are of a run with other settings"
 
 

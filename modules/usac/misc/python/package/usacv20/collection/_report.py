@@ -49,7 +49,7 @@ class Measure(typing.NamedTuple):
 MEASURES = (
     Measure("inlierRatio", "inlier ratio of verified pairs", "(inliers * 1.0 / matches)", [i / 10 for i in range(11)],
             "state = {} AND matches > 0".format(VERIFIED)),
-    Measure("iterations", "samples of a pair, of all models", "iterations", (0,) + _STEPS, "state != {}".format(FAULT)),
+    Measure("iterations", "samples of a pair, sum over all models", "iterations", (0,) + _STEPS, "state != {}".format(FAULT)),
     Measure("milliseconds", "milliseconds of a pair", "milliseconds", [0.0] + [step / 100 for step in _STEPS[2:]] + [1000.0],
             "state != {}".format(FAULT)))
 
@@ -84,7 +84,7 @@ def _look(results: Results, graph: Optional[Graph], images: Any, limit: float, m
     for bridge in [] if graph is None else [bridge for bridge in graph.bridges if bridge.images > 1][:most]:
         row = results.pairOf(int(images[bridge.first]), int(images[bridge.second]))
         if row is not None:
-            found.append(dict(_named(row), kind="the only link of two parts", images=bridge.images))
+            found.append(dict(_named(row), kind="the only link between two parts", images=bridge.images))
     return found
 
 
@@ -165,7 +165,7 @@ def _textOfCounts(summary: Dict[str, Any]) -> List[str]:
         lines += ["", "Images", "  {} images, {} of them without a verified pair".format(summary["images"], components["single"]),
                   "  {} connected components of more than one, the largest of {} images".format(
                       components["all"] - components["single"], ", ".join(map(str, components["largest"]))),
-                  "  {} verified pairs are the only link of what they connect".format(summary["bridges"])]
+                  "  {} verified pairs are the only link between the two parts that they connect".format(summary["bridges"])]
     return lines
 
 
@@ -188,7 +188,7 @@ def textOf(summary: Dict[str, Any]) -> str:
     """Returns the text of a report, for a terminal."""
     lines = _textOfCounts(summary) + _textOfHistograms(summary)
     if summary["look"]:
-        lines += ["", "Pairs most worth a look"]
+        lines += ["", "Pairs that should be checked"]
     for kind in dict.fromkeys(pair["kind"] for pair in summary["look"]):
         lines.append("  " + kind)
         lines += _table([[pair["pair"], "{} of {}".format(pair["inliers"], pair["matches"]),

@@ -81,8 +81,8 @@ class Results:
             with open(path, "rb") as file:
                 start = file.read(4)
             if start in (b"PK\3\4", b"\x89HDF"):
-                raise CollectionError("{}: the report is made of databases; of results of `pairs` in SQLite files, not in NPZ or "
-                                      "HDF5 files".format(path))
+                raise CollectionError("{}: a report can be made on a database or on results of `pairs` in an SQLite file, but "
+                                      "not in NPZ or HDF5 files".format(path))
         self._connection = connect(path)
         try:
             with explained(path):

@@ -38,8 +38,8 @@ class Settings:
     # Smallest expected inlier ratio. Pairs with a smaller ratio can be found, too, but with a
     # probability below `confidence`.
     inlierRatio: float = 0.25
-    # Inlier ratios of some pairs of the collection, from the estimation of its threshold; used by
-    # `needed`. Empty: the ratios are unknown.
+    # Inlier ratios of some pairs of the collection, from the estimation of the collection's
+    # threshold; used by `needed`. Empty: the ratios are unknown.
     ratios: Tuple[float, ...] = ()
     seed: int = 0
     minInliers: int = 15  # minimum number of inliers of an accepted pair
@@ -48,7 +48,7 @@ class Settings:
     # estimations (0.01), because most pairs of a collection have no overlap.
     significance: float = 1e-4
     planarRatio: float = 0.8  # the pair is planar or panoramic if a homography has more than this fraction of the inliers
-    calibrationRatio: float = 0.95  # the focal lengths are considered wrong if E has less than this fraction of F's inliers
+    calibrationRatio: float = 0.95  # the focal lengths count as wrong if E has clearly less than this fraction of F's inliers
     watermarks: bool = True  # True: detects pairs whose matches belong to a frame or mark in the images
 
     def __post_init__(self) -> None:

@@ -133,7 +133,7 @@ def copyDatabase(source: str, target: str) -> None:
         try:
             os.close(os.open(target, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
         except FileExistsError:
-            raise CollectionError("{}: there is such a file already; it is not overwritten".format(target)) from None
+            raise CollectionError("{}: this file exists already and is not overwritten".format(target)) from None
         except OSError as error:
             raise CollectionError("{}: the copy cannot be written: {}".format(target, error.strerror)) from error
         try:

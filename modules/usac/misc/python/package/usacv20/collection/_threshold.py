@@ -91,7 +91,7 @@ class ThresholdEstimate:
                     "--threshold PIXELS sets another".format(self.threshold, self.asked))
         text = "{:g} px, as the noise of a coordinate is {:.3g} px ({} of {} pairs gave an estimate, spread {:.0%})".format(
             self.threshold, self.sigma, self.used, self.asked, self.spread)
-        return text + ("; so few may be wrong by a factor of 4" if self.used < ENOUGH else "")
+        return text + ("; an estimate from so few pairs may be wrong by a factor of 4" if self.used < ENOUGH else "")
 
 
 def samplePairs(source: Source, count: int = SAMPLE) -> List[Pair]:

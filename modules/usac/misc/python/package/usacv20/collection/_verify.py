@@ -144,7 +144,8 @@ def _refuseContradicted(graph: DatabaseSink, summary: Summary) -> None:
     start = time.perf_counter()
     wrong = contradicted(graph.edges())
     if wrong:
-        summary.refused += graph.refuse({key: "turned by {:.0f} degrees against a path of pairs with more matches".format(degrees)
+        summary.refused += graph.refuse({key: "the rotation differs by {:.0f} degrees from that along a path of pairs with more "
+                                              "inliers".format(degrees)
                                          for key, degrees in wrong.items()})
     summary.contradicted = len(wrong)
     summary.writing += time.perf_counter() - start

@@ -75,7 +75,7 @@ def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings:
     pairs = [item for item in items if isinstance(item, Pair)]
     found = verify(pairs, settings) if pairs else []
     if [result.key for result in found] != [pair.key for pair in pairs]:
-        raise RuntimeError("results are of other pairs than were given")
+        raise RuntimeError("the results belong to other pairs than the given ones")
     results = (_named(result, pair) for result, pair in zip(found, pairs))
     return Outcome([next(results) if isinstance(item, Pair) else faulty(item) for item in items], reading,
                    time.perf_counter() - start)
@@ -119,7 +119,7 @@ def processRemotely(source: bytes, fingerprint: Optional[str], keys: typing.Sequ
     shared = unpickled(source)
     if shared not in _checked:
         if shared.fingerprint() != fingerprint:
-            raise CollectionError("this worker sees other files than the others")
+            raise CollectionError("this worker sees other files than the process that started the run")
         _checked.clear()
         _checked.append(shared)
     return process(shared, keys, verify, settings)
