@@ -237,8 +237,7 @@ int findPose(const cv::Mat& object, const Scene& scene, const cv::CommandLinePar
                 "%.2f deg, %.4f", results[i].error,
                 cv::norm(results[i].model.col(3), scene.truth.col(3)));
         }
-    std::cout << "error: angle of the rotation; distance from the true position, in widths of the "
-                 "object"
+    std::cout << "error: angle between the rotations; |t - true t|, in widths of the object"
               << std::endl;
     tools::printTable(matches, results, settings.runs);
     const tools::Result& ours = results.back();

@@ -15,7 +15,7 @@ namespace {
 const int COPIES = 5;
 //! Kind `second`: number of matches of the other model divided by the number of right matches.
 const double SECOND = 0.9;
-//! Kind `partSecond`: the same ratio, unless there are fewer wrong matches.
+//! Kind `partSecond`: the corresponding ratio; at most all wrong matches follow the other model.
 const double PART_SECOND = 0.7;
 
 struct NamedScores

@@ -14,8 +14,9 @@ namespace usacv20 {
 
 namespace {
 
-//! Coordinates farther than this many mean absolute deviations from the center do not enlarge the
-//! box Correspondences::lower, upper. See doc/constants.md.
+//! In each coordinate, the box Correspondences::lower, upper reaches at most this many mean
+//! absolute deviations from the center, however far away the outermost points are. See
+//! doc/constants.md.
 constexpr double FRAME = 5;
 //! Bounds of the threshold of the search, in normalized coordinates: the squared threshold and its
 //! inverse must be neither 0 nor infinite as float. The mask uses the caller's threshold unchanged.

@@ -118,7 +118,7 @@ private:
 
 #endif
 
-//! A Pack with the given number in each lane.
+//! A Pack with values[k] in lane k.
 inline Pack load(const double (&values)[WIDTH])
 {
     Pack result = Pack();

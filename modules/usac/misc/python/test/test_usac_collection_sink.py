@@ -102,7 +102,7 @@ class RowTest(SinkCase):
             self.assertEqual([row[name] for name in row if name.startswith("camera")], [None, None] if schema == "4.2" else [])
 
     def test_motion_of_a_plane(self):
-        """A planar pair is compatible with two motions, so no motion must be written. The motion of a
+        """A planar pair is compatible with two motions, so its motion must not be written. The motion of a
         panoramic pair must be written."""
         smallDatabase(self.path)
         self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC)])

@@ -107,7 +107,7 @@ class Lens(NamedTuple):
 
     def split(self) -> Tuple[Floats, Floats]:
         """Returns (K, parameters of the lens distortion)."""
-        # 2 for models with a single focal length for x and y, 1 for models with fx and fy
+        # number of image axes that share a focal length: 2 (models with one focal length) or 1 (fx and fy)
         own = 2 if self.model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL") else 1
         fx, fy, cx, cy = self.params[[0, 0, 1, 2]] if own == 2 else self.params[:4]
         return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), self.params[3 if own == 2 else 4:]

@@ -190,7 +190,8 @@ def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
 # 100 of 100 lists of 60, 200 and 1000 rows. Third coordinates of homogeneous points are not mistaken
 # for such columns, except in 5 % of the lists from cameras whose principal point is in an image
 # corner. With half and twice the value of _ROWS or _MOST_ROWS, and with _EXPLAINED 0.8 and
-# 0.95, the results are the same. With half and twice the value of _SURE, 50 and 0 of 100 lists of 60
+# 0.95, the results are the same, except that with twice the value of _ROWS, lists of 60 rows are too
+# short. With half and twice the value of _SURE, 50 and 0 of 100 lists of 60
 # rows are recognized, and 67 and 0 % of the lists from these cameras are mistaken for such columns.
 # With _INDEPENDENT 0.25 and 0.75, 80 and 100 of 100 lists of 1000 rows are recognized, and 0 and 55 %
 # of the lists from these cameras are mistaken for such columns.
