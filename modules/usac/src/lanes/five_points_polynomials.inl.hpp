@@ -131,7 +131,8 @@ inline void eliminateColumn(TenCubics& C, const Pack& tiny, Pack& least, Mask& r
     for (int i = K + 1; i < 10; ++i)
     {
         const Pack size = absolute(C[i][K]);
-        best = size > most ? everywhere(i) : best;
+        // a sum, because g++ 12 with -O1 cannot compile a choice between constants here
+        best += size > most ? everywhere(i) - best : Pack();
         most = largerOf(most, size);
     }
     least = smallerOf(least, most);
