@@ -68,12 +68,14 @@ Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat
     return points;
 }
 
-Points chosen(const Points& points, const Mat& mask)
+//! The elements that a mask marks; none if there are no elements.
+template <class T>
+std::vector<T> chosen(const std::vector<T>& all, const Mat& mask)
 {
-    Points result;
-    for (int i = 0; i < mask.rows; ++i)
-        if (mask.at<uchar>(i))
-            result.push_back(points[i]);
+    std::vector<T> result;
+    for (size_t i = 0; i < all.size(); ++i)
+        if (mask.at<uchar>((int)i))
+            result.push_back(all[i]);
     return result;
 }
 
@@ -102,7 +104,7 @@ String whyNot(const Report& report)
 PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const TwoViewRules& rules_)
     : params(params_), rules(rules_), iterations(0), cancelled(false),
       isCalibrated(!pair.cameraMatrix1.empty() && !pair.cameraMatrix2.empty()), sigma(0),
-      scores(pair.scores)
+      scores(pair.scores), sigmas(pair.sigmas)
 {
     const Mat* const cameras[] = {&pair.cameraMatrix1, &pair.cameraMatrix2};
     const Mat* const lenses[] = {&pair.distCoeffs1, &pair.distCoeffs2};
@@ -130,6 +132,9 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
     if (!scores.empty() && scores.size() != points1.size())
         CV_Error_(Error::StsUnmatchedSizes,
                   ("scores: 0 or %d are expected, not %d", size(), (int)scores.size()));
+    if (sigmas.empty())
+        sigmas = params.sigmas;
+    options(params.maxIterations).check(size());
 }
 
 void PairModels::checkTaken(const Mat& given, const char* name) const
@@ -148,6 +153,7 @@ Params PairModels::options(int most) const
     result.maxIterations = std::min(params.maxIterations, most);
     result.significance = params.significance > 0 ? params.significance : SIGNIFICANCE;
     result.scores = scores;
+    result.sigmas = sigmas;
     return result;
 }
 
@@ -244,13 +250,8 @@ void PairModels::homographyOfInliers(const PairModel& explained)
     Params given = options(SAMPLES_IN_INLIERS);
     given.threshold *= planarReach();
     given.significance = 1;  // not tested: only the number of inliers that H explains matters
-    if (!scores.empty())
-    {
-        given.scores.clear();
-        for (int i = 0; i < size(); ++i)
-            if (explained.mask.at<uchar>(i))
-                given.scores.push_back(scores[i]);
-    }
+    given.scores = chosen(scores, explained.mask);
+    given.sigmas = chosen(sigmas, explained.mask);
     Report report;
     // A report takes time because it contains the significance, which is not needed here. The
     // report is requested only if the run can be canceled.
@@ -264,7 +265,7 @@ void PairModels::homographyOfInliers(const PairModel& explained)
     Matx33d map(found.ptr<double>());
     if (swapped)
         map = map.inv();
-    const std::vector<double> errors = mapDistances(map, first, second);
+    const std::vector<double> errors = errorsOf(map, explained.mask);
     PairModel model;
     model.mask = Mat::zeros(size(), 1, CV_8U);
     for (int i = 0, k = 0; i < size(); ++i)
@@ -350,7 +351,7 @@ bool PairModels::explainsMore() const
     const double surplus = rules.calibrationRatio * F.inliers - E.inliers - FREEDOM_MORE;
     if (surplus <= 0)
         return false;
-    const std::vector<double> errors = sampsonDistances(fundamental(E.matrix), points1, points2);
+    const std::vector<double> errors = errorsOfLines(fundamental(E.matrix));
     const double within = withinDistances(errors, params.threshold);
     // The range of errors from one to three thresholds is twice as wide as that of the inliers.
     // Therefore beside / 2 matches are expected among the inliers by chance.
@@ -363,8 +364,8 @@ bool PairModels::contradictsCameras() const
     if (!explainsMore())
         return false;
     const double threshold = params.threshold;
-    const std::vector<double> ofE = sampsonDistances(fundamental(E.matrix), points1, points2),
-                              ofF = sampsonDistances(F.matrix, points1, points2);
+    const std::vector<double> ofE = errorsOfLines(fundamental(E.matrix)),
+                              ofF = errorsOfLines(F.matrix);
     int lost = 0, beside = 0;
     for (size_t i = 0; i < ofF.size(); ++i)
         if (ofF[i] > LOST * threshold)
@@ -382,7 +383,7 @@ double PairModels::chanceOfEpipole(const std::vector<double>& ofE,
                                    const std::vector<double>& ofF) const
 {
     const double threshold = params.threshold;
-    const std::vector<double> ofH = mapDistances(H.matrix, points1, points2);
+    const std::vector<double> ofH = errorsOf(H.matrix, Mat::ones(size(), 1, CV_8U));
     int unexplained = 0, gained = 0, beside = 0;
     for (size_t i = 0; i < ofF.size(); ++i)
     {
@@ -397,6 +398,31 @@ double PairModels::chanceOfEpipole(const std::vector<double>& ofE,
         return 1;
     const double choices = 0.5 * unexplained * (unexplained - 1);
     return std::min(choices * binomialTail(gained, gained + beside, 1 / BESIDE), 1.);
+}
+
+std::vector<double> PairModels::errorsOfLines(const Matx33d& fundamental) const
+{
+    std::vector<double> errors = sampsonDistances(fundamental, points1, points2);
+    for (size_t i = 0; i < sigmas.size(); ++i)
+        errors[i] /= sigmas[i];
+    return errors;
+}
+
+std::vector<double> PairModels::errorsOf(const Matx33d& map, const Mat& mask) const
+{
+    std::vector<double> errors = mapDistances(map, chosen(points1, mask), chosen(points2, mask));
+    const std::vector<float> units = chosen(sigmas, mask);
+    for (size_t i = 0; i < units.size(); ++i)
+        errors[i] /= units[i];
+    return errors;
+}
+
+double PairModels::pixels() const
+{
+    double sum = 0;
+    for (float each : sigmas)
+        sum += each;
+    return sigmas.empty() ? params.threshold : params.threshold * sum / (double)sigmas.size();
 }
 
 int PairModels::withinDistances(const std::vector<double>& errors, double limit) const
@@ -427,9 +453,7 @@ bool PairModels::turn(const PairModel& explained, Matx33d& R) const
     std::vector<Vec3d> first, second;
     directions(H.mask, first, second);
     R = fitRotation(first, second);
-    const std::vector<double> errors = mapDistances(camera2 * R * camera1.inv(),
-                                                    chosen(points1, explained.mask),
-                                                    chosen(points2, explained.mask));
+    const std::vector<double> errors = errorsOf(camera2 * R * camera1.inv(), explained.mask);
     return withinDistances(errors, planarDistance() * params.threshold) >
            rules.planarRatio * explained.inliers;
 }

@@ -52,6 +52,8 @@ public:
     Matx33d fundamental(const Matx33d& essential) const;
     //! Computes the viewing directions, with z = 1, of the matches that are marked in a mask.
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
+    //! The mean threshold of the matches in pixels: Params::threshold times the mean sigma.
+    double pixels() const;
     //! Describes why there is no model.
     String reason() const;
     //! Finds the rotation of a camera that has not translated, from the inliers of H. @return false
@@ -121,12 +123,16 @@ private:
     number of pairs of matches that could have determined the epipole.
     @param ofE, ofF errors of all matches */
     double chanceOfEpipole(const std::vector<double>& ofE, const std::vector<double>& ofF) const;
+    //! Sampson distances of all matches from F, in pixels or, if there are sigmas, in sigmas.
+    std::vector<double> errorsOfLines(const Matx33d& fundamental) const;
+    //! Sampson distances of the marked matches from a homography, in the same unit.
+    std::vector<double> errorsOf(const Matx33d& map, const Mat& mask) const;
     int withinDistances(const std::vector<double>& errors, double limit) const;
 
     bool isCalibrated;
-    double sigma;  //!< Report::sigma of the model that set the threshold
-    std::vector<float> scores;
-    String why;      //!< why the search of `refused` gave no model
+    double sigma;                       //!< Report::sigma of the model that set the threshold
+    std::vector<float> scores, sigmas;  //!< of the pair or of the Params; can be empty
+    String why;                         //!< why the search of `refused` gave no model
     String limited;  //!< text with the confidences of rejected searches that Params::maxIterations
                      //!< ended before they reached the requested confidence
 };

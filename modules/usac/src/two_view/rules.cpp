@@ -158,10 +158,6 @@ void TwoViewRules::check(const Params& params) const
         CV_Error_(Error::StsBadArg,
                   ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
                    (int)params.initialModel.size()));
-    if (!params.sigmas.empty())
-        CV_Error_(Error::StsBadArg, ("sigmas: none are expected, as two-view geometry compares "
-                                     "errors in pixels, not %d numbers",
-                                     (int)params.sigmas.size()));
 }
 
 double TwoViewRules::samples(const Params& params, int sampleSize, int matches) const

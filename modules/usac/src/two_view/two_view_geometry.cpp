@@ -35,7 +35,7 @@ Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
     {
         int count = 0;
         for (size_t i = 0; i < first.size(); i += step)
-            count += inFront(motions[k], first[i], second[i], models.params.threshold / focal);
+            count += inFront(motions[k], first[i], second[i], models.pixels() / focal);
         if (count > most)
             best = k;
         most = std::max(most, count);
@@ -120,7 +120,7 @@ void classify(const TwoViewPair& pair, const PairModels& models, const PairModel
     }
     if (models.H && models.mostlyOnPlane(base))
         readPlane(models, base, models.calibrated() && (byEssential || &base == &models.H), found);
-    if (isWatermark(pair, base.mask, PairModels::planarReach() * models.params.threshold))
+    if (isWatermark(pair, base.mask, PairModels::planarReach() * models.pixels()))
         found.configuration = TWO_VIEW_WATERMARK;
     if (models.calibrated())
         found.rotations = rotationsOf(found, models, base);

@@ -208,19 +208,6 @@ TEST(Usac_Sigmas_, invalid)
         params.sigmas[7] = wrong;
         EXPECT_TRUE(sigmasRefused()) << wrong;
     }
-    TwoViewPair pair;
-    pair.points1 = Mat(scene.points1);
-    pair.points2 = Mat(scene.points2);
-    params.sigmas.assign(20, 1.f);
-    try
-    {
-        estimateTwoViewGeometry(pair, params);
-        ADD_FAILURE() << "sigmas are not for two-view geometry";
-    }
-    catch (const Exception& e)
-    {
-        EXPECT_NE(std::string::npos, e.msg.find("sigmas")) << e.msg;
-    }
 }
 
 //! A Usac object must keep its sigmas for other points. It must reject a different number of

@@ -183,9 +183,6 @@ TEST(Usac_TwoViewBatch, mistakes_are_named)
     params.initialModel.assign(9, 1.);
     expectRefused("initialModel", right, params, TwoViewRules());
     params = Params();
-    params.sigmas.assign(right.points1.rows, 1.f);
-    expectRefused("sigmas", right, params, TwoViewRules());
-    params = Params();
     params.threshold = 0;
     EXPECT_NE(String::npos,
               raisedBy([&] { estimateTwoViewGeometry(right, params); }).find("threshold"));

@@ -249,6 +249,88 @@ TEST(Usac_TwoViewGeometry, plane)
     }
 }
 
+//! A pair whose matches have noise of `small` or five times as much, in turns, with their sigmas.
+TwoViewPair pairOfMixedNoise(const Scene& scene, double small)
+{
+    TwoViewPair pair = pairOf(scene);
+    RNG rng(scene.size());
+    for (int i = 0; i < scene.size(); ++i)
+    {
+        const double noise = i % 2 ? 5 * small : small;
+        pair.sigmas.push_back((float)noise);
+        if (!scene.truth[i])
+            continue;
+        for (int k = 0; k < 2; ++k)
+        {
+            pair.points1.ptr<double>(i)[k] = (&scene.clean1[i].x)[k] + rng.gaussian(noise);
+            pair.points2.ptr<double>(i)[k] = (&scene.clean2[i].x)[k] + rng.gaussian(noise);
+        }
+    }
+    return pair;
+}
+
+//! With sigmas, the rotation must be more accurate, and the mask must mark the matches whose error
+//! is at most the threshold times their sigma.
+TEST(Usac_TwoViewGeometry, sigmas)
+{
+    double with = 0, without = 0;
+    Params params = twoPixels();
+    params.threshold = 3;
+    for (uint64 seed = 1; seed <= 20; ++seed)
+    {
+        const Scene scene = sceneOf(seed);
+        TwoViewPair pair = pairOfMixedNoise(scene, 0.2);
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, params);
+        ASSERT_EQ((int)TWO_VIEW_CALIBRATED, found.configuration) << seed;
+        checkFields(found, pair);
+        with += angleBetween(found.R, scene.R);
+        const Mat errors = modelErrors(FUNDAMENTAL, found.F, pair.points1, pair.points2);
+        for (int i = 0; i < errors.rows; ++i)
+        {
+            const double ratio = errors.at<double>(i) / pair.sigmas[i] / params.threshold;
+            if (std::abs(ratio - 1) > 0.01)
+            {
+                EXPECT_EQ(ratio < 1, found.mask.at<uchar>(i) != 0) << seed << " " << i;
+            }
+        }
+        pair.sigmas.clear();
+        without += angleBetween(estimateTwoViewGeometry(pair, params).R, scene.R);
+    }
+    EXPECT_LT(with, 0.7 * without);
+}
+
+//! Sigmas must also count for the homography of a plane or of a rotation, and for wrong focal
+//! lengths; a common factor of sigmas must change the result as little as the unit of the
+//! threshold does.
+TEST(Usac_TwoViewGeometry, sigmas_of_other_configurations)
+{
+    Params params = twoPixels();
+    params.threshold = 3;
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        TwoViewPair pair = pairOfMixedNoise(sceneOf(seed, 1, 60), 0.2);
+        const TwoViewGeometry planar = estimateTwoViewGeometry(pair, params);
+        EXPECT_EQ((int)TWO_VIEW_PLANAR, planar.configuration) << seed;
+        for (float& sigma : pair.sigmas)
+            sigma *= 4;
+        params.threshold = 3. / 4;
+        const TwoViewGeometry other = estimateTwoViewGeometry(pair, params);
+        params.threshold = 3;
+        EXPECT_EQ((int)TWO_VIEW_PLANAR, other.configuration) << seed;
+        EXPECT_NEAR(planar.inliers, other.inliers, 1) << seed;
+        TwoViewPair wrong = pairOfMixedNoise(sceneOf(seed, 0.5), 0.2);
+        wrong.cameraMatrix1.at<double>(0, 0) *= 4;
+        wrong.cameraMatrix1.at<double>(1, 1) *= 4;
+        const TwoViewGeometry found = estimateTwoViewGeometry(wrong, params);
+        EXPECT_EQ((int)TWO_VIEW_UNCALIBRATED, found.configuration) << seed;
+    }
+    TwoViewPair pair = pairOf(sceneOf(1));
+    pair.sigmas.assign(pair.points1.rows - 1, 1.f);
+    EXPECT_THROW(estimateTwoViewGeometry(pair, params), cv::Exception);
+    pair.sigmas.assign(pair.points1.rows, 0.f);
+    EXPECT_THROW(estimateTwoViewGeometry(pair, params), cv::Exception);
+}
+
 TEST(Usac_TwoViewGeometry, rotation)
 {
     for (uint64 seed = 1; seed <= 10; ++seed)

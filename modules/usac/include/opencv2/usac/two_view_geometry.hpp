@@ -77,8 +77,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     CV_WRAP double reached(const Params& params, int sampleSize, int matches) const;
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;
-    //! Like check(), but also checks `params`, which must have no `initialModel` and no `sigmas`,
-    //! because two-view geometry cannot use them.
+    //! Like check(), but also checks `params`, which must have no `initialModel`, because E, F and
+    //! H are estimated.
     CV_WRAP void check(const Params& params) const;
 };
 
@@ -115,6 +115,9 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     //! N scores of the matches, used instead of Params::scores, so that pairs can share their
     //! Params. Empty: Params::scores.
     CV_PROP_RW std::vector<float> scores;
+    //! N standard deviations of the errors of the matches, used instead of Params::sigmas. Empty:
+    //! Params::sigmas.
+    CV_PROP_RW std::vector<float> sigmas;
 };
 
 //! The result for a pair. All matrices except the mask are CV_64F, and empty if they were not
@@ -169,9 +172,10 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 @param pair matches, cameras, image sizes
 @param params options of each search. `threshold` is the Sampson distance of E and F in undistorted
 pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
-to each search separately. `initialModel` and `sigmas` must be empty. With #THRESHOLD_ESTIMATED, the
-threshold of the pair is estimated until a model is accepted; from then on it is Report::threshold
-of this model (divided by 1.77, the ratio of the thresholds of H and E, if the model is H)
+to each search separately. `initialModel` must be empty. With sigmas, thresholds and errors are
+multiples of the sigma of each match (see Params::sigmas). With #THRESHOLD_ESTIMATED, the threshold
+of the pair is estimated until a model is accepted; from then on it is Report::threshold of this
+model (divided by 1.77, the ratio of the thresholds of H and E, if the model is H)
 @param rules rules by which models are accepted and the configuration is chosen
 @return the configuration with its models, inliers and pose.
 

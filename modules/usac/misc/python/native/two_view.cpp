@@ -20,9 +20,18 @@ Size sizeOf(const py::handle& size)
     return Size(given.first, given.second);
 }
 
+//! The numbers of an array; none if `given` is None.
+std::vector<float> floatsOf(const py::handle& given)
+{
+    if (given.is_none())
+        return std::vector<float>();
+    const auto array = given.cast<py::array_t<float, py::array::c_style | py::array::forcecast>>();
+    return std::vector<float>(array.data(), array.data() + array.size());
+}
+
 //! Converts a tuple (points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2,
-//! imageSize1, imageSize2, taken1, taken2, scores). All are arrays, except the sizes, which are
-//! pairs of integers; all except the points can be None.
+//! imageSize1, imageSize2, taken1, taken2, scores, sigmas). All are arrays, except the sizes, which
+//! are pairs of integers; all except the points can be None.
 TwoViewPair pairOf(const py::tuple& given)
 {
     TwoViewPair pair;
@@ -36,13 +45,8 @@ TwoViewPair pairOf(const py::tuple& given)
     pair.imageSize2 = sizeOf(given[7]);
     pair.taken1 = own(given[8], "taken1");
     pair.taken2 = own(given[9], "taken2");
-    if (!py::reinterpret_borrow<py::object>(given[10]).is_none())
-    {
-        const auto
-            scores = given[10]
-                         .cast<py::array_t<float, py::array::c_style | py::array::forcecast>>();
-        pair.scores.assign(scores.data(), scores.data() + scores.size());
-    }
+    pair.scores = floatsOf(given[10]);
+    pair.sigmas = floatsOf(given[11]);
     return pair;
 }
 

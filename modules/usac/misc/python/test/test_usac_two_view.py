@@ -57,6 +57,22 @@ class TwoViewTest(unittest.TestCase):
             F = np.linalg.inv(K).T @ found.E @ np.linalg.inv(K)
             np.testing.assert_allclose(found.F, F / np.linalg.norm(F), atol=1e-12)
 
+    def test_sigmas(self):
+        with_sigmas, without = 0., 0.
+        for seed in range(10):
+            a, b, R, _ = scene(seed)
+            rng = np.random.RandomState(seed)
+            sigmas = np.where(np.arange(len(a)) % 2, 2., 0.4)
+            noise = rng.normal(0, 1, a.shape) * np.sqrt(sigmas ** 2 - 0.4 ** 2)[:, None] * (np.arange(len(a)) < 150)[:, None]
+            params = usac.Params(threshold=3)
+            pair = usac.TwoViewPair(a + noise, b, K, K, sigmas=sigmas)
+            for found in usac.estimateTwoViewGeometries([pair], params):
+                with_sigmas += np.abs(found.R - R).max()
+            without += np.abs(usac.estimateTwoViewGeometry(a + noise, b, K, K, params=params).R - R).max()
+            shared = usac.estimateTwoViewGeometry(a + noise, b, K, K, params=usac.Params(threshold=3, sigmas=sigmas))
+            np.testing.assert_array_equal(shared.mask, found.mask)
+        self.assertLess(with_sigmas, 0.8 * without)
+
     def test_estimated_threshold(self):
         for seed in range(5):
             a, b, R, _ = scene(seed)
@@ -133,9 +149,11 @@ class TwoViewTest(unittest.TestCase):
             usac.estimateTwoViewGeometry(a, b, imageSize1=640)
         with self.assertRaisesRegex(ERRORS, "initialModel"):
             usac.estimateTwoViewGeometry(a, b, params=usac.Params(initialModel=np.eye(3)))
-        for name, value in (("initialModel", np.eye(3)), ("sigmas", np.ones(len(a)))):
-            with self.assertRaisesRegex(ERRORS, name):  # the call itself must fail, not each pair
-                usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b)], usac.Params(**{name: value}), returnExceptions=True)
+        with self.assertRaisesRegex(ERRORS, "initialModel"):  # the call itself must fail, not each pair
+            usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b)], usac.Params(initialModel=np.eye(3)), returnExceptions=True)
+        for wrong in (np.ones(len(a) - 1), np.zeros(len(a))):
+            with self.assertRaisesRegex(ERRORS, "sigmas"):
+                usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b, sigmas=wrong)])
         pairs = [usac.TwoViewPair(a, b), usac.TwoViewPair(a, b[1:]), usac.TwoViewPair("no", b)]
         found = usac.estimateTwoViewGeometries(pairs, returnExceptions=True)
         self.assertIs(found[0].configuration, usac.TWO_VIEW_UNCALIBRATED)

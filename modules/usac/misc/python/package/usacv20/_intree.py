@@ -13,7 +13,7 @@ from typing import Any, Callable, Dict, List, Tuple
 from ._intree_progress import Progress, Runs
 
 _PAIR = ("points1", "points2", "cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2", "imageSize1", "imageSize2", "taken1",
-         "taken2", "scores")
+         "taken2", "scores", "sigmas")
 _GEOMETRY = ("configuration", "mask", "inliers", "F", "E", "H", "R", "t", "rotations", "report", "iterations", "milliseconds", "reason",
              "error")
 

@@ -108,6 +108,9 @@ class TwoViewPair(typing.NamedTuple):
     # N scores of the matches, used instead of Params.scores, so that pairs can share their Params.
     # None: Params.scores.
     scores: _Optional = None
+    # N standard deviations of the errors of the matches, used instead of Params.sigmas. None:
+    # Params.sigmas.
+    sigmas: _Optional = None
 
 
 class TwoViewGeometry(typing.NamedTuple):
@@ -148,11 +151,13 @@ def _size(size: Any, name: str) -> Any:
 
 def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
     """Returns the converted fields of a pair in the order that the compiled part expects."""
-    scores = None if pair.scores is None else np.ravel(_arguments.array(pair.scores, prefix + "scores")).astype(np.float32)
+    scores, sigmas = (None if given is None else np.ravel(_arguments.array(given, prefix + name)).astype(np.float32)
+                      for given, name in ((pair.scores, "scores"), (pair.sigmas, "sigmas")))
     return (*(_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS),
             *(_arguments.optionalArray(getattr(pair, name), prefix + name) for name in _ARRAYS),
             _size(pair.imageSize1, prefix + "imageSize1"), _size(pair.imageSize2, prefix + "imageSize2"),
-            _arguments.optionalArray(pair.taken1, prefix + "taken1"), _arguments.optionalArray(pair.taken2, prefix + "taken2"), scores)
+            _arguments.optionalArray(pair.taken1, prefix + "taken1"), _arguments.optionalArray(pair.taken2, prefix + "taken2"), scores,
+            sigmas)
 
 
 def _rules(rules: Optional[TwoViewRules]) -> Any:
@@ -182,8 +187,9 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     require the camera matrix; None: no distortion
     params -- Params of each search. `threshold` is the Sampson distance of E and F in undistorted
     pixels; the threshold of H is derived from it. `significance` 0 means 1e-4 here. `initialModel`
-    and `sigmas` must be empty. With THRESHOLD_ESTIMATED, the threshold of the pair is
-    report.threshold of the first accepted model (divided by 1.77 if this model is H)
+    must be empty. With sigmas, thresholds and errors are multiples of the sigma of each match. With
+    THRESHOLD_ESTIMATED, the threshold of the pair is report.threshold of the first accepted model
+    (divided by 1.77 if this model is H)
     rules -- TwoViewRules; None: the defaults
     imageSize1, imageSize2 -- (width, height) in pixels; None: watermarks are not detected
 
@@ -210,7 +216,7 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
 
     pairs -- TwoViewPair(points1, points2, ...); the numbers of matches can differ, and pairs with
     and without cameras can be mixed
-    params, rules -- for all pairs; the `scores` of a pair, if any, are used instead of params.scores
+    params, rules -- for all pairs; `scores` and `sigmas` of a pair, if any, are used instead of those of params
     threads -- number of pairs that are processed at once, at most the number of OpenCV's threads; 0:
     the number of OpenCV's threads. The results do not depend on this number
     returnExceptions -- what happens if the estimation of a pair raises an exception. True: the
