@@ -234,7 +234,7 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
             if not returnExceptions:
                 raise
             mistakes[i] = mistake
-            read.append((NO_POINTS, NO_POINTS) + (None,) * 9)
+            read.append((NO_POINTS, NO_POINTS) + (None,) * (len(TwoViewPair._fields) - 2))
     results: List[Union[TwoViewGeometry, Exception]] = []
     for i, found in enumerate(native.estimateTwoViewGeometries(read, optionsOf(params), _rules(rules),
                                                                _arguments.integer(threads, "threads", low=0))):
