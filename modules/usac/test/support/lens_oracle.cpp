@@ -21,6 +21,8 @@ namespace {
 //! limit of 1e-11.
 const double LEFT = 2e-11;
 const int STEPS = 2000, FOLD_STEPS = 100;
+//! Shortest step in the search for a radius, relative to the distorted radius.
+const double SHORTEST = 1e-12;
 
 }  // namespace
 
@@ -61,12 +63,19 @@ LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
     const bool onlyRadial = d[2] == 0 && d[3] == 0 && d[8] == 0 && d[9] == 0 && d[10] == 0 &&
                             d[11] == 0 && d[12] == 0 && d[13] == 0;
     double r = 0, before = 0;
-    for (double step = wanted / STEPS; before < wanted && r < 100 * (1 + wanted); r += step)
+    double step = wanted / STEPS;
+    while (before < wanted && r < 100 * (1 + wanted))
     {
         const double now = radial(r + step);
-        if (!(now > before))
+        if (now > before)
+        {
+            before = now;
+            r += step;
+        }
+        else if (step > SHORTEST * wanted)  // it might have crossed a pole
+            step /= 2;
+        else
             return onlyRadial && before < wanted * (1 - OFF_FOLD) ? NOT_SEEN : UNDECIDED;
-        before = now;
     }
     point = wanted > 0 ? seen * (r / wanted) : seen;
     return before >= wanted ? SEEN : UNDECIDED;
