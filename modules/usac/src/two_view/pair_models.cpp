@@ -37,12 +37,17 @@ constexpr double DEVIATIONS = 3;
 //! If most inliers of E are on a plane, F is preferred only if chanceOfEpipole() is at most this
 //! probability, the usual limit of Report::chance.
 constexpr double CHANCE = 0.01;
-//! Matches whose errors are between one and this many thresholds show how many matches have smaller
-//! errors by chance.
+//! Matches whose errors are between one and BESIDE thresholds show how many matches have smaller
+//! errors by chance: 1 / (BESIDE - 1) times as many, because errors of wrong matches are as dense
+//! within one threshold as just beyond it.
 constexpr double BESIDE = 3;
 //! An inlier of E whose error of F exceeds this many thresholds is lost if F replaces E. The errors
 //! of right matches are seldom that large, even if the threshold is narrow for their noise.
 constexpr double LOST = 1.5;
+//! F replaces E only if the root mean square of its errors, over the matches that both explain, is
+//! at most WORSE times that of E. If F fits wrong matches, it fits right ones worse, which shows
+//! even if the threshold is so wide that no inlier is lost.
+constexpr double WORSE = 1.2;
 //! Maximum number of samples of a search for F that starts from E, or for E that starts from F. Few
 //! samples are enough, because local optimization finds the model.
 constexpr int SAMPLES_FROM_E = 10;
@@ -77,6 +82,14 @@ std::vector<T> chosen(const std::vector<T>& all, const Mat& mask)
         if (mask.at<uchar>((int)i))
             result.push_back(all[i]);
     return result;
+}
+
+//! Divides errors by the sigmas of their matches; does nothing if there are no sigmas.
+std::vector<double> inSigmas(std::vector<double> errors, const std::vector<float>& sigmas)
+{
+    for (size_t i = 0; i < sigmas.size(); ++i)
+        errors[i] /= sigmas[i];
+    return errors;
 }
 
 std::vector<double> numbersOf(const Matx33d& matrix)
@@ -129,9 +142,6 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
     checkTaken(pair.taken2, "taken2");
     if (scores.empty())
         scores = params.scores;
-    if (!scores.empty() && scores.size() != points1.size())
-        CV_Error_(Error::StsUnmatchedSizes,
-                  ("scores: 0 or %d are expected, not %d", size(), (int)scores.size()));
     if (sigmas.empty())
         sigmas = params.sigmas;
     options(params.maxIterations).check(size());
@@ -265,7 +275,7 @@ void PairModels::homographyOfInliers(const PairModel& explained)
     Matx33d map(found.ptr<double>());
     if (swapped)
         map = map.inv();
-    const std::vector<double> errors = errorsOf(map, explained.mask);
+    const std::vector<double> errors = inSigmas(mapDistances(map, first, second), given.sigmas);
     PairModel model;
     model.mask = Mat::zeros(size(), 1, CV_8U);
     for (int i = 0, k = 0; i < size(); ++i)
@@ -351,12 +361,10 @@ bool PairModels::explainsMore() const
     const double surplus = rules.calibrationRatio * F.inliers - E.inliers - FREEDOM_MORE;
     if (surplus <= 0)
         return false;
-    const std::vector<double> errors = errorsOfLines(fundamental(E.matrix));
+    const std::vector<double> errors = errorsOf(fundamental(E.matrix));
     const double within = withinDistances(errors, params.threshold);
-    // The range of errors from one to three thresholds is twice as wide as that of the inliers.
-    // Therefore beside / 2 matches are expected among the inliers by chance.
     const double beside = withinDistances(errors, BESIDE * params.threshold) - within;
-    return surplus > DEVIATIONS * std::sqrt(beside / 2.);
+    return surplus > DEVIATIONS * std::sqrt(beside / (BESIDE - 1));
 }
 
 bool PairModels::contradictsCameras() const
@@ -364,17 +372,22 @@ bool PairModels::contradictsCameras() const
     if (!explainsMore())
         return false;
     const double threshold = params.threshold;
-    const std::vector<double> ofE = errorsOfLines(fundamental(E.matrix)),
-                              ofF = errorsOfLines(F.matrix);
-    int lost = 0, beside = 0;
+    const std::vector<double> ofE = errorsOf(fundamental(E.matrix)), ofF = errorsOf(F.matrix);
+    double lost = 0, beside = 0, squaresOfE = 0, squaresOfF = 0;
     for (size_t i = 0; i < ofF.size(); ++i)
         if (ofF[i] > LOST * threshold)
         {
             lost += ofE[i] <= threshold;
             beside += ofE[i] > threshold && ofE[i] <= BESIDE * threshold;
         }
-    const double byChance = beside / 2. + 1;
-    if (lost - byChance > (1 - rules.calibrationRatio) * E.inliers)
+        else if (ofE[i] <= threshold && ofF[i] <= threshold)
+        {
+            squaresOfE += ofE[i] * ofE[i];
+            squaresOfF += ofF[i] * ofF[i];
+        }
+    const double lostByChance = beside / (BESIDE - 1);
+    if (lost - lostByChance > (1 - rules.calibrationRatio) * E.inliers ||
+        squaresOfF > WORSE * WORSE * squaresOfE)
         return false;
     return !mostlyOnPlane(E) || chanceOfEpipole(ofE, ofF) <= CHANCE;
 }
@@ -383,7 +396,7 @@ double PairModels::chanceOfEpipole(const std::vector<double>& ofE,
                                    const std::vector<double>& ofF) const
 {
     const double threshold = params.threshold;
-    const std::vector<double> ofH = errorsOf(H.matrix, Mat::ones(size(), 1, CV_8U));
+    const std::vector<double> ofH = inSigmas(mapDistances(H.matrix, points1, points2), sigmas);
     int unexplained = 0, gained = 0, beside = 0;
     for (size_t i = 0; i < ofF.size(); ++i)
     {
@@ -400,21 +413,9 @@ double PairModels::chanceOfEpipole(const std::vector<double>& ofE,
     return std::min(choices * binomialTail(gained, gained + beside, 1 / BESIDE), 1.);
 }
 
-std::vector<double> PairModels::errorsOfLines(const Matx33d& fundamental) const
+std::vector<double> PairModels::errorsOf(const Matx33d& fundamental) const
 {
-    std::vector<double> errors = sampsonDistances(fundamental, points1, points2);
-    for (size_t i = 0; i < sigmas.size(); ++i)
-        errors[i] /= sigmas[i];
-    return errors;
-}
-
-std::vector<double> PairModels::errorsOf(const Matx33d& map, const Mat& mask) const
-{
-    std::vector<double> errors = mapDistances(map, chosen(points1, mask), chosen(points2, mask));
-    const std::vector<float> units = chosen(sigmas, mask);
-    for (size_t i = 0; i < units.size(); ++i)
-        errors[i] /= units[i];
-    return errors;
+    return inSigmas(sampsonDistances(fundamental, points1, points2), sigmas);
 }
 
 double PairModels::pixels() const
@@ -453,7 +454,10 @@ bool PairModels::turn(const PairModel& explained, Matx33d& R) const
     std::vector<Vec3d> first, second;
     directions(H.mask, first, second);
     R = fitRotation(first, second);
-    const std::vector<double> errors = errorsOf(camera2 * R * camera1.inv(), explained.mask);
+    const std::vector<double> errors = inSigmas(mapDistances(camera2 * R * camera1.inv(),
+                                                             chosen(points1, explained.mask),
+                                                             chosen(points2, explained.mask)),
+                                                chosen(sigmas, explained.mask));
     return withinDistances(errors, planarDistance() * params.threshold) >
            rules.planarRatio * explained.inliers;
 }

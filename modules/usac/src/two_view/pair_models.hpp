@@ -110,7 +110,8 @@ private:
     //! search for E has missed the best model, or F fits wrong matches that agree with each other.
     bool explainsMore() const;
     //! True if F shows that the focal lengths are wrong: it explains clearly more than E, and also
-    //! nearly all that E explains. An F that fits wrong matches no longer fits some right ones.
+    //! nearly all that E explains, with errors that are hardly larger. An F that fits wrong matches
+    //! fits right ones worse.
     bool contradictsCameras() const;
     /** The probability that F explains by chance as many more matches than E as it does, if most
     inliers of E are on a plane: a plane does not determine the epipole, so that F can adapt to
@@ -118,15 +119,14 @@ private:
 
     Two of these matches determine the epipole of F if the plane is given. If F explains the others
     by chance, their errors are as dense just beyond the threshold as within it, also if wrong
-    matches lie together. Thus, of those with errors of up to three thresholds, each is within one
-    threshold with probability 1/3. The tail of this binomial distribution is multiplied by the
-    number of pairs of matches that could have determined the epipole.
+    matches lie together. Thus, of those with errors of up to BESIDE (three) thresholds, each is
+    within one threshold with probability 1/3. The tail of this binomial distribution is multiplied
+    by the number of pairs of matches that could have determined the epipole.
     @param ofE, ofF errors of all matches */
     double chanceOfEpipole(const std::vector<double>& ofE, const std::vector<double>& ofF) const;
-    //! Sampson distances of all matches from F, in pixels or, if there are sigmas, in sigmas.
-    std::vector<double> errorsOfLines(const Matx33d& fundamental) const;
-    //! Sampson distances of the marked matches from a homography, in the same unit.
-    std::vector<double> errorsOf(const Matx33d& map, const Mat& mask) const;
+    //! Sampson distances of all matches from F, in pixels or, if there are sigmas, as multiples of
+    //! the sigma of each match.
+    std::vector<double> errorsOf(const Matx33d& fundamental) const;
     int withinDistances(const std::vector<double>& errors, double limit) const;
 
     bool isCalibrated;

@@ -52,8 +52,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     //! inliers of the accepted model; 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
     //! The focal lengths are considered wrong if the number of inliers of E is clearly less than
-    //! this fraction of the number of inliers of F, see #estimateTwoViewGeometry; 0..1. Default
-    //! 0.95.
+    //! this fraction of the number of inliers of F, see #estimateTwoViewGeometry. F may lose at
+    //! most the remaining fraction of the inliers of E; 0..1. Default 0.95.
     CV_PROP_RW double calibrationRatio;
 
     /** @brief Number of samples needed to find the model of an acceptable pair, regardless of
@@ -185,9 +185,10 @@ only if its Report::chance is at most the square of `significance`. If F is acce
 rejected or explains clearly fewer matches, E is estimated once more, starting from F. H is
 estimated from the inliers of E or F or, if both were rejected, from all matches. The focal lengths
 are rejected if E has clearly less than `calibrationRatio` of the inliers of F, and F loses hardly
-any inlier of E, and (if most inliers of E are on a plane) F has not gained its additional inliers
-by chance. These are the rules of COLMAP, with differences listed in doc/collections.md. The
-threshold of H is larger than that of E because the error of H has two coordinates.
+any inlier of E and fits the others hardly worse, and (if most inliers of E are on a plane) F has
+not gained its additional inliers by chance. These are the rules of COLMAP, with differences listed
+in doc/collections.md. The threshold of H is larger than that of E because the error of H has two
+coordinates.
 
 Raises cv::Exception for lists of different lengths, points of the wrong shape, invalid cameras,
 distortion without a camera, and invalid options. */

@@ -6,16 +6,21 @@
 """Tests of estimateTwoViewGeometry and estimateTwoViewGeometries: configurations, many pairs in one
 call, wrong arguments, and the number of samples that TwoViewRules determines."""
 
+import os
 import pickle
+import subprocess
+import sys
 import unittest
 
 import numpy as np
 
 from usac_camera import rotation
-from usac_common import ERRORS, bits, usac
+from usac_common import ERRORS, bits, package, usac
 
 K = np.array([[900., 0, 640], [0, 900, 480], [0, 0, 1]])
 SIZE = (1280, 960)
+PROGRAM = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "benchmark", "collection",
+                                        "configurations.py"))
 
 
 def scene(seed, kind="general", right=150, wrong=60):
@@ -170,6 +175,36 @@ class TwoViewTest(unittest.TestCase):
         self.assertGreaterEqual(known.samples(params, 5, 75), 500)
         self.assertGreater(plain.reached(params.replace(maxIterations=10**6), 5, 75), 0.999)
         self.assertEqual(pickle.loads(pickle.dumps(known)), known)
+
+
+@package
+@unittest.skipUnless(os.path.exists(PROGRAM), "the programs of the benchmark are not here")
+class ConfigurationsTest(unittest.TestCase):
+    """The program that counts the configurations of synthetic pairs."""
+
+    def table(self, *options):
+        """Returns the rows of the program's table as {(kind, motion): {column: number}}."""
+        done = subprocess.run([sys.executable, PROGRAM, "--scenes", "1", *options], stdout=subprocess.PIPE, universal_newlines=True, check=True)
+        lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in done.stdout.splitlines()]
+        return {tuple(line[:2]): dict(zip(lines[0][2:], map(int, line[2:]))) for line in lines[2:]}
+
+    def test_focal_lengths(self):
+        rows = self.table()
+        for (kind, _), row in rows.items():
+            self.assertEqual(row["pairs"], sum(row[name] for name in row if name not in ("pairs", "changed")), kind)
+            self.assertEqual(row["changed"], row["UNCALIBRATED"] + row["PLANAR_OR_PANORAMIC"], kind)
+        changed = {kind: row["changed"] / row["pairs"] for (kind, _), row in rows.items()}
+        self.assertGreater(changed["wrong"], 0.6)
+        self.assertLess(changed["right"], 0.03)
+        self.assertLess(changed["repeated"], 0.1)
+
+    def test_options(self):
+        rows = self.table("--kinds", "repeated", "--motions", "forward", "short", "--threshold", "2", "--samples", "1000", "--cells")
+        self.assertEqual(rows["repeated", "forward"]["pairs"], 81)
+        self.assertEqual(len(rows), 2 * (1 + 81))
+        for motion in ("forward", "short"):
+            cells = [row["pairs"] for (kind, name), row in rows.items() if name == motion and kind != "repeated"]
+            self.assertEqual(cells, 81 * [1])
 
 
 if __name__ == "__main__":

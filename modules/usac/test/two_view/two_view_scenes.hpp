@@ -1,0 +1,37 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_TEST_TWO_VIEW_SCENES_HPP
+#define OPENCV_USACV20_TEST_TWO_VIEW_SCENES_HPP
+
+#include "support/scenes.hpp"
+#include "opencv2/usac.hpp"
+
+// Pairs of images for the tests of estimateTwoViewGeometry.
+
+namespace opencv_test {
+
+const double DEGREE = CV_PI / 180;
+
+//! Angle of the rotation between a rotation matrix and the true one, in radians.
+double angleBetween(const cv::Mat& R, const cv::Matx33d& truth);
+
+//! Options with a threshold of 2 pixels and at most 10000 samples.
+cv::usacv20::Params twoPixels();
+
+//! Two views with 200 right matches, a fraction of them on a plane, and wrong ones.
+Scene twoViewScene(uint64 seed, double planeFraction = 0, int outliers = 100);
+
+//! Such a scene with 60 wrong matches whose second camera only turns.
+Scene turnedScene(uint64 seed);
+
+//! The matches of a scene, with its cameras if they are known.
+cv::usacv20::TwoViewPair pairOf(const Scene& scene, bool known = true);
+
+//! Checks the documented properties of a result with inliers.
+void checkFields(const cv::usacv20::TwoViewGeometry& found, const cv::usacv20::TwoViewPair& pair);
+
+}  // namespace opencv_test
+
+#endif
