@@ -380,5 +380,18 @@ TEST(Usac_Covariance, mistakes)
     EXPECT_EQ("cameraMatrix1", blamed([&] { pointCovariance(ESSENTIAL, E, D, points, points); }));
 }
 
+//! A translation can be given as a row. If E belongs to the opposite translation, t and its changes
+//! have the opposite sign, but the rotation is the same.
+TEST(Usac_Covariance, layout_and_sign_of_the_translation)
+{
+    const Mat E = modelOf(ESSENTIAL), C = someCovariance(ESSENTIAL, E);
+    const Mat column = covarianceOfPose(E, C, ROTATION, TRANSLATION);
+    const Mat row = Mat(TRANSLATION).t();
+    EXPECT_EQ(0, cv::norm(column, covarianceOfPose(E, C, ROTATION, row), NORM_INF));
+    const Mat sign = Mat::diag(Mat(Matx61d(1, 1, 1, -1, -1, -1)));
+    EXPECT_LT(cv::norm(sign * column * sign, covarianceOfPose(E, C, ROTATION, -TRANSLATION)),
+              1e-9 * cv::norm(column));
+}
+
 }  // namespace
 }  // namespace opencv_test

@@ -134,5 +134,17 @@ TEST(Usac_FindPose, guess_is_a_hypothesis)
     expectException([&]() { call(nan, t); }, "rvec");
 }
 
+TEST(Usac_FindPose, inliers_are_optional)
+{
+    const PoseScene s = makePoseScene();
+    Mat r[2], t[2], inliers;
+    for (int without = 0; without < 2; ++without)
+        EXPECT_TRUE(cv::solvePnPRansac(
+            s.object, s.image, s.K, noArray(), r[without], t[without], false, 500, 3, 0.99,
+            without ? (OutputArray)noArray() : (OutputArray)inliers, USACV20));
+    EXPECT_EQ(0, cvtest::norm(r[0], r[1], NORM_INF));
+    EXPECT_EQ(0, cvtest::norm(t[0], t[1], NORM_INF));
+}
+
 }  // namespace
 }  // namespace opencv_test

@@ -264,5 +264,67 @@ TEST(Usac_RelativePose, bad_input)
         EXPECT_EQ(0, mask.at<uchar>((int)i));
 }
 
+//! If the points off the plane are so many that the refinement of the second motion of the plane
+//! ends at the first motion, there is only one motion to report.
+TEST(Usac_RelativePose, second_motion_that_is_the_first)
+{
+    int alone = 0;
+    for (uint64 seed = 1; seed <= 30; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.inliers = 100;
+        options.outliers = 30;
+        options.noise = 0;
+        options.planeFraction = 0.8;
+        const Scene scene = makeScene(ESSENTIAL, options);
+        Mat R, t, mask;
+        RelativePose pose;
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), Params(), R, t, mask, pose));
+        alone += pose.onPlane > 0 && pose.otherR.empty();
+        if (pose.otherR.empty())
+        {
+            EXPECT_TRUE(pose.otherT.empty()) << seed;
+            EXPECT_EQ(0, pose.otherInliers) << seed;
+        }
+        else
+            EXPECT_GT(cv::norm(pose.otherR, R) + cv::norm(pose.otherT, t), 0.05) << seed;
+    }
+    EXPECT_GT(alone, 0);
+}
+
+//! Five random matches that E explains, but no homography explains four of them. They have no plane
+//! and no second motion.
+TEST(Usac_RelativePose, no_plane_at_all)
+{
+    const Matx33d K(600, 0, 320, 0, 600, 240, 0, 0, 1);
+    int without = 0;
+    for (uint64 seed = 1; seed <= 50; ++seed)
+    {
+        RNG rng(seed);
+        std::vector<Point2d> points1, points2;
+        for (int i = 0; i < 5; ++i)
+        {
+            points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+            points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+        }
+        Params params;
+        params.significance = 1;
+        Mat R, t, mask;
+        RelativePose pose;
+        const bool found = estimateRelativePose(points1, points2, K, noArray(), noArray(),
+                                                noArray(), params, R, t, mask, pose);
+        params.threshold *= 2;
+        if (!found || !estimateHomography(points1, points2, params).empty())
+            continue;
+        ++without;
+        EXPECT_EQ(5, pose.report.inliers + pose.behind) << seed;
+        EXPECT_EQ(0, pose.onPlane) << seed;
+        EXPECT_TRUE(pose.otherR.empty() && pose.otherT.empty()) << seed;
+    }
+    EXPECT_GT(without, 0);
+}
+
 }  // namespace
 }  // namespace opencv_test

@@ -203,5 +203,72 @@ TEST(Usac_CustomProblem, impossiblePoints)
     EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
 }
 
+//! The problem has no fit and no parameterization from which the module could make one.
+class UnfittedAffineProblem : public custom::AffineProblem
+{
+public:
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return Problem::createNonMinimalSolver(residual);
+    }
+};
+
+TEST(Usac_CustomProblem, fitsAreOptional)
+{
+    const AffineScene scene(100, 50, 0.5);
+    Params params = Params::ransac();
+    params.threshold = 2;
+    params.polishing = POLISHING_NONE;
+    const Ptr<Usac> usac = Usac::create(makePtr<UnfittedAffineProblem>(), scene.points1,
+                                        scene.points2, params);
+    EXPECT_TRUE(usac->components().nonMinimalSolver.empty());
+    const Mat A = usac->run();
+    ASSERT_EQ(Size(3, 2), A.size());
+    EXPECT_EQ(0, cv::norm(A, scene.estimate(params), NORM_INF));
+    expectException([&]() { usac->fit(); }, "nonMinimalSolver");
+}
+
+//! The problem does not convert models of the caller. If one is given, the problem must be named.
+TEST(Usac_CustomProblem, modelsOfTheCallerAreRefused)
+{
+    const AffineScene scene(100, 50, 0.5);
+    Params params;
+    const Ptr<Usac> usac = Usac::create(makePtr<custom::AffineProblem>(), scene.points1,
+                                        scene.points2, params);
+    expectException([&]() { usac->errors(TRUTH); },
+                    "model: the 2 x 3 numbers are not a model of the problem affine");
+    expectException([&]() { usac->refine(TRUTH); },
+                    "model: the 2 x 3 numbers are not a model of the problem affine");
+    params.setInitialModel(TRUTH);
+    expectException([&]() { scene.estimate(params); },
+                    "initialModel: the 6 numbers are not a model of the problem affine");
+}
+
+//! The problem has a residual for the points of the caller, which it does not convert. The residual
+//! is that of the search, so that the results must be the same as without it.
+class SeenAffineProblem : public custom::AffineProblem
+{
+public:
+    Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return residual;
+    }
+};
+
+TEST(Usac_CustomProblem, pointsOfTheCallerAreUnchanged)
+{
+    const AffineScene scene(100, 50, 0.5);
+    Params params;
+    params.threshold = 2;
+    Mat mask, seenMask;
+    const Mat expected = scene.estimate(params, mask),
+              seen = Usac::create(makePtr<SeenAffineProblem>(), scene.points1, scene.points2,
+                                  params)
+                         ->run(seenMask);
+    ASSERT_EQ(expected.size(), seen.size());
+    EXPECT_LT(cv::norm(expected, seen, NORM_INF), 1e-9);
+    EXPECT_EQ(0, cv::norm(mask, seenMask, NORM_INF));
+}
+
 }  // namespace
 }  // namespace opencv_test

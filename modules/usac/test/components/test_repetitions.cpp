@@ -118,5 +118,21 @@ TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
     EXPECT_EQ(expectedSum, sum);
 }
 
+//! Points with a single coordinate: cells of side 2, and only equal points.
+TEST(Usac_Repetitions, pointsOnALine)
+{
+    const double x[] = {0.5, 1.5, -0.5, 0.5, 2.5, -1.5, 2.5}, *const columns[] = {x};
+    const uchar mask[] = {1, 1, 1, 1, 1, 1, 0}, byCell[] = {0, 1, 0, 1, 0, 1, 0},
+                equal[] = {0, 0, 0, 1, 0, 0, 0};
+    Arena arena;
+    for (int side = 0; side <= 2; side += 2)
+    {
+        uchar repeated[7] = {0, 0, 0, 0, 0, 0, 0};
+        EXPECT_EQ(side ? 3 : 1, markRepeated(columns, 1, 0, mask, 7, side, repeated, arena));
+        for (int i = 0; i < 7; ++i)
+            EXPECT_EQ(side ? byCell[i] : equal[i], repeated[i]) << side << " " << i;
+    }
+}
+
 }  // namespace
 }  // namespace opencv_test

@@ -358,5 +358,89 @@ TEST(Usac_Replacement, problem)
     EXPECT_THROW(Usac::create(Ptr<Problem>(), scene.points1, scene.points2), cv::Exception);
 }
 
+//! The score of InliersOnly that claims to count inliers up to a wrong fraction of the threshold.
+class PartlyInliers : public InliersOnly
+{
+public:
+    explicit PartlyInliers(double part_) : part(part_) {}
+    double inlierPart() const CV_OVERRIDE { return part; }
+
+private:
+    const double part;
+};
+
+//! A solver of samples of any size, which finds no model.
+class NoModels : public MinimalSolver
+{
+public:
+    explicit NoModels(int size_) : size(size_) {}
+    int sampleSize() const CV_OVERRIDE { return size; }
+    int solve(const Correspondences&, const int*, Model*) const CV_OVERRIDE { return 0; }
+
+private:
+    const int size;
+};
+
+TEST(Usac_Replacement, numbersOutOfRangeAreNamed)
+{
+    Params params;
+    params.maxIterations = 100;
+    const Scene scene = makeScene(HOMOGRAPHY);
+    for (double part : {0., 0.5, 1., 1.5, (double)NAN})
+    {
+        SCOPED_TRACE(part);
+        const Ptr<Usac> usac = createUsac(scene, params);
+        usac->components().score = makePtr<PartlyInliers>(part);
+        if (part > 0 && part <= 1)
+            EXPECT_EQ("", complaint(usac));
+        else
+            EXPECT_COMPLAINT("score: inlierPart() is ", usac);
+    }
+    for (int size : {-1, 0, 1, (int)MAX_SAMPLE_SIZE, MAX_SAMPLE_SIZE + 1})
+    {
+        SCOPED_TRACE(size);
+        const Ptr<Usac> usac = createUsac(scene, params);
+        usac->components().minimalSolver = makePtr<NoModels>(size);
+        if (size >= 1 && size <= MAX_SAMPLE_SIZE)
+            EXPECT_EQ("", complaint(usac));
+        else
+            EXPECT_COMPLAINT("minimalSolver: samples of 1 to 8 points", usac);
+    }
+}
+
+//! A polisher that does not say what it minimizes.
+class SilentPolisher : public Polisher
+{
+public:
+    explicit SilentPolisher(const Ptr<Polisher>& given_) : given(given_) {}
+    void start(const Context& context) CV_OVERRIDE { given->start(context); }
+    void polish(const Context& context, Model& model) CV_OVERRIDE { given->polish(context, model); }
+
+private:
+    const Ptr<Polisher> given;
+};
+
+//! The covariance of a model is unknown if it is unknown what the polisher minimizes.
+TEST(Usac_Replacement, covarianceWithAPolisherOfTheCaller)
+{
+    Params params;
+    params.covariance = 1;
+    const Scene scene = makeScene(HOMOGRAPHY);
+    const Ptr<Usac> usac = createUsac(scene, params);
+    Report told, silent;
+    const Mat model = usac->run(noArray(), &told);
+    usac->components().polisher = makePtr<SilentPolisher>(usac->components().polisher);
+    EXPECT_EQ(0, cv::norm(model, usac->run(noArray(), &silent), NORM_INF));
+    ASSERT_EQ(Size(8, 8), told.covariance.size());
+    ASSERT_EQ(Size(8, 8), silent.covariance.size());
+    for (int i = 0; i < 64; ++i)
+    {
+        EXPECT_FALSE(cvIsNaN(told.covariance.at<double>(i / 8, i % 8))) << i;
+        EXPECT_TRUE(cvIsNaN(silent.covariance.at<double>(i / 8, i % 8))) << i;
+    }
+    EXPECT_GT(told.sigma, 0);
+    EXPECT_EQ(0, silent.sigma);
+}
+
 }  // namespace
 }  // namespace opencv_test

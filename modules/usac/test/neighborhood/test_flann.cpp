@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "control/watch.hpp"
 #include "support/run_context.hpp"
 #include "support/surroundings.hpp"
 #include "neighborhood/neighborhood.hpp"
@@ -399,6 +400,32 @@ TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
     }
     EXPECT_GT(counts[0], scene.size());  // some points have neighbors
     EXPECT_NEAR(counts[0], counts[1], 2);
+}
+
+//! If there is no time to build the tree, a point has no neighbors but itself, and there are no
+//! edges. The next run, which has enough time, must find all neighbors.
+TEST(Usac_NeighborhoodFlann, noTimeForTheTree)
+{
+    RNG rng(4);
+    std::vector<Point2d> points1, points2;
+    clumsyPoints(1000, rng, points1, points2);
+    const OwnPoints own(HOMOGRAPHY, points1, points2);
+    const Params params;
+    const Components none;
+    const Ptr<Neighborhood> knn = createKnnNeighborhood(5);
+    for (int enough = 0; enough < 2; ++enough)
+    {
+        // a second has passed since the start of the run
+        Watch watch(enough ? 1e6 : 1, (int64)getTickFrequency());
+        Arena arena;
+        const Context context(own.view(), none, params, arena, &watch);
+        knn->start(context);
+        const std::set<int> around = membersOf(*knn, context, 1, 37);
+        EXPECT_EQ(enough ? 11u : 1u, around.size());
+        EXPECT_EQ(1u, around.count(37));
+        EXPECT_EQ(enough == 0, edgesOf(*knn, context).empty());
+        EXPECT_EQ(enough == 0, watch.stopped());
+    }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "problems/kernels.hpp"
+#include "support/problem_objects.hpp"
 
 // If the true matches leave some parameters of F nearly free, a model can be distorted to fit
 // outliers of high leverage. The class Leverage must prevent this.
@@ -114,6 +115,60 @@ TEST(Usac_Leverage, derivative_of_Sampsons_distance)
             EXPECT_NEAR(derivative[k], (high - low) / (2 * STEP), 1e-4 * size) << i << ", " << k;
         }
     }
+}
+
+//! A problem of the caller that estimates F. `free_` is the answer of leavesFree(): 0: false; 1:
+//! true; -1: the default.
+class OwnFundamental : public Problem
+{
+public:
+    explicit OwnFundamental(int free_) : free(free_), F(problemObject(FUNDAMENTAL)) {}
+
+    String name() const CV_OVERRIDE { return "own"; }
+    int dimension() const CV_OVERRIDE { return F.dimension(); }
+    int errorDimension() const CV_OVERRIDE { return F.errorDimension(); }
+    SampleCost sampleCost() const CV_OVERRIDE { return F.sampleCost(); }
+    int normalization(int residual) const CV_OVERRIDE { return F.normalization(residual); }
+    bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
+    {
+        return free < 0 ? Problem::leavesFree(context, model) : free > 0;
+    }
+    bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
+    {
+        return F.toInput(model, points, result);
+    }
+    Model closest(const Model& model) const CV_OVERRIDE { return F.closest(model); }
+    Ptr<Residual> createResidual(int type) const CV_OVERRIDE { return F.createResidual(type); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return F.createMinimalSolver(); }
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
+    {
+        return F.createNonMinimalSolver(residual);
+    }
+
+private:
+    const int free;
+    const Problem& F;
+};
+
+//! By default, the inliers of a custom problem are taken to determine all parameters, so that
+//! distorted models are corrected even if the gain is small.
+TEST(Usac_Leverage, custom_problems_leave_nothing_free)
+{
+    int prevented = 0;
+    for (uint64 seed = 1; seed <= 20; ++seed)
+    {
+        const Scene scene = smallBaseline(200, 0.02, seed);
+        Params params;
+        params.threshold = 1.5;
+        Mat models[3];
+        for (int free = -1; free <= 1; ++free)
+            models[free + 1] = Usac::create(makePtr<OwnFundamental>(free), scene.points1,
+                                            scene.points2, params)
+                                   ->run();
+        EXPECT_EQ(0, cv::norm(models[0], models[1], NORM_INF)) << seed;
+        prevented += cv::norm(models[0], models[2], NORM_INF) > 0;
+    }
+    EXPECT_GT(prevented, 0);
 }
 
 }  // namespace

@@ -253,5 +253,21 @@ TEST(Usac_TwoViewRules, samples_of_a_collection)
     }
 }
 
+//! In double precision, 0.07 times 100 is a little more than 7. The expected number of inliers must
+//! nevertheless be 7.
+TEST(Usac_TwoViewRules, rounding_of_the_inlier_ratio)
+{
+    Params params = Params::fast();
+    params.confidence = 0.999;
+    TwoViewRules rules;
+    rules.inlierRatio = 0.07;
+    rules.minInliers = 1;
+    const double seven = std::log(0.001) / std::log1p(-rightSamples(4, 100, 7)),
+                 eight = std::log(0.001) / std::log1p(-rightSamples(4, 100, 8));
+    EXPECT_NEAR(seven, rules.samples(params, 4, 100), 1 + 1e-6 * seven);
+    rules.inlierRatio = 0.0701;
+    EXPECT_NEAR(eight, rules.samples(params, 4, 100), 1 + 1e-6 * eight);
+}
+
 }  // namespace
 }  // namespace opencv_test

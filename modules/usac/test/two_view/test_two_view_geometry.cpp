@@ -338,5 +338,128 @@ TEST(Usac_TwoViewGeometry, scores)
     EXPECT_EQ(0, cv::norm(byPair.E, estimateTwoViewGeometry(pair, params).E));
 }
 
+//! Why no model was found must be told.
+TEST(Usac_TwoViewGeometry, reasons)
+{
+    const Scene scene = twoViewScene(1, 0, 200);
+    TwoViewPair pair = pairOf(scene, false);
+    for (int i = 3; i < scene.size(); ++i)
+        pair.points1.at<Point2d>(i).x = NAN;
+    EXPECT_EQ("F: too few points", estimateTwoViewGeometry(pair, twoPixels()).reason);
+    const Mat same(30, 2, CV_64F, Scalar(100));
+    EXPECT_EQ("F: no model", estimateTwoViewGeometry(same, same, noArray(), noArray()).reason);
+    pair = pairOf(scene, false);
+    RNG rng(1);
+    rng.fill(pair.points2, RNG::UNIFORM, 0, 480);
+    Params params = twoPixels();
+    params.maxTime = 1e-6;
+    const TwoViewGeometry found = estimateTwoViewGeometry(pair, params);
+    EXPECT_EQ((int)TWO_VIEW_DEGENERATE, found.configuration);
+    EXPECT_NE(String::npos, found.reason.find(": the time limit was reached")) << found.reason;
+    EXPECT_EQ((int)STOP_TIME, found.report.stop);
+}
+
+//! There are so few right matches that H, with its two errors per match, is significant, but E and
+//! F are not. The threshold estimated for H must then decide whether the camera has only rotated:
+//! within the given threshold of 15 pixels, a rotation would explain all matches of the plane.
+TEST(Usac_TwoViewGeometry, estimated_threshold_of_a_plane_alone)
+{
+    int alone = 0;
+    for (uint64 seed = 1; seed <= 12; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.inliers = 18;
+        options.outliers = 200;
+        options.planeFraction = 1;
+        options.baseline = 0.3;
+        Params params = twoPixels();
+        params.threshold = 15;
+        params.thresholdType = THRESHOLD_ESTIMATED;
+        const TwoViewGeometry found = estimateTwoViewGeometry(pairOf(makeScene(ESSENTIAL, options)),
+                                                              params);
+        if (found.H.empty() || !found.E.empty() || !found.F.empty())
+            continue;
+        ++alone;
+        EXPECT_EQ((int)TWO_VIEW_PLANAR, found.configuration) << seed;
+        EXPECT_LT(found.report.threshold, 7) << seed;
+    }
+    EXPECT_GT(alone, 0);
+}
+
+//! The motion that a watermark seems to have is not that of the cameras.
+TEST(Usac_TwoViewGeometry, watermark_of_known_cameras)
+{
+    RNG rng(2);
+    Mat_<Point2d> first(60, 1), second(60, 1);
+    for (int i = 0; i < 60; ++i)
+    {
+        first(i) = uniformPoint(rng, 10., 600., 440., 475.);
+        second(i) = first(i) + Point2d(3, 0) + gaussianPoint(rng, 0.3);
+    }
+    const Mat K(twoViewScene(1).K);
+    TwoViewPair pair(first, second, K, K);
+    const TwoViewGeometry moved = estimateTwoViewGeometry(pair, twoPixels());
+    EXPECT_GE(moved.rotations.rows, 3);
+    pair.imageSize1 = pair.imageSize2 = Size(SCENE_WIDTH, SCENE_HEIGHT);
+    const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
+    EXPECT_EQ((int)TWO_VIEW_WATERMARK, found.configuration);
+    EXPECT_TRUE(found.rotations.empty());
+    EXPECT_EQ(0, cv::norm(moved.mask, found.mask));
+}
+
+//! 45 % of the matches follow exactly a rotation; the others differ from it by nearly the threshold
+//! in opposite directions, more of them to the right. All are inliers of this rotation, but those
+//! on the left are not inliers of the mean rotation, so that the pair counts as planar. The
+//! homography then determines a single rotation, also if its determinant is negative (`center`
+//! 20000).
+TEST(Usac_TwoViewGeometry, homography_that_is_a_rotation)
+{
+    for (double center : {320., 20000.})
+    {
+        const Matx33d K(600, 0, center, 0, 600, 240, 0, 0, 1);
+        Matx33d R;
+        Rodrigues(Vec3d(0, -0.05, 0), R);
+        RNG rng(5);
+        Mat_<Point2d> first(200, 1), second(200, 1);
+        for (int i = 0; i < 200; ++i)
+        {
+            first(i) = uniformPoint(rng, center - 200, center + 200, 0., 480.);
+            const Vec3d x = K * R * K.inv() * Vec3d(first(i).x, first(i).y, 1);
+            const double shift = i < 90 ? 0 : i < 155 ? 3.35 : -3.35;
+            second(i) = Point2d(x[0] / x[2] + shift, x[1] / x[2]);
+        }
+        Params params = Params::ransac();
+        params.threshold = 2;
+        params.polishing = POLISHING_NONE;
+        params.termination = 0;
+        params.maxIterations = 100;
+        const TwoViewGeometry found = estimateTwoViewGeometry(
+            TwoViewPair(first, second, Mat(K), Mat(K)), params);
+        EXPECT_EQ((int)TWO_VIEW_PLANAR, found.configuration) << center;
+        EXPECT_EQ(center > 1000, determinant(found.H) < 0);
+        ASSERT_EQ(6, found.rotations.rows) << center;
+        EXPECT_EQ(0, cv::norm(found.rotations.rowRange(0, 3), found.R)) << center;
+        EXPECT_LT(cv::norm(found.rotations.rowRange(3, 6), Mat(R)), 1e-8) << center;
+    }
+}
+
+//! A pair can be filled field by field.
+TEST(Usac_TwoViewGeometry, pair_without_arguments)
+{
+    TwoViewPair pair;
+    EXPECT_EQ("0 matches, 15 are needed", estimateTwoViewGeometry(pair).reason);
+    const TwoViewPair given = pairOf(twoViewScene(1));
+    pair.points1 = given.points1;
+    pair.points2 = given.points2;
+    EXPECT_EQ((int)TWO_VIEW_UNCALIBRATED, estimateTwoViewGeometry(pair).configuration);
+    pair.cameraMatrix1 = given.cameraMatrix1;
+    pair.cameraMatrix2 = given.cameraMatrix2;
+    const TwoViewGeometry expected = estimateTwoViewGeometry(given),
+                          found = estimateTwoViewGeometry(pair);
+    EXPECT_EQ((int)TWO_VIEW_CALIBRATED, found.configuration);
+    EXPECT_EQ(0, cv::norm(expected.E, found.E));
+}
+
 }  // namespace
 }  // namespace opencv_test

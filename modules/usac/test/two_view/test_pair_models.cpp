@@ -1,0 +1,109 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "two_view/pair_models.hpp"
+#include "two_view_scenes.hpp"
+
+namespace opencv_test {
+namespace {
+
+PairModel modelOf(const Matx33d& matrix, const std::vector<double>& errors, double threshold)
+{
+    PairModel model;
+    model.matrix = matrix;
+    model.mask = Mat::zeros((int)errors.size(), 1, CV_8U);
+    for (size_t i = 0; i < errors.size(); ++i)
+        model.mask.at<uchar>((int)i) = errors[i] <= threshold;
+    model.inliers = countNonZero(model.mask);
+    return model;
+}
+
+//! A match moved by `pixels` in image 2 along its epipolar line.
+Point2d movedAlong(const Matx33d& F, const Point2d& from, const Point2d& to, double pixels)
+{
+    const Vec3d line = F * Vec3d(from.x, from.y, 1);
+    return to + Point2d(-line[1], line[0]) * (pixels / std::hypot(line[0], line[1]));
+}
+
+//! Exact matches of a plane. A wrong E explains 60 of 100, the true F all of them. The true H
+//! explains all but 20 (`off`), which are off the plane.
+class PlaneOfWrongE
+{
+public:
+    explicit PlaneOfWrongE(bool off)
+        : scene(make(ESSENTIAL)), pair(pairOf(scene)), params(twoPixels())
+    {
+        const Matx33d H = make(HOMOGRAPHY).model, K = scene.K.inv();
+        const Vec3d t = normalize(scene.t + Vec3d(0.05, 0.1, -0.05));
+        const Matx33d E = Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * scene.R,
+                      wrong = K.t() * E * K;
+        std::vector<double> ofE = sampsonDistances(wrong, scene.points1, scene.points2);
+        std::vector<double> sorted = ofE;
+        std::sort(sorted.begin(), sorted.end());
+        const double threshold = params.threshold = (sorted[59] + sorted[60]) / 2;
+        for (int i = 0, left = off ? 20 : 0; i < scene.size() && left > 0; ++i)
+        {
+            if (ofE[i] <= threshold)
+                continue;
+            Point2d& to = scene.points2[i];
+            const Point2d sides[] = {movedAlong(scene.F, scene.points1[i], to, 50),
+                                     movedAlong(scene.F, scene.points1[i], to, -50)};
+            const double d0 = errorOf(wrong, i, sides[0]), d1 = errorOf(wrong, i, sides[1]);
+            to = sides[d1 > d0];
+            --left;
+        }
+        pair = pairOf(scene);
+        ofE = sampsonDistances(wrong, scene.points1, scene.points2);
+        models = makePtr<PairModels>(pair, params, rules);
+        models->E = modelOf(E * (1 / cv::norm(E)), ofE, threshold);
+        models->F = modelOf(scene.F, sampsonDistances(scene.F, scene.points1, scene.points2),
+                            threshold);
+        models->H = modelOf(H, mapDistances(H, scene.points1, scene.points2), threshold);
+    }
+
+    static Scene make(ProblemType problem)
+    {
+        SceneOptions options;
+        options.inliers = 100;
+        options.outliers = 0;
+        options.noise = 0;
+        options.planeFraction = 1;
+        return makeScene(problem, options);
+    }
+
+    static double errorOf(const Matx33d& F, const Point2d& from, const Point2d& to)
+    {
+        return sampsonDistances(F, Points(1, from), Points(1, to))[0];
+    }
+    double errorOf(const Matx33d& F, int i, const Point2d& to) const
+    {
+        return errorOf(F, scene.points1[i], to);
+    }
+
+    Scene scene;
+    TwoViewPair pair;
+    Params params;
+    const TwoViewRules rules;
+    Ptr<PairModels> models;
+};
+
+//! A plane does not determine the epipole. If F explains more than E, but H explains all of that,
+//! too, F is no evidence against the cameras. Matches off the plane are.
+TEST(Usac_PairModels, evidence_against_the_cameras)
+{
+    for (int off = 0; off < 2; ++off)
+    {
+        const PlaneOfWrongE plane(off != 0);
+        const PairModels& models = *plane.models;
+        EXPECT_EQ(60, models.E.inliers);
+        EXPECT_EQ(100, models.F.inliers);
+        EXPECT_EQ(off ? 80 : 100, models.H.inliers);
+        EXPECT_TRUE(models.mostlyOnPlane(models.E));
+        EXPECT_EQ(off ? &models.F : &models.E, models.base()) << off;
+    }
+}
+
+}  // namespace
+}  // namespace opencv_test
