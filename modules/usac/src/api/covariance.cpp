@@ -60,7 +60,10 @@ public:
                                 std::vector<double>(numbers.begin<double>(), numbers.end<double>()),
                                 points, searched) &&
                             problem->toInput(searched, points, normal) &&
-                            problem->toOutput(normal).size() == numbers.size();
+                            problem->toOutput(normal).size() == numbers.size() &&
+                            rule->tangent(normal, std::vector<double>(normal.size() *
+                                                                      rule->dimension())
+                                                      .data());
         if (!usable)
             CV_Error_(
                 Error::StsBadArg,
@@ -79,15 +82,16 @@ public:
     //! Report::covariance refers, see Parameterization::smooth.
     Numbers tangent() const
     {
+        if (!rule->smooth())
+        {
+            AnyParameterization::Basis basis;
+            CV_Assert(callerBasis(*rule, here, basis));
+            return basis;
+        }
         Numbers result(normal.size(), dimension());
         for (int k = 0; k < dimension(); ++k)
             result.col(k) = (moved(k, STEP) - moved(k, -STEP)) / (2 * STEP);
-        if (rule->smooth())
-            return result;
-        AnyParameterization::Basis own(here.size(), dimension()), callers;
-        if (!rule->tangent(here, own.data()) || !callerBasis(*rule, here, callers))
-            return result;
-        return result * solveLeastSquares(own, callers);
+        return result;
     }
 
     //! The derivatives of only those entries that Problem::toOutput() returns to the caller.
@@ -152,16 +156,11 @@ Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R, 
     const RowMajor3 turn = Eigen::Map<const RowMajor3>(rotation.ptr<double>());
     const Eigen::Vector3d direction = Eigen::Map<const Eigen::Vector3d>(translation.ptr<double>())
                                           .normalized();
-    RowMajor3 E = turnedAbout(direction, turn) * std::sqrt(0.5);
+    const RowMajor3 E = turnedAbout(direction, turn) * std::sqrt(0.5);
     const Eigen::Map<const RowMajor3> normal(given.model().val);
     if ((E * normal.cwiseProduct(E).sum() - normal).norm() > SAME)
         CV_Error(Error::StsBadArg,
                  "R and t: [t]x R is expected to be a multiple of the essential matrix");
-    if (normal.cwiseProduct(E).sum() < 0)
-        E = -E;
-    const double sign = normal.cwiseProduct(turnedAbout(direction, turn)).sum() < 0
-                            ? -std::sqrt(0.5)
-                            : std::sqrt(0.5);
     // derivatives of E with respect to the rotation vector and to changes of t in two directions
     // perpendicular to t
     Eigen::Matrix<double, 9, 5> byMotion;
@@ -169,7 +168,7 @@ Mat covarianceOfPose(InputArray essential, InputArray covariance, InputArray R, 
                                        direction.cross(direction.unitOrthogonal())};
     for (int k = 0; k < 5; ++k)
     {
-        const RowMajor3 change = sign *
+        const RowMajor3 change = std::sqrt(0.5) *
                                  (k < 3 ? turnedAbout(direction,
                                                       turnedAbout(Eigen::Vector3d::Unit(k), turn))
                                         : turnedAbout(across[k - 3], turn));

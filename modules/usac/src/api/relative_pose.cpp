@@ -72,8 +72,7 @@ public:
                       each[] = {motions[0].essential(), motions[1].essential()};
         const int same = difference(each[0], E) < difference(each[1], E) ? 0 : 1;
         other.essential = usac->refine(Mat(each[1 - same]), noArray(), other.mask, &other.report);
-        if (other.essential.empty())
-            return onPlane;
+        CV_Assert(!other.essential.empty());
         read(other);
         if (difference(other.essential, E) <
             difference(each[0], each[1]) / 2)  // the refinement converged to the first motion

@@ -107,7 +107,6 @@ String whyNot(const Report& report)
                       report.chance);
     case STOP_TOO_FEW_POINTS: return "too few points";
     case STOP_TIME: return "the time limit was reached";
-    case STOP_CANCELLED: return "canceled";
     default: return "no model";
     }
 }

@@ -69,10 +69,12 @@ std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const 
         w[i] = H(2, 0) * points1[i].x + H(2, 1) * points1[i].y + H(2, 2);
     for (size_t i = 0; i < count; ++i)
         result[i] = std::sqrt(std::max(squaredDistance(H, points1[i], w[i], points2[i]), 0.));
-    if (count == 0 || !checkRange(w))
+    std::vector<double> finite;
+    std::copy_if(w.begin(), w.end(), std::back_inserter(finite),
+                 [](double each) { return std::abs(each) <= DBL_MAX; });
+    if (finite.empty())
         return std::vector<double>(count, HUGE_VAL);
-    std::vector<double> sorted = w;
-    const double side = median(sorted.data(), (int)count);
+    const double side = median(finite.data(), (int)finite.size());
     for (size_t i = 0; i < count; ++i)
         if (!(w[i] * side > 0))
             result[i] = HUGE_VAL;

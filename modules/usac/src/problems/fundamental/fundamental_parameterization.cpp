@@ -13,6 +13,11 @@ namespace usacv20 {
 
 namespace {
 
+//! F is considered a matrix of rank 1 if the ratio of its second to its first singular value, which
+//! have a rounding error of about 1e-16, is at most this number. For points in pixels, the ratio is
+//! about the inverse square of the focal length.
+constexpr double RANK_ONE = 1e-12;
+
 //! A Householder reflection whose last column is a multiple of n, which is not zero.
 Eigen::Matrix3d completion(const Eigen::Vector3d& n)
 {
@@ -66,7 +71,7 @@ FundamentalParameterization::FundamentalParameterization(const Model& model)
 
 bool FundamentalParameterization::hasFullRank() const
 {
-    return std::abs(corner.determinant()) > LEAST_RATIO;
+    return std::abs(corner.determinant()) > RANK_ONE;
 }
 
 /** Multiplies the corner (a, b; c, d), taken as a quaternion, by the three imaginary units. This

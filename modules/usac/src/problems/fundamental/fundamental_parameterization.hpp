@@ -5,7 +5,6 @@
 #ifndef OPENCV_USACV20_FUNDAMENTAL_PARAMETERIZATION_HPP
 #define OPENCV_USACV20_FUNDAMENTAL_PARAMETERIZATION_HPP
 
-#include "lanes/lane_kernels.hpp"
 #include "optimization/tangent_space.hpp"
 
 namespace cv {

@@ -9,9 +9,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! H of unit norm counts as a matrix of rank 3 if the magnitude of its determinant is above this
-//! value.
-constexpr double LEAST_DETERMINANT = 1e-9;
+//! H counts as a matrix of rank 3 if the magnitude of its determinant is above this fraction of the
+//! sum of the magnitudes of its six terms, which has a rounding error of about 1e-16. Unlike the
+//! determinant itself, the fraction does not depend on the units of the coordinates.
+constexpr double LEAST_DETERMINANT = 1e-12;
 
 HomographyParameterization::HomographyParameterization(const Model& model)
     : h(Eigen::Map<const Eigen::Matrix<double, 9, 1>>(model.val).normalized())
@@ -19,7 +20,11 @@ HomographyParameterization::HomographyParameterization(const Model& model)
 
 bool HomographyParameterization::hasFullRank() const
 {
-    return std::abs(determinant(Matx33d(h.data()))) > LEAST_DETERMINANT;
+    const double first = std::abs(h[4] * h[8]) + std::abs(h[5] * h[7]),
+                 second = std::abs(h[3] * h[8]) + std::abs(h[5] * h[6]),
+                 third = std::abs(h[3] * h[7]) + std::abs(h[4] * h[6]);
+    const double terms = std::abs(h[0]) * first + std::abs(h[1]) * second + std::abs(h[2]) * third;
+    return std::abs(determinant(Matx33d(h.data()))) > LEAST_DETERMINANT * terms;
 }
 
 HomographyParameterization::Basis HomographyParameterization::tangent() const
