@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "opencv2/usac/least_squares.hpp"
+#include "optimization/any_parameterization.hpp"
 #include "support/problem_objects.hpp"
 #include "problems/registry.hpp"
 
@@ -98,6 +99,23 @@ TEST(Usac_Parameterization, faultsAreFound)
         EXPECT_EQ(0u, found.find(words[fault])) << fault << ": " << found;
         EXPECT_EQ(words[fault][0] == 0, found.empty()) << fault << ": " << found;
     }
+}
+
+//! A parameterization counts as smooth unless it says otherwise: Report::covariance refers to its
+//! tangents themselves, not to an orthonormal basis. There is no basis around a degenerate model.
+TEST(Usac_Parameterization, tangentsOfTheCaller)
+{
+    Model model(2, 1);
+    model.val[0] = 1.2;
+    model.val[1] = 1.6;
+    AnyParameterization::Basis basis;
+    EXPECT_TRUE(Circle(Circle::NONE).smooth());
+    ASSERT_TRUE(callerBasis(Circle(Circle::NONE), model, basis));
+    ASSERT_EQ(2, basis.rows());
+    ASSERT_EQ(1, basis.cols());
+    EXPECT_NEAR(-1.6, basis(0, 0), 1e-12);
+    EXPECT_NEAR(1.2, basis(1, 0), 1e-12);
+    EXPECT_FALSE(callerBasis(Circle(Circle::NO_TANGENT), model, basis));
 }
 
 //! The solver for parameterizations of any size must find the same minimum as the solver whose

@@ -3,8 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "polishing/leverage.hpp"
 #include "problems/kernels.hpp"
 #include "support/problem_objects.hpp"
+#include "support/run_context.hpp"
 
 // If the true matches leave some parameters of F nearly free, a model can be distorted to fit
 // outliers of high leverage. The class Leverage must prevent this.
@@ -169,6 +171,149 @@ TEST(Usac_Leverage, custom_problems_leave_nothing_free)
         prevented += cv::norm(models[0], models[2], NORM_INF) > 0;
     }
     EXPECT_GT(prevented, 0);
+}
+
+//! A solver that counts its fits. All fits except the first `good` ones fail.
+class CountedFit : public NonMinimalSolver
+{
+public:
+    CountedFit(const Ptr<NonMinimalSolver>& inner_, int good_) : inner(inner_), good(good_), fits(0)
+    {}
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
+    {
+        return fits++ < good && inner->fit(points, indices, count, weights, model, iterations);
+    }
+
+    const Ptr<NonMinimalSolver> inner;
+    const int good;
+    mutable int fits;
+};
+
+//! A residual whose derivatives are 0 after the first `good` fits of the solver.
+class FlatResidual : public Residual
+{
+public:
+    FlatResidual(const Ptr<Residual>& inner_, const CountedFit& solver_, int good_)
+        : inner(inner_), solver(solver_), good(good_)
+    {}
+    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        inner->squaredErrors(points, model, begin, end, errors);
+    }
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE
+    {
+        inner->squaredErrors(model, columns, count, errors);
+    }
+    int linearize(const Model& model, const double* datum, double* error,
+                  double* derivative) const CV_OVERRIDE
+    {
+        const int components = inner->linearize(model, datum, error, derivative);
+        if (solver.fits >= good)
+            std::fill(derivative, derivative + components * model.size(), 0.);
+        return components;
+    }
+
+private:
+    const Ptr<Residual> inner;
+    const CountedFit& solver;
+    const int good;
+};
+
+//! The effect of Leverage on a model that fits wrong matches of high leverage, if only the first
+//! `goodFits` fits succeed, and if derivatives are 0 after the first `goodDerivatives` fits.
+struct Corrected
+{
+    Corrected(int goodFits, int goodDerivatives)
+    {
+        const Scene scene = smallBaseline(200, 0.02, 1001);
+        Params params;
+        params.threshold = 1.5;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        Components& parts = usac->components();
+        const Correspondences& points = usac->points();
+        Model model = distorted(scene, points, *parts.nonMinimalSolver);
+        const Ptr<CountedFit> solver = makePtr<CountedFit>(parts.nonMinimalSolver, goodFits);
+        parts.nonMinimalSolver = solver;
+        parts.residual = makePtr<FlatResidual>(parts.residual, *solver, goodDerivatives);
+        const RunContext run(points, parts, params);
+        const Context& context = run;
+        const Model before = model;
+        const Quality first = context.rate(model);
+        Quality quality = first;
+        Leverage(run, run, points.threshold).improve(model, quality);
+        fits = solver->fits;
+        changed = model != before;
+        EXPECT_EQ(changed, quality.cost != first.cost);
+        error = modelError(scene, Mat(toInput(points, model)));
+        errorBefore = modelError(scene, Mat(toInput(points, before)));
+    }
+
+    int fits;  //!< number of fits that Leverage asked for
+    bool changed;
+    double error, errorBefore;  //!< errors of the model after and before, see modelError()
+
+private:
+    //! Least squares of the true matches and of three wrong ones.
+    static Model distorted(const Scene& scene, const Correspondences& points,
+                           const NonMinimalSolver& solver)
+    {
+        std::vector<std::pair<double, int>> wrong;
+        std::vector<int> fitted;
+        for (int i = 0; i < points.size; ++i)
+        {
+            const int row = points.inputIndex[i];
+            if (scene.truth[row])
+                fitted.push_back(i);
+            else
+                wrong.push_back(std::make_pair(
+                    pixelError(scene, scene.F, scene.points1[row], scene.points2[row]), i));
+        }
+        std::sort(wrong.begin(), wrong.end());
+        std::vector<double> weights(fitted.size(), 1);
+        for (int k = 0; k < 3; ++k)
+        {
+            fitted.push_back(wrong[k].second);
+            weights.push_back(100);
+        }
+        Model model = toInternal(points, scene.F);
+        EXPECT_TRUE(
+            solver.fit(points, fitted.data(), (int)fitted.size(), weights.data(), model, 50));
+        return model;
+    }
+};
+
+//! The model must stay as it is if the fits fail that Leverage needs: two without the points of
+//! high leverage, two to the points that agree, and one to all points that agree with these fits.
+TEST(Usac_Leverage, nothingChangesIfFitsFail)
+{
+    const int good[] = {0, 2, 4}, asked[] = {2, 4, 5};
+    for (int k = 0; k < 3; ++k)
+    {
+        const Corrected result(good[k], INT_MAX);
+        EXPECT_EQ(asked[k], result.fits);
+        EXPECT_FALSE(result.changed) << good[k];
+    }
+    const Corrected result(INT_MAX, INT_MAX);
+    EXPECT_TRUE(result.changed);
+    EXPECT_GT(result.fits, 5);
+    EXPECT_GT(result.errorBefore, 2);
+    EXPECT_LT(result.error, 0.4);
+}
+
+//! If the derivatives are 0, there are no leverages. Leverage must then stop and leave the model as
+//! it is: before the first fit, or after the fits without the points of high leverage, or after the
+//! fits to the points that agree.
+TEST(Usac_Leverage, nothingChangesWithoutLeverages)
+{
+    for (int good : {0, 2, 4})
+    {
+        const Corrected result(INT_MAX, good);
+        EXPECT_EQ(good, result.fits);
+        EXPECT_FALSE(result.changed) << good;
+    }
 }
 
 }  // namespace

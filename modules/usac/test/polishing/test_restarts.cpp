@@ -25,15 +25,19 @@ void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point
 }
 
 //! Fits a model by least squares to the caller's rows `first` to `end` - 1, and applies Restarts to
-//! it: fits from other starting points that also try single outliers.
+//! it: fits from other starting points that also try single outliers. `check` is a degeneracy check
+//! in addition to the default ones.
 struct Restarted
 {
     Restarted(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
-              double threshold, int first, int end)
+              double threshold, int first, int end,
+              const Ptr<Degeneracy>& check = Ptr<Degeneracy>())
     {
         Params params;
         params.threshold = threshold;
         const Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, params);
+        if (check)
+            usac->components().degeneracies.push_back(check);
         const Correspondences& points = usac->points();
         const RunContext run(points, usac->components(), params);
         const Context& context = run;
@@ -57,12 +61,14 @@ struct Restarted
         farBefore = std::sqrt(errors[far]) / points.threshold;
         State state;
         Restarts(context, context, state).improve(model, after);
+        degenerate = state.degenerate;
         EXPECT_EQ(context.rate(model).inliers, after.inliers);
     }
 
     Quality before, after;
     int far;           //!< index of the match that is far from the others
     double farBefore;  //!< error of this match before the restarts, in thresholds
+    bool degenerate;   //!< State::degenerate after the restarts
 };
 
 //! In some scenes, the error of the far match under the model of the nine matches in the strip is
@@ -97,6 +103,40 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
         taken += Restarted(points1, points2, 0.01, 1, 10).after.inliers > 9;
     }
     EXPECT_LE(taken, 1);
+}
+
+//! A check that calls every model degenerate. It rejects the model if `rejects` is true.
+class Distrust : public Degeneracy
+{
+public:
+    explicit Distrust(bool rejects_) : rejects(rejects_), asked(0) {}
+    bool recover(const Context&, State& state, const int*, Model&, Quality&) CV_OVERRIDE
+    {
+        ++asked;
+        state.degenerate = true;
+        return !rejects;
+    }
+
+    const bool rejects;
+    int asked;
+};
+
+//! Better fits that a check rejects as degenerate must not replace the model, and must leave no
+//! trace in the state of the run.
+TEST(Usac_Restarts, rejectedModelsAreNotTaken)
+{
+    for (bool rejects : {false, true})
+    {
+        RNG rng(1);
+        std::vector<Point2d> points1, points2;
+        stripAndOne(10, 19, 2e-3, rng, points1, points2);
+        const Ptr<Distrust> check = makePtr<Distrust>(rejects);
+        const Restarted result(points1, points2, 0.01, 1, 10, check);
+        EXPECT_GT(check->asked, 0);
+        EXPECT_EQ(rejects, result.before.cost == result.after.cost);
+        EXPECT_EQ(rejects, result.after.inliers < 10);
+        EXPECT_EQ(!rejects, result.degenerate);
+    }
 }
 
 //! With more than 30 inliers, and a threshold that makes random matches inliers with a probability

@@ -3,7 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "support/run_context.hpp"
 #include "termination/confirmed_order.hpp"
+#include "termination/termination.hpp"
 
 namespace opencv_test {
 namespace {
@@ -279,6 +281,97 @@ TEST(Usac_ConfirmedOrder, isIdleWithoutRunnersUp)
     Params none;
     none.runnersUp = 0;
     EXPECT_EQ(0, run(HOMOGRAPHY, options, true, 10, none).byOrder);
+}
+
+//! What the criterion decides for the true model of a scene, whose matches have the given scores,
+//! after this number of samples that follow the order.
+struct Decision
+{
+    Decision(const Scene& scene, const std::vector<float>& scores, int orderedSamples)
+    {
+        Params params;
+        params.scores = scores;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Correspondences& points = usac->points();
+        const RunContext run(points, usac->components(), params);
+        const Context& context = run;
+        State state;
+        state.bestFirst(context);
+        state.best = toInternal(points, scene.model);
+        state.bestQuality = context.rate(state.best);
+        state.iteration = ITERATION;
+        state.orderedSamples = orderedSamples;
+        state.unexplainedSamples = -1;
+        const Ptr<Termination> criterion = createConfirmedOrderTermination();
+        criterion->start(context);
+        criterion->adapt(context, state);
+        ordered = state.wanted == SAMPLES_ORDERED;
+        unexplained = state.unexplainedSamples;
+        iterations = criterion->iterations(context, state);
+    }
+
+    enum { ITERATION = 1234 };
+
+    bool ordered;     //!< the criterion wants only samples that follow the order
+    int unexplained;  //!< samples of the outliers that it wants before the end; -1: not decided
+    int iterations;   //!< Termination::iterations
+};
+
+//! A scene of H in which some true matches occur several times. `copies` contains all copies. They
+//! are not quite equal, because equal matches come last in any order.
+Scene withCopies(int size, double inlierRatio, int copied, int times, std::vector<int>& copies)
+{
+    SceneOptions options;
+    options.setSize(size, inlierRatio);
+    options.noise = 0.2;
+    Scene scene = makeScene(HOMOGRAPHY, options);
+    copies.clear();
+    for (int i = 0; (int)copies.size() < copied * times; ++i)
+        for (int k = 0; scene.truth[i] && k < times; ++k)
+        {
+            copies.push_back(k ? scene.size() : i);
+            if (k == 0)
+                continue;
+            scene.points1.push_back(scene.points1[i] + Point2d(1e-3 * k, 0));
+            scene.points2.push_back(scene.points2[i] + Point2d(1e-3 * k, 0));
+            scene.clean1.push_back(scene.clean1[i]);
+            scene.clean2.push_back(scene.clean2[i]);
+            scene.truth.push_back(1);
+        }
+    return scene;
+}
+
+//! If the best scores are those of the copies of a few matches, and all other scores are random,
+//! these copies are no evidence for the order. As many different matches are.
+TEST(Usac_ConfirmedOrder, copiesAreNoEvidence)
+{
+    for (bool repeated : {false, true})
+    {
+        std::vector<int> copies;
+        const Scene scene = withCopies(1000, 0.25, repeated ? 3 : 120, repeated ? 40 : 1, copies);
+        RNG rng(7);
+        std::vector<float> scores;
+        for (int i = 0; i < scene.size(); ++i)
+            scores.push_back(rng.uniform(1.f, 2.f));
+        for (int i : copies)
+            scores[i] = 0;
+        EXPECT_EQ(!repeated, Decision(scene, scores, 1).ordered);
+    }
+}
+
+//! If the outliers are fewer than the inliers that another model needs, the search must end without
+//! a single sample of the outliers, also if copies of matches hide whether outliers are neighbors.
+TEST(Usac_ConfirmedOrder, tooFewOutliersForAnotherModel)
+{
+    std::vector<int> copies;
+    for (int times = 1; times <= 2; ++times)
+    {
+        const Scene scene = withCopies(300, 0.8, 100, times, copies);
+        const Decision found(scene, makeScores(scene.truth, 0.9, 1), 1000);
+        EXPECT_TRUE(found.ordered) << times;
+        EXPECT_EQ(0, found.unexplained) << times;
+        EXPECT_EQ((int)Decision::ITERATION, found.iterations) << times;
+    }
 }
 
 }

@@ -5,6 +5,7 @@
 #include "support/draw.hpp"
 #include "support/problem_objects.hpp"
 #include "components/sample_statistics.hpp"
+#include "control/watch.hpp"
 #include "termination/termination.hpp"
 
 namespace opencv_test {
@@ -362,6 +363,33 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
     }
     for (int option = 1; option < 4; ++option)
         EXPECT_GT(sums[option], sums[0] * 1.02) << option;
+}
+
+//! The criterion of many points needs inliers late in the order. When the time is over, it must not
+//! go on to these inliers, and must not be fulfilled.
+TEST(Usac_TerminationProsac, endsWithTheTime)
+{
+    const int size = 3000;
+    std::vector<uchar> inliers(size, 0);
+    std::fill(inliers.begin() + size / 2, inliers.end(), 1);
+    const Correspondences points;
+    const Components parts;
+    const Params params;
+    Arena arena;
+    Watch over(1e-6, 0), longTime(1e9, 0);
+    const Context late(points, parts, params, arena, &over),
+        early(points, parts, params, arena, &longTime);
+    int samples[3], lengths[3];
+    const Context* const contexts[] = {0, &early, &late};
+    for (int k = 0; k < 3; ++k)
+        samples[k] = prosacSamples(inliers.data(), 0, size, 4, 1, 0.01, std::log(0.01), true,
+                                   lengths[k], contexts[k]);
+    EXPECT_LT(samples[0], INT_MAX);
+    EXPECT_GT(lengths[0], size / 2);
+    EXPECT_EQ(samples[0], samples[1]);
+    EXPECT_EQ(lengths[0], lengths[1]);
+    EXPECT_EQ(INT_MAX, samples[2]);
+    EXPECT_EQ(0, lengths[2]);
 }
 
 }
