@@ -104,5 +104,21 @@ TEST(Usac_TriangleDepths, bothConicsDegenerate)
     EXPECT_GT(total, 200);
 }
 
+//! Three positions of such a triangle coincide. They are a triple root, for which one of the
+//! formulas gives p : q : w = 0 : 0 : 0; this is no position. The triple one must be found once.
+TEST(Usac_TriangleDepths, threePositionsCoincide)
+{
+    for (double side : {1 / 16., 2 / 16., 3 / 16., 4 / 16., 5 / 16.})
+    {
+        const Triangle T = {side, 1, 3 * side, 1, 1, 1};
+        TriangleDepths depths[MAX_TRIANGLE_DEPTHS];
+        ASSERT_EQ(1, solveTriangle(T, depths)) << side;
+        expectSolutions(T, 1, depths);
+        EXPECT_NEAR(0, depths[0].p, 1e-7);
+        EXPECT_NEAR(std::sqrt(1 / 3.), depths[0].q, 1e-7);
+        EXPECT_NEAR(std::sqrt(1 / 3.), depths[0].w, 1e-7);
+    }
+}
+
 }  // namespace
 }  // namespace opencv_test
