@@ -61,9 +61,9 @@ public:
                                 points, searched) &&
                             problem->toInput(searched, points, normal) &&
                             problem->toOutput(normal).size() == numbers.size() &&
-                            rule->tangent(normal, std::vector<double>(normal.size() *
-                                                                      rule->dimension())
-                                                      .data());
+                            rule->tangent(
+                                normal,
+                                std::vector<double>(normal.size() * rule->dimension()).data());
         if (!usable)
             CV_Error_(
                 Error::StsBadArg,

@@ -94,8 +94,6 @@ double Alternatives::orderOf(const Context& context, const Model& model, const i
 
 const Alternative* Alternatives::chosen(const Context& context, const int* order) const
 {
-    if (!contested())
-        return 0;
     const double parts = std::max(context.points.size / (double)InlierBits::MOST, 1.);
     const Alternative* best = 0;
     double most = 0, first = -1;  // -1: not computed yet

@@ -216,8 +216,7 @@ bool Leverage::sampled(const Points& points, int first, Model& model) const
 
 bool Leverage::agreeing(const Model& model, const Points& fitted, double most, Points& result) const
 {
-    if (fitted.count <= context.points.problem->dimension())
-        return false;
+    CV_DbgAssert(fitted.count > context.points.problem->dimension());
     const double noise = DEVIATIONS * DEVIATIONS * variance(sumOf(fitted, model), fitted.count);
     Arena::Scope scope(context.arena);
     Points near = {scope.take<int>(looked), 0};
@@ -256,14 +255,13 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     sums.accumulate(*parts.residual,
                     PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
     // Errors do not depend on the scale of the model; the added term makes A regular in the
-    // direction of a change of scale. If a custom residual is undefined, the trace of A is NaN and
-    // the factorization fails.
+    // direction of a change of scale. If a custom residual is undefined, the trace of A is NaN.
     const Row scale = Eigen::Map<const Row>(model.val);
     Square A = sums.JtJ;
     A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());
     A.diagonal().array() += 1e-14 * A.trace();
     const Eigen::LLT<Square> llt(A);
-    if (llt.info() != Eigen::Success)
+    if (!(A.trace() <= DBL_MAX) || llt.info() != Eigen::Success)
         return false;
     const Square inverse = llt.matrixL().solve(Square::Identity());
     double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS],

@@ -122,15 +122,10 @@ bool Distortion::distort(const Vec2d& p, Vec2d& d, Matx22d* derivative) const
 
 //! Finds a starting point for Newton's method: inverts the radial terms alone by bisection, which
 //! is possible because the radius that they give grows with the undistorted radius up to the first
-//! fold. False if the radius found is 0 although `d` is not the center.
+//! fold. False if the radius found is 0.
 bool Distortion::startOf(const Vec2d& d, Vec2d& p) const
 {
     const double wanted = std::sqrt(d.dot(d));
-    if (wanted == 0)
-    {
-        p = Vec2d(0, 0);
-        return true;
-    }
     double low = 0, high = limit < INFINITY ? std::sqrt(limit) : wanted;
     for (int i = 0; i < HALVES && limit == INFINITY && high * radial(high * high) < wanted; ++i)
         high *= 2;

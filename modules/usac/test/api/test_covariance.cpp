@@ -367,6 +367,10 @@ TEST(Usac_Covariance, mistakes)
     EXPECT_EQ("model", blamed([&] { tangentOfModel(AFFINITY, H); }));
     EXPECT_EQ("model", blamed([&] { tangentOfModel(HOMOGRAPHY, H * NAN); }));
     EXPECT_EQ("model", blamed([&] { tangentOfModel(FUNDAMENTAL, H * 0); }));
+    for (double second : {0., 1e-14})  // a matrix of rank 1 is no F
+        EXPECT_EQ("model", blamed([&] {
+                      tangentOfModel(FUNDAMENTAL, Matx33d(1, 0, 0, 0, second, 0, 0, 0, 0));
+                  }));
     EXPECT_EQ("covariance", blamed([&] { covarianceOfModel(HOMOGRAPHY, H, D); }));
     EXPECT_EQ("covariance", blamed([&] { covarianceOfModel(HOMOGRAPHY, H, Mat()); }));
     EXPECT_EQ("covariance", blamed([&] { covarianceOfPose(E, C, ROTATION, TRANSLATION); }));
@@ -378,6 +382,44 @@ TEST(Usac_Covariance, mistakes)
                   pointCovariance(ESSENTIAL, E, D, points, points.rowRange(0, 2), CAMERA);
               }));
     EXPECT_EQ("cameraMatrix1", blamed([&] { pointCovariance(ESSENTIAL, E, D, points, points); }));
+}
+
+//! Covariances of lines and points, as found with pixels of this size and with this origin.
+Mat covarianceWithPixels(const Scene& scene, ProblemType problem, double scale, double origin)
+{
+    const Mat first = column(scene.points1).reshape(1) * scale + Scalar(origin),
+              second = column(scene.points2).reshape(1) * scale + Scalar(origin);
+    Params params;
+    params.covariance = 1;
+    params.threshold = 2 * scale;
+    Report report;
+    const Mat model = problem == HOMOGRAPHY
+                          ? estimateHomography(first, second, params, noArray(), &report)
+                          : estimateFundamental(first, second, params, noArray(), &report);
+    EXPECT_TRUE(cv::checkRange(report.covariance));
+    return pointCovariance(problem, model, report.covariance, first, second) / (scale * scale);
+}
+
+//! The covariance of F or H must be determined for images of any size, and be as accurate as for
+//! small images, although the entries of F and H differ by many orders of magnitude.
+TEST(Usac_Covariance, any_size_and_origin_of_pixels)
+{
+    for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL})
+        for (uint64 seed = 1; seed <= 10; ++seed)
+        {
+            SceneOptions options;
+            options.seed = seed;
+            const Scene scene = makeScene(problem, options);
+            const Mat expected = covarianceWithPixels(scene, problem, 1, 0);
+            for (double scale : {0.01, 10., 100., 1000.})
+                for (double origin : {0., 5000.})
+                {
+                    const Mat found = covarianceWithPixels(scene, problem, scale, origin * scale);
+                    EXPECT_LT(cvtest::norm(found, expected, NORM_INF),
+                              1e-3 * cvtest::norm(expected, NORM_INF))
+                        << problem << " " << seed << " " << scale << " " << origin;
+                }
+        }
 }
 
 //! A translation can be given as a row. If E belongs to the opposite translation, t and its changes

@@ -16,10 +16,10 @@ namespace {
 
 //! A solver for which every sample is degenerate. Counts the samples that are drawn with less than
 //! half of the widest threshold, as those of a core are.
-class NoModels : public MinimalSolver
+class UnsolvedSamples : public MinimalSolver
 {
 public:
-    NoModels(int size_, double widest_) : size(size_), widest(widest_), narrow(0) {}
+    UnsolvedSamples(int size_, double widest_) : size(size_), widest(widest_), narrow(0) {}
 
     int sampleSize() const CV_OVERRIDE { return size; }
     int solve(const Correspondences& points, const int*, Model*) const CV_OVERRIDE
@@ -73,7 +73,7 @@ TEST(Usac_Core, isNotPolishedIfNoSampleGivesAModel)
     params.maxIterations = 10;
     params.setInitialModel(Mat(scene.model));
     const Ptr<Usac> usac = createUsac(scene, params);
-    const Ptr<NoModels> none = makePtr<NoModels>(4, usac->points().threshold);
+    const Ptr<UnsolvedSamples> none = makePtr<UnsolvedSamples>(4, usac->points().threshold);
     const Ptr<NeedsAModel> residual = makePtr<NeedsAModel>(usac->components().residual);
     usac->components().minimalSolver = none;
     usac->components().residual = residual;

@@ -72,7 +72,7 @@ public:
         turned.col(0) = (cosine * to.axes.col(0) + sine * to.axes.col(1)) / size;
         turned.col(1) = (cosine * to.axes.col(1) - sine * to.axes.col(0)) / size;
         const Eigen::Matrix3d A = scale * turned * from.axes.transpose();
-        if (!(size > 0 && A.allFinite()))
+        if (!(size > 0 && size <= DBL_MAX && A.allFinite()))
             return 0;
         models[0] = motionOf(A, to.center - A * from.center);
         return 1;

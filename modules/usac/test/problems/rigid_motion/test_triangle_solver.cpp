@@ -292,13 +292,15 @@ TEST(Usac_TriangleSolver, degenerate)
 TEST(Usac_TriangleSolver, tooLargeForDouble)
 {
     for (double size : {1e70, 1e78})
-    {
-        const Triangle needle = {Vec3d(0, 0, 0), Vec3d(size, 0, 0), Vec3d(size, 1e-3 * size, 0)};
-        Matx34d motion;
-        const bool found = solve(true, needle, needle, motion);
-        EXPECT_EQ(size < 1e75, found) << size;
-        EXPECT_TRUE(!found || cvtest::norm(motion - Matx34d::eye(), NORM_INF) < 1e-9 * size);
-    }
+        for (bool scaled : {false, true})
+        {
+            const Triangle needle = {Vec3d(0, 0, 0), Vec3d(size, 0, 0),
+                                     Vec3d(size, 1e-3 * size, 0)};
+            Matx34d motion;
+            const bool found = solve(scaled, needle, needle, motion);
+            EXPECT_EQ(size < 1e75, found) << size;
+            EXPECT_TRUE(!found || cvtest::norm(motion - Matx34d::eye(), NORM_INF) < 1e-9 * size);
+        }
 }
 
 //! With small integers as coordinates, many triangles are collinear. Exactly the collinear ones
