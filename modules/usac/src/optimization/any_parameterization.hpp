@@ -47,6 +47,7 @@ public:
 
     int dimension() const { return (int)basis.cols(); }
     bool hasFullRank() const { return regular; }
+    bool wellConditioned() const { return hasFullRank(); }
     void project(const NormalEquationsOf<Eigen::Dynamic>& sums, Matrix& A, Step& b) const
     {
         const Basis image = sums.JtJ.lazyProduct(basis);

@@ -39,6 +39,7 @@ public:
 
     static int dimension() { return DIMENSION; }
     bool hasFullRank() const { return true; }
+    bool wellConditioned() const { return hasFullRank(); }
     //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
     //! Converts normal equations in the entries of the model to normal equations in the parameters.

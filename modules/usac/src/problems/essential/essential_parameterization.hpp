@@ -29,6 +29,7 @@ public:
 
     static int dimension() { return DIMENSION; }
     bool hasFullRank() const { return true; }
+    bool wellConditioned() const { return hasFullRank(); }
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
     //! Converts normal equations in the entries of the model to normal equations in the

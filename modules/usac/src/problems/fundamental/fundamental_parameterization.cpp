@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "lanes/lane_kernels.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
 
 #include <Eigen/Geometry>
@@ -72,6 +73,11 @@ FundamentalParameterization::FundamentalParameterization(const Model& model)
 bool FundamentalParameterization::hasFullRank() const
 {
     return std::abs(corner.determinant()) > RANK_ONE;
+}
+
+bool FundamentalParameterization::wellConditioned() const
+{
+    return std::abs(corner.determinant()) > LEAST_RATIO;
 }
 
 /** Multiplies the corner (a, b; c, d), taken as a quaternion, by the three imaginary units. This

@@ -32,8 +32,11 @@ public:
     explicit FundamentalParameterization(const Model& model);
 
     static int dimension() { return DIMENSION; }
-    //! False if F has (nearly) rank 1.
+    //! False if F has rank 1, up to rounding.
     bool hasFullRank() const;
+    //! False if F is close to rank 1 in the coordinates of a fit, which do not depend on the
+    //! pixels.
+    bool wellConditioned() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
     //! Converts normal equations in the entries of the model to normal equations in the

@@ -12,7 +12,10 @@ namespace usacv20 {
 //! H counts as a matrix of rank 3 if the magnitude of its determinant is above this fraction of the
 //! sum of the magnitudes of its six terms, which has a rounding error of about 1e-16. Unlike the
 //! determinant itself, the fraction does not depend on the units of the coordinates.
-constexpr double LEAST_DETERMINANT = 1e-12;
+constexpr double RANK_TWO = 1e-12;
+//! In the coordinates of a fit, H of unit norm counts as a matrix of rank 3 if the magnitude of its
+//! determinant is above this value.
+constexpr double LEAST_DETERMINANT = 1e-9;
 
 HomographyParameterization::HomographyParameterization(const Model& model)
     : h(Eigen::Map<const Eigen::Matrix<double, 9, 1>>(model.val).normalized())
@@ -24,7 +27,12 @@ bool HomographyParameterization::hasFullRank() const
                  second = std::abs(h[3] * h[8]) + std::abs(h[5] * h[6]),
                  third = std::abs(h[3] * h[7]) + std::abs(h[4] * h[6]);
     const double terms = std::abs(h[0]) * first + std::abs(h[1]) * second + std::abs(h[2]) * third;
-    return std::abs(determinant(Matx33d(h.data()))) > LEAST_DETERMINANT * terms;
+    return std::abs(determinant(Matx33d(h.data()))) > RANK_TWO * terms;
+}
+
+bool HomographyParameterization::wellConditioned() const
+{
+    return std::abs(determinant(Matx33d(h.data()))) > LEAST_DETERMINANT;
 }
 
 HomographyParameterization::Basis HomographyParameterization::tangent() const

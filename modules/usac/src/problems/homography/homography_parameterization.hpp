@@ -27,6 +27,9 @@ public:
     static int dimension() { return DIMENSION; }
     //! False if H maps the plane to a line or a point, up to rounding.
     bool hasFullRank() const;
+    //! False if H is close to such a map in the coordinates of a fit, which do not depend on the
+    //! pixels.
+    bool wellConditioned() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
     //! Converts normal equations in the entries of the model to normal equations in the

@@ -39,6 +39,7 @@ public:
     static int dimension() { return DIMENSION; }
     //! False if the scale is not positive; a scale of 0 maps all points to a single point.
     bool hasFullRank() const { return scale > 0; }
+    bool wellConditioned() const { return hasFullRank(); }
     //! Derivatives of the model, as a 12-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
     //! Converts normal equations in the entries of the model to normal equations in the parameters.

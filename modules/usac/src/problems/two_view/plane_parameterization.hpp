@@ -39,6 +39,7 @@ public:
     static int dimension() { return DIMENSION; }
     //! False if the plane is mapped to a line or a point.
     bool hasFullRank() const { return Map::isRegular(parameters.data()); }
+    bool wellConditioned() const { return hasFullRank(); }
 
     //! Derivatives of the nine entries of the model (row by row) with respect to the parameters.
     Basis tangent() const
