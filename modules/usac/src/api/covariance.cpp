@@ -16,9 +16,6 @@ namespace {
 
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Numbers;
 
-//! Step of the parameters in central differences. The relative error of the derivatives is about
-//! 1e-10.
-constexpr double STEP = 1e-6;
 //! Largest accepted Frobenius norm of two differences: between the essential matrix of the caller
 //! and that of the motion, both of unit norm; and between R R^T and the identity.
 constexpr double SAME = 1e-6;
@@ -82,16 +79,18 @@ public:
     //! Report::covariance refers, see Parameterization::smooth.
     Numbers tangent() const
     {
-        if (!rule->smooth())
-        {
-            AnyParameterization::Basis basis;
-            CV_Assert(callerBasis(*rule, here, basis));
+        AnyParameterization::Basis basis;
+        CV_Assert(callerBasis(*rule, here, basis));
+        if (!problem->createResidual(RESIDUAL_STANDARD)->homogeneous())
             return basis;
-        }
-        Numbers result(normal.size(), dimension());
-        for (int k = 0; k < dimension(); ++k)
-            result.col(k) = (moved(k, STEP) - moved(k, -STEP)) / (2 * STEP);
-        return result;
+        // `here` and `normal` differ in scale; if the last entry of `normal` is 1, all entries are
+        // divided by the last one
+        const int last = normal.size() - 1;
+        const Eigen::Map<const Eigen::VectorXd> entries(normal.val, normal.size()),
+            unscaled(here.val, here.size());
+        if (normal.val[last] != 1)
+            return basis * (entries.dot(unscaled) < 0 ? -1. : 1.);
+        return (basis - entries * basis.row(last)) / here.val[last];
     }
 
     //! The derivatives of only those entries that Problem::toOutput() returns to the caller.
@@ -110,15 +109,6 @@ public:
     }
 
 private:
-    Eigen::VectorXd moved(int parameter, double step) const
-    {
-        std::vector<double> x(dimension());
-        x[parameter] = step;
-        Model result;
-        problem->toInput(rule->plus(here, x.data()), points, result);
-        return Eigen::Map<const Eigen::VectorXd>(result.val, result.size());
-    }
-
     const Ptr<Problem> problem;
     const Ptr<Parameterization> rule;
     const Correspondences points;  //!< no points; coordinates are not normalized

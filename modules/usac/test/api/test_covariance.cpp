@@ -394,8 +394,8 @@ Mat covarianceWithPixels(const Scene& scene, ProblemType problem, double scale, 
     params.threshold = 2 * scale;
     Report report;
     const Mat model = problem == HOMOGRAPHY
-                          ? estimateHomography(first, second, params, noArray(), &report)
-                          : estimateFundamental(first, second, params, noArray(), &report);
+                          ? estimateHomography(first, second, params, noArray(), report)
+                          : estimateFundamental(first, second, params, noArray(), report);
     EXPECT_TRUE(cv::checkRange(report.covariance));
     return pointCovariance(problem, model, report.covariance, first, second) / (scale * scale);
 }
@@ -411,8 +411,8 @@ TEST(Usac_Covariance, any_size_and_origin_of_pixels)
             options.seed = seed;
             const Scene scene = makeScene(problem, options);
             const Mat expected = covarianceWithPixels(scene, problem, 1, 0);
-            for (double scale : {0.01, 10., 100., 1000.})
-                for (double origin : {0., 5000.})
+            for (double scale : {0.01, 1., 10., 100.})
+                for (double origin : {0., 1000.})
                 {
                     const Mat found = covarianceWithPixels(scene, problem, scale, origin * scale);
                     EXPECT_LT(cvtest::norm(found, expected, NORM_INF),
