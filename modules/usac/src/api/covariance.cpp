@@ -58,9 +58,7 @@ public:
                                 points, searched) &&
                             problem->toInput(searched, points, normal) &&
                             problem->toOutput(normal).size() == numbers.size() &&
-                            rule->tangent(
-                                normal,
-                                std::vector<double>(normal.size() * rule->dimension()).data());
+                            callerBasis(*rule, normal, basis);
         if (!usable)
             CV_Error_(
                 Error::StsBadArg,
@@ -79,8 +77,6 @@ public:
     //! Report::covariance refers, see Parameterization::smooth.
     Numbers tangent() const
     {
-        AnyParameterization::Basis basis;
-        CV_Assert(callerBasis(*rule, here, basis));
         if (!problem->createResidual(RESIDUAL_STANDARD)->homogeneous())
             return basis;
         // `here` and `normal` differ in scale; if the last entry of `normal` is 1, all entries are
@@ -113,6 +109,7 @@ private:
     const Ptr<Parameterization> rule;
     const Correspondences points;  //!< no points; coordinates are not normalized
     Model normal, here;
+    AnyParameterization::Basis basis;  //!< derivatives of `here`, see callerBasis()
 };
 
 }  // namespace

@@ -46,8 +46,7 @@ public:
     }
 
     int dimension() const { return (int)basis.cols(); }
-    bool hasFullRank() const { return regular; }
-    bool wellConditioned() const { return hasFullRank(); }
+    bool wellConditioned() const { return regular; }
     void project(const NormalEquationsOf<Eigen::Dynamic>& sums, Matrix& A, Step& b) const
     {
         const Basis image = sums.JtJ.lazyProduct(basis);
@@ -103,7 +102,7 @@ tangent space depends on singular vectors, which rounding errors can rotate
 depends only on the tangent space: the columns of the factor of the pivoted Cholesky decomposition
 of the matrix that projects onto this space.
 @param rule the parameterization
-@param model as Parameterization::plus returns it
+@param model as Parameterization::plus returns it, up to scale
 @param basis output, Model::size() x Parameterization::dimension()
 @return false if the model is degenerate or the basis is not finite */
 bool callerBasis(const Parameterization& rule, const Model& model,

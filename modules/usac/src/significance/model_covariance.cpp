@@ -39,9 +39,9 @@ constexpr int NOISE_POINTS = 128;
 //! Number of cells of the numerical integrals over the distribution of the errors.
 constexpr int CELLS = 64;
 //! Step of the finite differences for the derivative of the caller's parameters with respect to
-//! those of the search; the derivative has an error of about 1e-10, also because of rounding. The
-//! entries of an F for points in pixels that multiply two coordinates are as small as the inverse
-//! square of the focal length, so that a smaller step would be less accurate.
+//! those of the search, whose truncation error is about 1e-10. The rounding error, 1e-16 over the
+//! step, must also be small beside the smallest entries of an F for points in pixels, which are the
+//! inverse square of the focal length.
 constexpr double STEP = 1e-5;
 //! STEPS_TO_PRIOR: maximum number of Gauss-Newton steps that compute the parameters of a prior.
 //! REACHED: these steps end at this difference from the prior, relative to its norm. Convergence is

@@ -76,7 +76,7 @@ std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const 
         return std::vector<double>(count, HUGE_VAL);
     const double side = median(finite.data(), (int)finite.size());
     for (size_t i = 0; i < count; ++i)
-        if (!(w[i] * side > 0 && std::abs(w[i]) <= DBL_MAX))
+        if (!(w[i] * side > 0 && result[i] <= DBL_MAX))
             result[i] = HUGE_VAL;
     return result;
 }

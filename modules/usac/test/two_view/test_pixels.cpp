@@ -52,13 +52,13 @@ TEST(Usac_Pixels, point_that_is_not_finite)
 {
     for (double wrong : {(double)NAN, HUGE_VAL})
     {
-        Mapped mapped({0, 20, 50});
-        mapped.points1.push_back(Point2d(wrong, 0));
-        mapped.points2.push_back(Point2d(0, 0));
+        Mapped mapped({0, 20, 50, 30, 40});
+        mapped.points1[3].x = mapped.points2[4].y = wrong;
         const std::vector<double> found = mapDistances(mapped.H, mapped.points1, mapped.points2);
         for (int i = 0; i < 3; ++i)
             EXPECT_LT(found[i], 1e-9) << i;
         EXPECT_EQ(HUGE_VAL, found[3]);
+        EXPECT_EQ(HUGE_VAL, found[4]);
     }
 }
 

@@ -204,8 +204,7 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     lengths are rejected if the number of inliers of E is clearly less than rules.calibrationRatio
     times that of F, if hardly any inliers of E are outliers of F, if their errors under F are hardly
     larger, and if (in case most inliers of E are on a plane) the additional inliers of F are not due
-    to chance. An invalid argument raises
-    usacv20.error, whose message names the argument."""
+    to chance. An invalid argument raises usacv20.error, whose message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
 
