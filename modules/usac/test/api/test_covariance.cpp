@@ -417,7 +417,7 @@ TEST(Usac_Covariance, any_size_and_origin_of_pixels)
                     const Mat found = covarianceWithPixels(scene, problem, scale, origin * scale);
                     EXPECT_LT(cvtest::norm(found, expected, NORM_INF),
                               1e-3 * cvtest::norm(expected, NORM_INF))
-                        << problem << " " << seed << " " << scale << " " << origin;
+                        << (int)problem << " " << seed << " " << scale << " " << origin;
                 }
         }
 }
