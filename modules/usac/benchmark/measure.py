@@ -319,14 +319,18 @@ def measure_covariance(run):
 
 def measure_sigmas(run):
     """Measures how much Params::sigmas reduces the errors of models if every second match has five
-    times the noise of the other matches."""
+    times the noise of the other matches, or each point five times the noise in one direction."""
     run.repeats = 1
-    text = run.call("usac_covariance", "--spread=5", "--noises=0.1,0.3", "--by=problem,ratio", "--scenes=%d" % (run.chosen or 2000))
+    options = ["--spread=5", "--noises=0.1,0.3", "--scenes=%d" % (run.chosen or 2000)]
+    text = run.call("usac_covariance", "--by=problem,ratio", *options)
+    directed = run.call("usac_covariance", "--directed", "--problems=H,F,E,A,S,P", "--by=problem", *options)
     return ("Scenes as in [covariance.md](covariance.md), with noise of 0.1 and 0.3 thresholds; every second match has five "
             "times this noise, and the estimator gets these ratios as `Params::sigmas`. Error: geometric mean of the ratio of "
             "the error to that of least squares over the right matches with weights from their true noise, aim 1.1; without "
             "sigmas: the same for an estimator that gets no sigmas, but five times the threshold.\n\n" +
-            block("sigmas/table", text.strip()))
+            block("sigmas/table", text.strip()) +
+            "\n\nThe same if each point of an image has five times this noise in a random direction, and the estimator gets the "
+            "covariances of the points.\n\n" + block("sigmas/directed", directed.strip()))
 
 
 Kind = collections.namedtuple("Kind", "title measure rows current")

@@ -80,7 +80,7 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
         clean1 = rowsOf(scene.clean1, scene.truth);
         clean2 = rowsOf(scene.clean2, scene.truth);
         inliers = scene.truth;
-        spreadNoise(rowsOf(scene.clean1, ALL), rowsOf(scene.clean2, ALL));
+        spreadNoise(rowsOf(scene.clean1, ALL), rowsOf(scene.clean2, ALL), seed);
         K = Mat(scene.K, true);
         truth = Mat(scene.model, true);
         if (affine(cell.problem))
@@ -101,7 +101,7 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
         clean1 = rowsOf(scene.object, scene.truth);
         clean2 = rowsOf(scene.clean, scene.truth);
         inliers = scene.truth;
-        spreadNoise(points1, rowsOf(scene.clean, ALL));
+        spreadNoise(points1, rowsOf(scene.clean, ALL), seed);
         K = Mat(scene.K, true);
         truth = Mat(scene.pose, true);
         return;
@@ -118,16 +118,26 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
     clean1 = rowsOf(scene.points1, scene.truth);
     clean2 = rowsOf(scene.clean2, scene.truth);
     inliers = scene.truth;
-    spreadNoise(points1, rowsOf(scene.clean2, ALL));
+    spreadNoise(points1, rowsOf(scene.clean2, ALL), seed);
     truth = Mat(scene.motion, true);
 }
 
-//! Multiplies the noise of every second match by SceneCell::spread and sets `sigmas`, unless
-//! `spread` is 1. Wrong matches have no noise, so they do not change.
+//! Multiplies the noise of every second match, or that of each point in one direction, by
+//! SceneCell::spread and sets `sigmas`, unless `spread` is 1. Wrong matches have no noise, so they
+//! do not change.
 //! @param exact1, exact2 the points without noise
-void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2)
+void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2, int seed)
 {
     if (cell.spread == 1)
+        return;
+    RNG rng(seed);
+    for (int i = 0; cell.directed && i < points2.rows; ++i)
+    {
+        stretchNoise(exact2, i, rng.uniform(0., CV_PI), points2);
+        if (twoViews(cell.problem))
+            stretchNoise(exact1, i, rng.uniform(0., CV_PI), points1);
+    }
+    if (cell.directed)
         return;
     sigmas.assign(points1.rows, 1.f);
     for (int i = 1; i < points1.rows; i += 2)
@@ -136,6 +146,21 @@ void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2)
         points1.row(i) = exact1.row(i) + cell.spread * (points1.row(i) - exact1.row(i));
         points2.row(i) = exact2.row(i) + cell.spread * (points2.row(i) - exact2.row(i));
     }
+}
+
+//! Multiplies the noise of a point in one direction by SceneCell::spread and appends its covariance
+//! to `sigmas`, in units in which errors have the variance 1 without this factor.
+void KnownScene::stretchNoise(const Mat& exact, int row, double angle, Mat& points)
+{
+    const double unit = noiseOf(cell) / (cell.noise * cell.threshold), x = std::cos(angle),
+                 y = std::sin(angle), more = cell.spread * cell.spread - 1;
+    const Mat noise = points.row(row) - exact.row(row);
+    const double along = noise.at<double>(0) * x + noise.at<double>(1) * y;
+    points.at<double>(row, 0) += (cell.spread - 1) * along * x;
+    points.at<double>(row, 1) += (cell.spread - 1) * along * y;
+    sigmas.push_back((float)(unit * unit * (1 + more * x * x)));
+    sigmas.push_back((float)(unit * unit * more * x * y));
+    sigmas.push_back((float)(unit * unit * (1 + more * y * y)));
 }
 
 Ptr<Usac> KnownScene::create(const Params& options, double threshold) const
@@ -161,10 +186,9 @@ double KnownScene::errorWithoutSigmas(const Params& options, double widening) co
 
 double KnownScene::errorOfFit() const
 {
-    Mat weights;
-    for (float sigma : sigmas)
-        weights.push_back(1. / (sigma * sigma));
-    return error(create(Params(), cell.threshold)->fit(weights, Mat(inliers)));
+    Params params;
+    params.sigmas = sigmas;
+    return error(create(params, cell.threshold)->fit(noArray(), Mat(inliers)));
 }
 
 double KnownScene::squaredDistance() const

@@ -24,6 +24,8 @@ struct SceneCell
     double threshold;  //!< pixels; R, M: in the unit in which the cloud is a cube of side 2
     double spread;     //!< noise of every second match, divided by that of the others; if it is not
                        //!< 1, the estimator gets these ratios as Params::sigmas
+    bool directed;     //!< `spread` is instead the noise of each point of an image in a random
+                       //!< direction, divided by that across it; the estimator gets covariances
 };
 
 /** A synthetic scene with its true model, and an estimate that is compared with the true model. */
@@ -48,13 +50,14 @@ public:
     //! error() if the estimator does not get Params::sigmas. The estimator's threshold is then
     //! multiplied by SceneCell::spread, to fit the larger noise. Infinite if there is no model.
     double errorWithoutSigmas(const cv::usacv20::Params& options, double widening) const;
-    //! error() of the least-squares fit to the right matches with weights from their true noise.
+    //! error() of the least-squares fit to the right matches with their true noise.
     double errorOfFit() const;
 
     const cv::usacv20::Report& report() const { return learned; }
 
 private:
-    void spreadNoise(const cv::Mat& exact1, const cv::Mat& exact2);
+    void spreadNoise(const cv::Mat& exact1, const cv::Mat& exact2, int seed);
+    void stretchNoise(const cv::Mat& exact, int row, double angle, cv::Mat& points);
     cv::Ptr<cv::usacv20::Usac> create(const cv::usacv20::Params& options, double threshold) const;
     double error(const cv::Mat& found) const;
 
@@ -62,7 +65,7 @@ private:
     cv::Mat points1, points2;    //!< matrices of N rows with 2 or 3 coordinates
     cv::Mat clean1, clean2;      //!< the true matches, without noise
     std::vector<uchar> inliers;  //!< 1 where a match is right
-    std::vector<float> sigmas;   //!< relative noise of the matches; empty if all are equal
+    std::vector<float> sigmas;   //!< Params::sigmas; empty if the noise of all matches is equal
     cv::Mat K, truth, model;     //!< truth: the true model; model: the estimate
     cv::usacv20::Report learned;
 };

@@ -36,6 +36,9 @@ const char KEYS
          "{spread         |1| noise of every second match, divided by that of the others; if it "
          "is not 1, the estimator gets these ratios as Params::sigmas, and its error is "
          "compared with that without sigmas }"
+         "{directed       | | --spread is the noise of each point of an image in a random "
+         "direction, divided by that across it; the estimator gets the covariances of the "
+         "points. Not for R and M }"
          "{least          |6| minimum number of right matches in addition to those of a minimal "
          "sample; cells with fewer, and cells for F and E with a fraction of right matches "
          "below 0.3, are left out }"
@@ -55,6 +58,7 @@ struct Options
     std::vector<double> ratios, noises;
     int least, scenes, seed;
     double spread;
+    bool directed;
     double widening;  //!< ratio of the estimator's threshold to that of the cell
     Params params;
 };
@@ -105,6 +109,7 @@ bool parse(int argc, char** argv, Options& options)
     options.ratios = numbers(parser, arguments, "ratios", 1);
     options.noises = numbers(parser, arguments, "noises", 10);
     options.spread = numbers(parser, arguments, "spread", 1000)[0];
+    options.directed = parser.has("directed");
     options.least = integerOf(parser, "least");
     options.scenes = integerOf(parser, "scenes");
     options.seed = integerOf(parser, "seed");
@@ -141,8 +146,9 @@ std::vector<SceneCell> cellsOf(const Options& options, ProblemType problem)
                     if (!KnownScene::has(problem, shape) || (epipolar && ratio < 0.3) ||
                         cvRound(size * ratio) < sampleSizeOf(problem) + options.least)
                         continue;
-                    const SceneCell cell = {
-                        problem, shape, size, ratio, noise, thresholdOf(problem), options.spread};
+                    const SceneCell cell = {problem,        shape,           size,
+                                            ratio,          noise,           thresholdOf(problem),
+                                            options.spread, options.directed};
                     cells.push_back(cell);
                 }
     return cells;
@@ -189,6 +195,8 @@ int program(int argc, char** argv)
         ProblemType problem = HOMOGRAPHY;
         require(letter.size() == 1 && problemOf(letter[0], problem),
                 "--problems: " + letter + " is unknown");
+        require(!options.directed || (problem != RIGID_3D && problem != SIMILARITY_3D),
+                "--directed: the points of " + letter + " are not in images");
         const std::vector<SceneCell> cells = cellsOf(options, problem);
         const int runs = cells.empty() ? 0 : (options.scenes - 1) / (int)cells.size() + 1;
         for (const SceneCell& cell : cells)

@@ -126,17 +126,49 @@ void checkScores(const Params& p, int count)
 
 //! Bounds of Params::sigmas, so that the squared ratio of any two sigmas is finite as a float.
 constexpr float SMALLEST_SIGMA = 1e-6f, LARGEST_SIGMA = 1e6f;
+//! Smallest determinant of a covariance relative to the product of its two variances. At this
+//! value, the two standard deviations differ by a factor of at least 1000. Numbers of type float
+//! determine the determinant with an error of about 1e-7.
+constexpr double SMALLEST_DETERMINANT = 1e-6;
 
+void checkCovariance(const float* c)
+{
+    const double smallest = (double)SMALLEST_SIGMA * SMALLEST_SIGMA,
+                 largest = (double)LARGEST_SIGMA * LARGEST_SIGMA, xx = c[0], xy = c[1], yy = c[2];
+    const bool inRange = xx >= smallest && xx <= largest && yy >= smallest && yy <= largest;
+    if (!inRange || !(xx * yy - xy * xy >= SMALLEST_DETERMINANT * xx * yy))
+        CV_Error_(Error::StsOutOfRange,
+                  ("sigmas: a positive definite covariance xx, xy, yy with variances from %g to %g "
+                   "is expected, not %g, %g, %g",
+                   smallest, largest, xx, xy, yy));
+}
+
+//! Raises a cv::Exception if the noise of the matches is not given in one of the three ways (a
+//! negative `count`: unknown number, so that only ranges are checked).
 void checkSigmas(const Params& p, int count)
 {
-    if (count >= 0 && !p.sigmas.empty() && (int)p.sigmas.size() != count)
+    const int numbers = (int)p.sigmas.size();
+    for (float each : p.sigmas)
+        if (!(std::abs(each) <= LARGEST_SIGMA * LARGEST_SIGMA))
+            CV_Error_(Error::StsOutOfRange, ("sigmas: finite numbers are expected, not %g", each));
+    if (count < 0 || numbers == 0)
+        return;
+    const int each = count > 0 ? numbers / count : 0;
+    if (each * count != numbers || (each != 1 && each != 3 && each != 6))
         CV_Error_(Error::StsUnmatchedSizes,
-                  ("sigmas: one for each of the %d correspondences is expected, not %d", count,
-                   (int)p.sigmas.size()));
-    for (size_t i = 0; i < p.sigmas.size(); ++i)
-        if (!(p.sigmas[i] >= SMALLEST_SIGMA && p.sigmas[i] <= LARGEST_SIGMA))
+                  ("sigmas: one, three or six numbers for each of the %d correspondences are "
+                   "expected, not %d numbers",
+                   count, numbers));
+    for (int i = 0; i < numbers; i += each == 1 ? 1 : 3)
+    {
+        const float* const c = &p.sigmas[i];
+        const bool exact = each == 6 && i % 6 == 3 && c[0] == 0 && c[1] == 0 && c[2] == 0;
+        if (each > 1 && !exact)
+            checkCovariance(c);
+        if (each == 1 && !(c[0] >= SMALLEST_SIGMA && c[0] <= LARGEST_SIGMA))
             CV_Error_(Error::StsOutOfRange, ("sigmas: numbers from %g to %g are expected, not %g",
-                                             SMALLEST_SIGMA, LARGEST_SIGMA, p.sigmas[i]));
+                                             SMALLEST_SIGMA, LARGEST_SIGMA, c[0]));
+    }
 }
 
 void checkFinite(const char* name, const std::vector<double>& numbers, int most)

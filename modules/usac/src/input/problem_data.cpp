@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "input/match_noise.hpp"
 #include "input/problem_data.hpp"
 #include "input/read_arrays.hpp"
 #include "numeric/instruction_set.hpp"
@@ -76,7 +77,7 @@ size_t runMemory(int points, const Params& params)
 ProblemData::ProblemData()
     : view(), part(), givenThreshold(), givenReach(1), currentReach(1), inputThreshold(0),
       pixelThreshold(0), pixels(1), input(), doubles(), floats(), seen(), seenDoubles(),
-      seenFloats()
+      seenFloats(), noise(-1)
 {}
 
 void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
@@ -89,9 +90,9 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
     part = view;
     readRows(points1, points2, params, arena);
     pixelThreshold = params.threshold;
+    readNoise(params, arena);
     if (image)
-        keepImage(arena);
-    readSigmas(params, arena);
+        keepImage(params, arena);
     pixels = problem.toModelCoordinates(input, view.inputSize) / view.meanSigma;
     inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
     shuffle(params, arena);
@@ -150,30 +151,39 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
         }
 }
 
-//! Stores the factors of the errors that follow from Params::sigmas, if there are any. With
-//! Correspondences::meanSigma as unit, the threshold of a problem with errors of d dimensions
-//! encloses the same volume, averaged over the matches, as with equal sigmas.
-//! Problem::randomInlierRatio therefore needs no change.
-void ProblemData::readSigmas(const Params& params, Arena& arena)
+//! Stores the noise of the matches, if it is given. With Correspondences::meanSigma as unit, the
+//! threshold of a problem with errors of d dimensions encloses the same volume, averaged over the
+//! matches, as with equal sigmas. Problem::randomInlierRatio therefore needs no change.
+void ProblemData::readNoise(const Params& params, Arena& arena)
 {
     view.meanSigma = 1;
-    view.weighted = !params.sigmas.empty();
-    if (!view.weighted || view.inputSize == 0)
+    const int columns = MatchNoise::columnsOf(*view.problem, params.sigmas, view.inputSize);
+    if (noise >= 0 && columns != noise)
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("sigmas: %d numbers describe the noise of %d correspondences in another way "
+                   "than that of the points with which the estimator was created",
+                   (int)params.sigmas.size(), view.inputSize));
+    view.noise = noise = columns;
+    if (view.noise == 0)
         return;
-    const int degrees = view.problem->errorDimension(), count = view.inputSize;
-    double sum = 0;
-    for (int i = 0; i < count; ++i)
-        sum += std::pow((double)params.sigmas[i], degrees);
-    view.meanSigma = std::pow(sum / count, 1. / degrees);
-    double* const factors = input[view.columns()] = arena.take<double>(count);
-    for (int i = 0; i < count; ++i)
-        factors[i] = view.meanSigma / params.sigmas[i];
+    const MatchNoise given(*view.problem, params.sigmas, view.inputSize);
+    view.meanSigma = given.mean();
+    double** const described = input + view.columns();
+    for (int k = 0; k < view.noise; ++k)
+        described[k] = arena.take<double>(view.inputSize);
+    given.toColumns(input, false, described, arena);
 }
 
-void ProblemData::keepImage(Arena& arena)
+//! Stores the original image points and, if there are covariances, their noise.
+void ProblemData::keepImage(const Params& params, Arena& arena)
 {
     double* columns[MAX_COLUMNS];
     const int first = view.coordinates[0], count = view.inputSize;
+    for (int k = 0; k < view.noise; ++k)
+        seen[view.coordinates[1] + k] = arena.take<double>(count);
+    if (view.noise > 0)
+        MatchNoise(*view.problem, params.sigmas, count)
+            .toColumns(input, true, seen + view.coordinates[1], arena);
     std::copy(input, input + first, columns);
     for (int k = 0; k < view.coordinates[1]; ++k)
     {
@@ -187,13 +197,15 @@ void ProblemData::keepImage(Arena& arena)
 void ProblemData::shuffleImage(Arena& arena)
 {
     const Frame& frame = view.frame[1];
-    for (int k = 0; k < view.coordinates[1]; ++k)
+    for (int k = 0; k < view.coordinates[1] + view.noise; ++k)
     {
+        const bool point = k < view.coordinates[1];
+        const double center = point ? frame.center[k] : 0, factor = point ? frame.scale : 1;
         double* const exact = arena.take<double>(view.size);
         float* const single = arena.take<float>(view.size);
         for (int i = 0; i < view.size; ++i)
         {
-            exact[i] = (seen[k][view.inputIndex[i]] - frame.center[k]) * frame.scale;
+            exact[i] = (seen[k][view.inputIndex[i]] - center) * factor;
             single[i] = (float)exact[i];
         }
         seenDoubles[k] = exact;
@@ -204,7 +216,7 @@ void ProblemData::shuffleImage(Arena& arena)
 Correspondences ProblemData::imagePoints() const
 {
     Correspondences points = view;
-    for (int k = 0; k < view.coordinates[1]; ++k)
+    for (int k = 0; k < view.coordinates[1] + view.noise; ++k)
     {
         points.exact[view.coordinates[0] + k] = seenDoubles[k];
         points.column[view.coordinates[0] + k] = seenFloats[k];
@@ -309,8 +321,8 @@ void ProblemData::scale(const Params& params, Arena& arena)
         view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
-    if (view.weighted)
-        scaleColumn(columns, 0, 1);
+    for (int k = 0; k < view.noise; ++k)  // the last three of six are those of array 1
+        scaleColumn(columns + k, 0, k < 3 ? 1 : view.frame[0].scale / view.frame[1].scale);
     view.unit = view.frame[1].scale / pixels;
     view.threshold = std::min(
         std::max(inputThreshold * params.reach * view.frame[1].scale, SMALLEST_THRESHOLD),
@@ -393,7 +405,7 @@ void ProblemData::errors(const Residual& residual, const Model& model, bool imag
     const double* columns[MAX_COLUMNS];
     std::copy(input, input + view.numbers(), columns);
     if (image)
-        std::copy(seen, seen + view.coordinates[1], columns + view.coordinates[0]);
+        std::copy(seen, seen + view.coordinates[1] + view.noise, columns + view.coordinates[0]);
     residual.squaredErrors(model, columns, view.inputSize, errors);
     for (int i = 0; i < view.inputSize; ++i)
         errors[i] = std::sqrt(errors[i]) * pixels;

@@ -86,12 +86,12 @@ private:
     int independentInliers(const uchar* mask, Arena& arena) const;
     void setSearchThreshold(double threshold) { view.threshold = part.threshold = threshold; }
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
-    void readSigmas(const Params& params, Arena& arena);
+    void readNoise(const Params& params, Arena& arena);
     bool finiteRow(int row) const;
     void scale(const Params& params, Arena& arena);
     void scaleColumn(int k, double shift, double factor);
     void shuffle(const Params& params, Arena& arena);
-    void keepImage(Arena& arena);
+    void keepImage(const Params& params, Arena& arena);
     void shuffleImage(Arena& arena);
 
     Correspondences view, part;
@@ -103,9 +103,11 @@ private:
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[3];               //!< original image points (array 2), all rows; null: not stored
-    const double* seenDoubles[3];  //!< `seen`, shuffled and normalized, for imagePoints()
-    const float* seenFloats[3];
+    double* seen[MAX_COLUMNS];  //!< original image points (array 2) and their noise, all rows;
+                                //!< null: not stored
+    const double* seenDoubles[MAX_COLUMNS];  //!< `seen`, shuffled and normalized, for imagePoints()
+    const float* seenFloats[MAX_COLUMNS];
+    int noise;  //!< Correspondences::noise of the first points; -1: no points were read before
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);

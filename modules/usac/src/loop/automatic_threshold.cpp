@@ -107,9 +107,11 @@ private:
     int count;
 };
 
-AutomaticThreshold::AutomaticThreshold(const Problem& problem, const Params& given)
-    : params(paramsOfGuess(given)), coreParams(params), parts(createComponents(problem, params)),
-      listed(makePtr<ListedSampler>()), widest(0), latest(), drawn(0), computed(0), uniform(0)
+AutomaticThreshold::AutomaticThreshold(const Problem& problem, const Params& given,
+                                       const Correspondences& points)
+    : params(paramsOfGuess(given)), coreParams(params),
+      parts(createComponents(problem, params, points)), listed(makePtr<ListedSampler>()), widest(0),
+      latest(), drawn(0), computed(0), uniform(0)
 {
     parts.score = createLogarithmicScore();
     coreParts = parts;

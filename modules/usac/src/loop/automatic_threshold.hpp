@@ -43,7 +43,8 @@ The threshold that the caller has given is the widest threshold that is consider
 class AutomaticThreshold
 {
 public:
-    AutomaticThreshold(const Problem& problem, const Params& params);
+    //! @param points the points of any run, for Correspondences::noise
+    AutomaticThreshold(const Problem& problem, const Params& params, const Correspondences& points);
 
     /** @brief Takes steps 1 and 2. To be called before the components of the search are started.
     @param context context of the search

@@ -8,7 +8,7 @@
 #include "neighborhood/neighborhood.hpp"
 #include "polishing/polishing.hpp"
 #include "ordering/ordering.hpp"
-#include "residual/weighted_residual.hpp"
+#include "problems/noise_of_matches.hpp"
 #include "samplers/samplers.hpp"
 #include "scoring/scores.hpp"
 #include "termination/termination.hpp"
@@ -120,10 +120,11 @@ Ptr<Polisher> createPolisher(int type)
 
 }  // namespace
 
-Components createComponents(const Problem& problem, const Params& params)
+Components createComponents(const Problem& problem, const Params& params,
+                            const Correspondences& points)
 {
     Components parts;
-    parts.residual = weightedResidual(problem.createResidual(params.residual), problem, params);
+    parts.residual = residualWithNoise(problem.createResidual(params.residual), points);
     parts.minimalSolver = problem.createMinimalSolver();
     parts.score = createScore(params, problem);
     if (params.sampler == SAMPLER_PROSAC || params.sampler == SAMPLER_P_NAPSAC)

@@ -12,7 +12,8 @@ namespace usacv20 {
 
 //! Creates the components that the options select. A new variant of a component needs a source
 //! file, an enumerator in params.hpp and a line in factory.cpp.
-Components createComponents(const Problem& problem, const Params& params);
+Components createComponents(const Problem& problem, const Params& params,
+                            const Correspondences& points);
 
 }  // namespace usacv20
 }  // namespace cv

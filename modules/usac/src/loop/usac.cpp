@@ -8,7 +8,7 @@
 #include "loop/factory.hpp"
 #include "loop/given_models.hpp"
 #include "problems/registry.hpp"
-#include "residual/weighted_residual.hpp"
+#include "problems/noise_of_matches.hpp"
 #include "input/problem_data.hpp"
 #include "loop/ransac.hpp"
 #include "loop/reach.hpp"
@@ -56,14 +56,15 @@ public:
         : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false)
     {
         checkProblem(*problem, params.residual);  // before any method of the problem is used
-        seeImage(problem->createResidual(params.residual));
-        keepsImage = !imageResidual.empty();
+        const Ptr<Residual> residual = problem->createResidual(params.residual);
+        keepsImage = !problem->createImageResidual(residual).empty();
         setPoints(points1, points2);
-        parts = made = createComponents(*problem, params);
+        parts = made = createComponents(*problem, params, data.points());
+        seeImage(residual);
         imageParts = parts;  // so that the lists in imageParts are allocated before the first run
         fitted = rated = made.residual;
         if (params.thresholdType == THRESHOLD_ESTIMATED)
-            automatic = makePtr<AutomaticThreshold>(*problem, params);
+            automatic = makePtr<AutomaticThreshold>(*problem, params, data.points());
     }
 
     Components& components() CV_OVERRIDE { return parts; }
@@ -287,8 +288,7 @@ private:
     //! solver. Polishing and mask use them instead of those of the search.
     void seeImage(const Ptr<Residual>& residual)
     {
-        imageResidual = keepsImage ? weightedResidual(problem->createImageResidual(residual),
-                                                      *problem, params)
+        imageResidual = keepsImage ? imageResidualWithNoise(*problem, residual, data.points())
                                    : Ptr<Residual>();
         imageFit = imageResidual ? problem->createNonMinimalSolver(imageResidual)
                                  : Ptr<NonMinimalSolver>();

@@ -9,6 +9,7 @@
 #include "problems/rigid_motion/space_transfer_error.hpp"
 #include "problems/two_view/epipolar_error.hpp"
 #include "problems/two_view/transfer_error.hpp"
+#include "problems/two_view/whitened_transfer_error.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -24,7 +25,8 @@ struct ErrorList
 
 //! All formulas for which kernels are compiled. A new formula must be added here.
 typedef ErrorList<TransferError, SymmetricTransferError, SampsonError, SymmetricEpipolarError,
-                  ReprojectionError, SpaceTransferError>
+                  ReprojectionError, SpaceTransferError, WhitenedTransferError,
+                  WhitenedSampsonError, WhitenedReprojectionError>
     Errors;
 
 //! VALUE is the index of the formula `Error` in the list `List`.

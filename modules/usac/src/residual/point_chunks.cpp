@@ -10,8 +10,9 @@ namespace usacv20 {
 
 PointChunks::PointChunks(const Correspondences& points, const int* indices, int count,
                          const double* weights, Arena* arena)
-    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK), columns(points.columns()),
-      stride(columns + (points.weighted ? 3 : 1)), scope(arena ? *arena : own), rows(few)
+    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK),
+      columns(points.noise == 1 ? points.columns() : points.numbers()),
+      stride(columns + (points.noise == 1 ? 3 : 1)), scope(arena ? *arena : own), rows(few)
 {
     CV_DbgAssert(count > 0);
     if (chunks * stride > LOCAL_ROWS)
@@ -20,7 +21,7 @@ PointChunks::PointChunks(const Correspondences& points, const int* indices, int 
         gather(points, indices, weights, std::integral_constant<int, TWO_VIEW_ROWS - 1>());
     else
         gather(points, indices, weights, columns);
-    if (points.weighted)
+    if (points.noise == 1)
         weigh(points.exact[columns], indices);
 }
 

@@ -23,8 +23,8 @@ public:
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! Computes the first `count` sums of a kernel over all chunks. The factors of the errors
-    //! (see Correspondences::numbers), squared, are part of the weights.
+    //! Computes the first `count` sums of a kernel over all chunks. The factors of the errors (see
+    //! Correspondences::noise), if any, are part of the weights as squares.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
     //! Gets the Correspondences::numbers() numbers of a point, and its weight without the factor of
@@ -40,9 +40,10 @@ private:
                 Width width);
     void weigh(const double* factors, const int* indices);
 
-    const int size, chunks, columns;
-    const int stride;  //!< rows of a chunk
-    Arena own;         //!< used if the caller has no arena
+    const int size, chunks;
+    const int columns;  //!< numbers of a point, without the factor of the error
+    const int stride;   //!< rows of a chunk
+    Arena own;          //!< used if the caller has no arena
     Arena::Scope scope;
     Row* rows;  //!< each chunk: the columns and the weights; if errors have factors, two more
                 //!< rows: the factors, and the weights without the factors

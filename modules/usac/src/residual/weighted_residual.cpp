@@ -14,7 +14,6 @@ namespace {
 class WeightedResidual : public Residual
 {
 public:
-    //! @param factor_ index of the column of the factors
     WeightedResidual(const Ptr<Residual>& inner_, int factor_)
         : inner(inner_), factor(factor_), sums()
     {
@@ -77,12 +76,9 @@ private:
 
 }  // namespace
 
-Ptr<Residual> weightedResidual(const Ptr<Residual>& residual, const Problem& problem,
-                               const Params& params)
+Ptr<Residual> weightedResidual(const Ptr<Residual>& residual, int factor)
 {
-    if (!residual || params.sigmas.empty())
-        return residual;
-    return makePtr<WeightedResidual>(residual, problem.coordinates(0) + problem.coordinates(1));
+    return makePtr<WeightedResidual>(residual, factor);
 }
 
 }  // namespace usacv20

@@ -5,20 +5,17 @@
 #ifndef OPENCV_USACV20_WEIGHTED_RESIDUAL_HPP
 #define OPENCV_USACV20_WEIGHTED_RESIDUAL_HPP
 
-#include "opencv2/usac/problem.hpp"
+#include "opencv2/usac/components.hpp"
 
 namespace cv {
 namespace usacv20 {
 
-/** The residual for Params::sigmas: the error of a residual multiplied by the factor that follows
-the coordinates of a datum, see Correspondences::numbers. Scores, fits, mask and covariance that use
-this residual thus weight each match by its noise.
-@param residual the residual without weights, or an empty pointer
-@param problem the problem of the residual, for the number of coordinates
-@param params options
-@return `residual` itself if it is empty or if there are no sigmas. */
-Ptr<Residual> weightedResidual(const Ptr<Residual>& residual, const Problem& problem,
-                               const Params& params);
+/** The residual for one sigma per match: the error of a residual multiplied by a factor, which is a
+number of the datum, see Correspondences. Scores, fits, mask and covariance that use this residual
+thus weight each match by its noise.
+@param residual the residual without weights
+@param factor index of the column of the factors */
+Ptr<Residual> weightedResidual(const Ptr<Residual>& residual, int factor);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -144,11 +144,26 @@ InlierNoise preciseNoise(const Context& context, const Model& model, double wide
     return errors.noise(mixture.sigma() * unit, mixture.quantile(WITHIN) * unit, widest);
 }
 
-double relativeNoise(const Correspondences& points, int column)
+void noiseDirection(const Correspondences& points, const double* datum, int index,
+                    double* direction)
 {
-    if (column >= points.coordinates[0])
-        return 1;
-    return points.problem->commonUnit() ? points.frame[0].scale / points.frame[1].scale : 0;
+    const int columns = points.columns();
+    const bool last = index >= points.coordinates[0];
+    std::fill(direction, direction + columns, 0.);
+    if (!last && !points.problem->commonUnit())
+        return;
+    if (points.noise > 1)
+    {
+        const double* const root = datum + columns + (last ? 0 : 3);  // p, q, s
+        const int first = last ? points.coordinates[0] : 0;
+        if (index == first)
+            direction[first] = root[0];
+        direction[first + 1] = root[index == first ? 1 : 2];
+        return;
+    }
+    direction[index] = last ? 1 : points.frame[0].scale / points.frame[1].scale;
+    if (points.noise == 1)
+        direction[index] /= datum[columns];
 }
 
 namespace {
@@ -161,19 +176,21 @@ double degreesAt(const Context& context, const Model& model, int point, double s
 {
     const Correspondences& p = context.points;
     const Residual& residual = *context.components.residual;
-    double datum[MAX_COLUMNS], sides[2][Residual::MAX_COMPONENTS];
+    double datum[MAX_COLUMNS], moved[MAX_COLUMNS], direction[MAX_COLUMNS],
+        sides[2][Residual::MAX_COMPONENTS];
     for (int c = 0; c < p.numbers(); ++c)
-        datum[c] = p.exact[c][point];
+        datum[c] = moved[c] = p.exact[c][point];
     Eigen::Matrix<double, Residual::MAX_COMPONENTS, MAX_COLUMNS> change;
     change.setZero();
     for (int c = 0; c < p.columns(); ++c)
     {
-        const double value = datum[c], noise = step * relativeNoise(p, c);
-        datum[c] = value - noise;
-        residual.error(model, datum, sides[0]);
-        datum[c] = value + noise;
-        const int components = residual.error(model, datum, sides[1]);
-        datum[c] = value;
+        noiseDirection(p, datum, c, direction);
+        for (int k = 0; k < p.columns(); ++k)
+            moved[k] = datum[k] - step * direction[k];
+        residual.error(model, moved, sides[0]);
+        for (int k = 0; k < p.columns(); ++k)
+            moved[k] = datum[k] + step * direction[k];
+        const int components = residual.error(model, moved, sides[1]);
         for (int k = 0; k < components; ++k)
             change(k, c) = sides[1][k] - sides[0][k];
     }

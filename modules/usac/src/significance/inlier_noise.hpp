@@ -50,12 +50,19 @@ do not exceed. With fewer than 50 inliers, no mixture is fitted: sigma is that o
 the threshold follows from sigma for Gaussian noise. */
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
 
-/** @brief Noise of the numbers in a column of the points, divided by the noise of the last array.
+/** @brief One of the Correspondences::columns() directions of the noise of a point, as a vector in
+the coordinates of the columns. Independent noise of variance 1 along each direction has the
+distribution of the noise of the point, if the noise of an average point in the last array is 1.
 
-The noise is assumed to be the same in both images, in the caller's pixels. The ratio thus differs
-from 1 if the arrays are scaled by different factors. The ratio is 0 for the first array if its unit
-is not that of the threshold (Problem::commonUnit). */
-double relativeNoise(const Correspondences& points, int column);
+Without covariances, the noise is assumed to be the same in both images, in the caller's pixels, so
+that the directions are the columns, scaled if the arrays are scaled by different factors. There is
+no noise in the first array if its unit is not that of the threshold (Problem::commonUnit).
+@param points the points
+@param datum Correspondences::numbers() numbers of the point
+@param index index of the direction
+@param direction output */
+void noiseDirection(const Correspondences& points, const double* datum, int index,
+                    double* direction);
 
 /** @brief True if a threshold is too narrow for the noise by more than `factor`.
 

@@ -8,6 +8,7 @@
 #include "optimization/any_parameterization.hpp"
 #include "optimization/error_mixture.hpp"
 #include "residual/kernels.hpp"
+#include "significance/inlier_noise.hpp"
 #include "significance/model_covariance.hpp"
 
 #include <Eigen/Cholesky>
@@ -279,21 +280,24 @@ bool ModelCovariance::noiseInformation(Square& N)
     N.setZero(dimension, dimension);
     const int most = std::min(count, NOISE_POINTS);
     const double step = 0.01 * noise;
-    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS], sides[2][MAX_DERIVATIVE];
+    double datum[MAX_COLUMNS], direction[MAX_COLUMNS], error[Residual::MAX_COMPONENTS],
+        sides[2][MAX_DERIVATIVE];
     for (int i = 0; i < most; ++i)
         for (int c = 0; c < points.columns(); ++c)
         {
             for (int k = 0; k < points.numbers(); ++k)
                 datum[k] = points.exact[k][members[i]];
-            datum[c] -= step;
+            noiseDirection(points, datum, c, direction);
+            for (int k = 0; k < points.columns(); ++k)
+                datum[k] -= step * direction[k];
             residual.linearize(here, datum, error, sides[0]);
-            datum[c] += 2 * step;
+            for (int k = 0; k < points.columns(); ++k)
+                datum[k] += 2 * step * direction[k];
             residual.linearize(here, datum, error, sides[1]);
             const Eigen::Map<const FewRows> before(sides[0], components, here.size()),
                 after(sides[1], components, here.size());
             const FewRows change = (after - before) / (2 * step) * tangent * scale.asDiagonal();
-            const double factor = points.weighted ? datum[points.columns()] : 1;
-            N += shares[i] / (factor * factor) * change.transpose() * change;
+            N += shares[i] * change.transpose() * change;
         }
     N *= noise * noise * count / most;
     return Eigen::LLT<Square>(NOISE_SHARE * information - N).info() == Eigen::Success;

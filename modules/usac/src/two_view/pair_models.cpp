@@ -143,6 +143,10 @@ PairModels::PairModels(const TwoViewPair& pair, const Params& params_, const Two
         scores = params.scores;
     if (sigmas.empty())
         sigmas = params.sigmas;
+    if (!sigmas.empty() && (int)sigmas.size() != size())
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("sigmas: one for each of the %d correspondences is expected, not %d", size(),
+                   (int)sigmas.size()));
     options(params.maxIterations).check(size());
 }
 

@@ -114,14 +114,15 @@ std::string kernelsInUse()
 std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = allPresets(problem);
-    const char* names[] = {"scores",     "seed", "knn",       "radius",     "napsac",
-                           "importance", "tdd",  "symmetric", "unpolished", "sigmas"};
-    for (int i = 0; i < 10; ++i)
+    const char* names[] = {"scores",     "seed",       "knn",        "radius",
+                           "napsac",     "importance", "tdd",        "symmetric",
+                           "unpolished", "sigmas",     "covariances"};
+    for (int i = 0; i < 11; ++i)
     {
         const NamedPreset preset = {names[i], Params()};
         all.push_back(preset);
     }
-    NamedPreset* other = &all[all.size() - 10];
+    NamedPreset* other = &all[all.size() - 11];
     other[0].params.scores = scores;
     other[1].params.seed = 1;
     other[2].params.neighborhood = NEIGHBORHOOD_KNN;
@@ -137,15 +138,21 @@ std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<flo
     other[8].params.polishing = POLISHING_NONE;
     for (size_t i = 0; i < scores.size(); ++i)
         other[9].params.sigmas.push_back(1 + 0.5f * (i % 4));
+    const size_t images = problem == ABSOLUTE_POSE ? 1 : 2;
+    for (size_t i = 0; i < images * scores.size(); ++i)
+        for (float number : {1 + 0.5f * (i % 4), 0.25f * (i % 5) - 0.5f, 1.5f})  // xx, xy, yy
+            other[10].params.sigmas.push_back(number);
     return all;
 }
 
-//! As hashedParams(), without the symmetric residual, which poses and 3-D motions do not have.
+//! As hashedParams(), without the symmetric residual, which poses and 3-D motions do not have, and
+//! without covariances for 3-D motions.
 std::vector<NamedPreset> hashedSpaceParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = hashedParams(problem, scores);
     for (size_t i = all.size(); i-- > 0;)
-        if (all[i].params.residual == RESIDUAL_SYMMETRIC)
+        if (all[i].params.residual == RESIDUAL_SYMMETRIC ||
+            (problem != ABSOLUTE_POSE && all[i].params.sigmas.size() > scores.size()))
             all.erase(all.begin() + i);
     return all;
 }

@@ -53,12 +53,33 @@ std::vector<NamedKernels> availableKernels()
     return result;
 }
 
+//! Random covariances xx, xy, yy. The standard deviations in two directions are from 0.1 to 10.
+std::vector<float> randomCovariances(int count, RNG& rng)
+{
+    std::vector<float> covariances;
+    for (int i = 0; i < count; ++i)
+    {
+        const double angle = rng.uniform(0., CV_PI), c = std::cos(angle), s = std::sin(angle),
+                     a = std::pow(10, rng.uniform(-2., 2.)), b = std::pow(10, rng.uniform(-2., 2.));
+        covariances.push_back((float)(a * c * c + b * s * s));
+        covariances.push_back((float)((a - b) * c * s));
+        covariances.push_back((float)(a * s * s + b * c * c));
+    }
+    return covariances;
+}
+
 //! Points, and 20 models with increasing deviations from the true one.
 struct Fixture
 {
     explicit Fixture(Formula::Kind kind_, uint64 seed = 1) : kind(kind_)
     {
-        if (kind == Formula::REPROJECTION)
+        if (kind >= Formula::WHITENED_TRANSFER)
+        {
+            RNG rng(seed + 100);
+            const bool pose = kind == Formula::WHITENED_REPROJECTION;
+            params.sigmas = randomCovariances(pose ? COUNT : 2 * COUNT, rng);
+        }
+        if (kind == Formula::REPROJECTION || kind == Formula::WHITENED_REPROJECTION)
         {
             createPoses(seed);
             return;
@@ -72,10 +93,11 @@ struct Fixture
         options.inliers = COUNT / 2;
         options.outliers = COUNT - COUNT / 2;
         options.seed = seed;
-        const bool homography = kind == Formula::TRANSFER || kind == Formula::SYMMETRIC_TRANSFER;
-        params.residual = kind == Formula::TRANSFER || kind == Formula::SAMPSON
-                              ? RESIDUAL_STANDARD
-                              : RESIDUAL_SYMMETRIC;
+        const bool homography = kind == Formula::TRANSFER || kind == Formula::SYMMETRIC_TRANSFER ||
+                                kind == Formula::WHITENED_TRANSFER;
+        params.residual = kind == Formula::SYMMETRIC_TRANSFER || kind == Formula::SYMMETRIC_EPIPOLAR
+                              ? RESIDUAL_SYMMETRIC
+                              : RESIDUAL_STANDARD;
         scene = makeScene(homography ? HOMOGRAPHY : FUNDAMENTAL, options);
         usac = createUsac(scene, params);
         const Model truth = toInternal(usac->points(), scene.model);
@@ -145,12 +167,40 @@ struct Fixture
     std::vector<Model> models;
 };
 
+//! The covariance whose root [p 0; q s] begins in a column.
+Matx22d covarianceAt(const Correspondences& points, int column, int i)
+{
+    const Matx22d root(points.column[column][i], 0, points.column[column + 1][i],
+                       points.column[column + 2][i]);
+    return root * root.t();
+}
+
 //! Squared reprojection error of a point under a pose; infinite behind the camera.
 double directReprojection(const Correspondences& p, const Matx34d& P, int i)
 {
     const Vec3d x = P * Vec4d(p.column[0][i], p.column[1][i], p.column[2][i], 1);
     const Vec2d error(x[0] / x[2] - p.column[3][i], x[1] / x[2] - p.column[4][i]);
-    return x[2] > 0 ? error.dot(error) : INFINITY;
+    const Matx22d covariance = p.noise ? covarianceAt(p, 5, i) : Matx22d::eye();
+    return x[2] > 0 ? error.dot(covariance.inv() * error) : INFINITY;
+}
+
+//! Transfer error or Sampson distance of a point in units of its standard deviation, squared.
+double directWhitened(const Correspondences& p, Formula::Kind kind, const Matx33d& M, int i)
+{
+    const Matx22d second = covarianceAt(p, 4, i), first = covarianceAt(p, 7, i);
+    const Vec3d x1(p.column[X1][i], p.column[Y1][i], 1), x2(p.column[X2][i], p.column[Y2][i], 1),
+        y = M * x1, z = M.t() * x2;
+    if (kind == Formula::WHITENED_SAMPSON)
+    {
+        const Vec2d a(y[0], y[1]), b(z[0], z[1]);
+        return x2.dot(y) * x2.dot(y) / (a.dot(second * a) + b.dot(first * b));
+    }
+    Matx22d A;
+    for (int row = 0; row < 2; ++row)
+        for (int col = 0; col < 2; ++col)
+            A(row, col) = (M(row, col) - y[row] / y[2] * M(2, col)) / y[2];
+    const Vec2d error(y[0] / y[2] - x2[0], y[1] / y[2] - x2[1]);
+    return error.dot((second + A * first * A.t()).inv() * error);
 }
 
 double directSpaceTransfer(const Correspondences& p, const Matx34d& motion, int i)
@@ -163,8 +213,10 @@ double directSpaceTransfer(const Correspondences& p, const Matx34d& motion, int 
 //! Squared error of a point in double, in the coordinates of the kernels.
 double directError(const Correspondences& p, Formula::Kind kind, const Model& model, int i)
 {
-    if (kind == Formula::REPROJECTION)
+    if (kind == Formula::REPROJECTION || kind == Formula::WHITENED_REPROJECTION)
         return directReprojection(p, model, i);
+    if (kind == Formula::WHITENED_TRANSFER || kind == Formula::WHITENED_SAMPSON)
+        return directWhitened(p, kind, model, i);
     if (kind == Formula::SPACE_TRANSFER)
         return directSpaceTransfer(p, model, i);
     const Matx33d M = model;

@@ -250,7 +250,7 @@ TEST(Usac_Sigmas_, correspondences)
     mixed.scene.points1.at<double>(3) = NAN;
     const Ptr<Usac> usac = mixed.create(Params(), mixed.scene.threshold, true);
     const Correspondences& points = usac->points();
-    ASSERT_TRUE(points.weighted);
+    ASSERT_EQ(1, points.noise);
     EXPECT_EQ(5, points.numbers());
     EXPECT_EQ(99, points.size);
     EXPECT_NEAR(std::sqrt(13.), points.meanSigma, 1e-6);  // root mean square of 1 and 5

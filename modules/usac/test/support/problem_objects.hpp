@@ -28,7 +28,10 @@ struct Formula
         SAMPSON,
         SYMMETRIC_EPIPOLAR,
         REPROJECTION,
-        SPACE_TRANSFER
+        SPACE_TRANSFER,
+        WHITENED_TRANSFER,
+        WHITENED_SAMPSON,
+        WHITENED_REPROJECTION
     };
 };
 

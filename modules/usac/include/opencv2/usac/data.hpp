@@ -25,8 +25,8 @@ enum {
     MAX_SAMPLE_SIZE = 8,  //!< maximum number of points in a minimal sample
     MAX_MODELS = 10,      //!< maximum number of models from one minimal sample
     MAX_MODEL_SIZE = 12,  //!< maximum number of entries of a model
-    MAX_COLUMNS = 7       //!< maximum number of columns of Correspondences: six coordinates and
-                          //!< the factor of the error
+    MAX_COLUMNS = 10      //!< maximum number of columns of Correspondences: four coordinates and
+                          //!< the covariances of two image points
 };
 //! Columns of Correspondences for problems of two views.
 enum TwoViewColumn {
@@ -107,29 +107,36 @@ unit size (for F and for symmetric errors of H with the same scale in both image
 are scaled by this factor, too). For E, they are on the normalized image plane. The order is
 pseudo-random and fixed, so that consecutive points are always a random subset.
 
-If there are Params::sigmas, another column follows, with the factor by which the residual
-multiplies the error of the point: `meanSigma` divided by the sigma of the point. */
+If there are Params::sigmas, more columns follow, which describe the noise of each match in units of
+`meanSigma`; a residual must divide the error of a match by its standard deviation. For one sigma
+per match, there is one column: the factor by which the residual multiplies the error, `meanSigma`
+divided by the sigma. For covariances, there are three columns for the last array and, for two
+images, three more for the first one: p, q and s of the root L = [p 0; q s] of the covariance L L^T
+of the point in the coordinates of the columns. The unit of the last array is also that of the root
+in the first array: both are multiples of `unit`. */
 struct Correspondences
 {
     //! No correspondences.
     Correspondences()
-        : problem(0), size(0), inputSize(0), coordinates(), weighted(false), meanSigma(1), column(),
+        : problem(0), size(0), inputSize(0), coordinates(), noise(0), meanSigma(1), column(),
           exact(), inputIndex(0), scores(0), unit(1), threshold(0), lower(), upper()
     {}
 
     //! Coordinates per datum.
     int columns() const { return coordinates[0] + coordinates[1]; }
-    //! Numbers per datum, as a Residual expects them: the coordinates and, if there are
-    //! Params::sigmas, the factor of the error.
-    int numbers() const { return columns() + (weighted ? 1 : 0); }
+    //! Numbers per datum, as a Residual expects them: the coordinates and `noise`.
+    int numbers() const { return columns() + noise; }
 
     const Problem* problem;  //!< kind of model that is estimated
     int size;                //!< number of correspondences whose coordinates are all finite
     int inputSize;           //!< number of rows in the caller's arrays
     int coordinates[2];      //!< numbers per point in each array; 0: there is no second array
-    bool weighted;           //!< true if there are Params::sigmas
-    //! Mean of Params::sigmas, (sum s^d / N)^(1/d) with d = Problem::errorDimension(); 1 if there
-    //! are no sigmas.
+    //! Columns that describe the noise of each match; 0: there are no Params::sigmas, 1: factors
+    //! of the errors, 3 or 6: covariances of points.
+    int noise;
+    //! Mean of Params::sigmas, (sum s^d / N)^(1/d) with d = Problem::errorDimension(), where s of a
+    //! match with covariances is the standard deviation of isotropic noise with an error of about
+    //! the same variance; 1 if there are no sigmas.
     double meanSigma;
     const float* column[MAX_COLUMNS];  //!< single precision for scoring, 64-byte aligned
     const double* exact[MAX_COLUMNS];  //!< double precision for solvers and fits

@@ -264,10 +264,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     million samples has yielded a model. */
     CV_PROP_RW int maxIterations;
     /** Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit. A run
-    takes up to 5 ms longer with 10 000 points, 0.1 s longer with a million (reading a million
-    points takes 0.08 s, their mask 0.007 s). Some values of Report are then less exact, see
-    Report::chance. No other option makes the result depend on the machine (but a ProgressScope can
-    do so). Default 0. */
+    takes up to 5 ms longer with 10 000 points, 0.1 s longer with a million. Some values of Report
+    are then less exact, see Report::chance. No other option makes the result depend on the machine
+    (but a ProgressScope can do so). Default 0. */
     CV_PROP_RW double maxTime;
     //! Seed of the pseudo-random sequence; the same seed and input give equal results. Default 0.
     CV_PROP_RW int seed;
@@ -282,10 +281,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Score of each correspondence, N values or none; samplers use them to prefer points, and with
     //! `runnersUp` they decide between models of nearly equal cost. Default none.
     CV_PROP_RW std::vector<float> scores;
-    /** Standard deviation of the error of each correspondence, in pixels or up to a common factor
-    (such as keypoint scales); N values from 1e-6 to 1e6, or no sigmas; with sigmas, `threshold`,
-    Usac::errors, Report::threshold and Report::sigma are multiples of the sigma of each match, and
-    a residual of your own must weight its errors, see Correspondences. Default none. */
+    /** Noise of each correspondence: N, 3 N or 6 N numbers, or no sigmas; N: standard deviations of
+    errors, 1e-6 to 1e6, in pixels or up to a common factor (such as keypoint scales); 3 N:
+    covariances xx, xy, yy of points in image 2, square pixels, without noise in image 1; 6 N: for
+    each match, that of the point in image 2 and then in image 1. Covariances need image points (a
+    pose has one image: 3 N) and #RESIDUAL_STANDARD. `threshold`, Usac::errors, Report::threshold,
+    Report::sigma are multiples of the standard deviation of each error. Default none. */
     CV_PROP_RW std::vector<float> sigmas;
     /** Entries, row by row, of an initial model as the estimator returns it (such as that of the
     previous frame), or no model; see setInitialModel(). It is scored and optimized before the first
@@ -317,10 +318,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     Default 1; magsac() 3, magsacPlusPlus() 2.4. */
     CV_PROP_RW double reach;
     /** Upper bound to which `reach` grows during the search if the errors of the best model show
-    that `threshold` times `reach` is too small for the noise; 1..1e6; values up to `reach` have no
-    effect. The mask still uses `threshold` and can then be empty for a correct model. The noise
-    scale is estimated as in @cite moisan2004probabilistic. Default 1; magsac() and magsacPlusPlus()
-    1000. */
+    that `threshold` times `reach` is too small for the noise; 1..1e6. The mask still uses
+    `threshold` and can then be empty for a correct model. The noise scale is estimated as in
+    @cite moisan2004probabilistic. Default 1; magsac() and magsacPlusPlus() 1000. */
     CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
     CV_PROP_RW int verification;

@@ -26,7 +26,7 @@ enum FieldKind {
     FIELD_PIXELS,       //!< a positive and finite number of pixels
     FIELD_PROBABILITY,  //!< a number in the open interval (0, 1)
     FIELD_SCORES,       //!< one number for each correspondence
-    FIELD_SIGMAS,       //!< one positive number for each correspondence
+    FIELD_SIGMAS,       //!< one, three or six numbers for each correspondence
     FIELD_MODEL,        //!< the numbers of a model
     FIELD_COVARIANCE    //!< the numbers of the covariance of a model
 };

@@ -161,6 +161,9 @@ REQUIRE(frame::near(cv::usacv20::estimateHomography(points1, points2, params, ma
     (THRESHOLD, "Matches of different noise", "python 1", Python(
         before="import usacv20\nsizes1, sizes2 = np.random.RandomState(1).uniform(2, 6, (2, len(points1)))",
         after="require(0 < report.sigma < report.threshold < 10 and mask.sum() >= 80)")),
+    (THRESHOLD, "Matches of different noise", "python 2", Python(
+        before="import usacv20\nangles = np.random.RandomState(1).uniform(0, np.pi, len(points1))",
+        after='require(near(H, TRUTH["H"]) and mask.sum() >= 80)')),
     (COVARIANCE, "Requesting the covariance", "cpp 1", Cpp(before=NOISE, after="""
 REQUIRE(frame::near(H, truth::H, 0.05)); REQUIRE(report.sigma > 0.2 && report.sigma < 1.5); REQUIRE(report.covariance.rows == 8);""")),
     (COVARIANCE, "Requesting the covariance", "python 1", Python(before=NOISE_PYTHON, after="""

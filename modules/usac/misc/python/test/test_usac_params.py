@@ -57,6 +57,30 @@ class ParamsTest(unittest.TestCase):
             with self.assertRaisesRegex(usac.error, "sigmas"):
                 usac.estimateHomography(PLANE.points1, PLANE.points2, params)
 
+    def test_covariances_of_points(self):
+        count = len(PLANE.points1)
+        angles = np.arange(count)
+        ones = np.array([np.cos(angles), np.sin(angles)]).T
+        covariances = np.eye(2) + 8 * ones[:, :, None] * ones[:, None, :]
+        triangles = covariances[:, [0, 0, 1], [0, 1, 1]]
+        params = usac.Params(threshold=3, sigmas=triangles)
+        self.assertEqual(params.sigmas.shape, (3 * count,))
+        model, mask, _ = usac.estimateHomography(PLANE.points1, PLANE.points2, params)
+        mapped = np.c_[PLANE.points1, np.ones(count)] @ model.T
+        off = mapped[:, :2] / mapped[:, 2:] - PLANE.points2
+        errors = np.sqrt(np.einsum("ni,nij,nj->n", off, np.linalg.inv(covariances), off))
+        np.testing.assert_array_equal(mask.ravel() != 0, errors <= 3)
+        self.assertGreater(mask.sum(), 0)
+        both = usac.Params(threshold=3, sigmas=np.hstack([triangles, np.zeros((count, 3))]))
+        np.testing.assert_array_equal(usac.estimateHomography(PLANE.points1, PLANE.points2, both)[0], model)
+        for wrong in (np.ones((count, 2)), np.ones((count, 3, 1))):
+            with self.assertRaisesRegex(TypeError, "sigmas"):
+                params.sigmas = wrong
+        for wrong in (np.ones((count, 3)), np.ones((count - 1, 3))):
+            params.sigmas = wrong
+            with self.assertRaisesRegex(usac.error, "sigmas"):
+                usac.estimateHomography(PLANE.points1, PLANE.points2, params)
+
     def test_scores_reach_the_estimator(self):
         good = PLANE.inliers.astype(np.float32)
         params = usac.Params()

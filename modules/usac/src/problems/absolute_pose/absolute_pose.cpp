@@ -107,8 +107,11 @@ public:
 
     Ptr<Residual> createImageResidual(const Ptr<Residual>& residual) const CV_OVERRIDE
     {
-        const bool exact = !camera.distorted || !hasFormula<ReprojectionError>(*residual);
-        return exact ? Ptr<Residual>() : Ptr<Residual>(makePtr<LensResidual>(camera));
+        const bool whitened = hasFormula<WhitenedReprojectionError>(*residual);
+        const bool approximate = whitened || hasFormula<ReprojectionError>(*residual);
+        if (!camera.distorted || !approximate)
+            return Ptr<Residual>();
+        return makePtr<LensResidual>(camera, whitened);
     }
 
     Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE

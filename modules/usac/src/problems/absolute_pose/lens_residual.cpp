@@ -10,11 +10,19 @@ namespace usacv20 {
 
 namespace {
 
-//! Numbers in a datum: three of the object point and two of the image point.
-enum { COLUMNS = 5 };
+//! Numbers in a datum: three of the object point and two of the image point, and those of the root
+//! of a covariance.
+enum { COLUMNS = 5, ROOT = 3 };
 //! Value of both components of the error of a point that the camera does not see. Its square
 //! exceeds any sum of squared errors of visible points.
 constexpr double UNSEEN = 1e100;
+
+//! Multiplies the vector (first, second) by the inverse of L = [p 0; q s].
+void whiten(const double* root, double& first, double& second)
+{
+    first /= root[0];
+    second = (second - root[1] * first) / root[2];
+}
 
 }  // namespace
 
@@ -50,6 +58,8 @@ int LensResidual::error(const Model& model, const double* datum, double* error) 
     const bool seen = project(model, datum, seenAt, 0);
     for (int k = 0; k < 2; ++k)
         error[k] = seen ? seenAt[k] - datum[3 + k] : UNSEEN;
+    if (seen && whitened)
+        whiten(datum + COLUMNS, error[0], error[1]);
     return 2;
 }
 
@@ -67,18 +77,27 @@ int LensResidual::linearize(const Model& model, const double* datum, double* err
             for (int col = 0; col < 4; ++col)
                 derivative[12 * k + 4 * row + col] = J(k, row) * point[col];
     }
+    if (!whitened)
+        return 2;
+    if (seen)
+        whiten(datum + COLUMNS, error[0], error[1]);
+    for (int i = 0; i < 12; ++i)
+        whiten(datum + COLUMNS, derivative[i], derivative[12 + i]);
     return 2;
 }
 
 double LensResidual::squared(const Model& model, const double* const* columns, int i) const
 {
-    double datum[COLUMNS];
-    for (int k = 0; k < COLUMNS; ++k)
+    double datum[COLUMNS + ROOT];
+    for (int k = 0; k < COLUMNS + (whitened ? (int)ROOT : 0); ++k)
         datum[k] = columns[k][i];
     Vec2d seenAt;
-    const bool seen = project(model, datum, seenAt, 0);
-    const double dx = seenAt[0] - datum[3], dy = seenAt[1] - datum[4];
-    return seen ? dx * dx + dy * dy : INFINITY;
+    if (!project(model, datum, seenAt, 0))
+        return INFINITY;
+    double dx = seenAt[0] - datum[3], dy = seenAt[1] - datum[4];
+    if (whitened)
+        whiten(datum + COLUMNS, dx, dy);
+    return dx * dx + dy * dy;
 }
 
 void LensResidual::squaredErrors(const Model& model, const double* const* columns, int count,

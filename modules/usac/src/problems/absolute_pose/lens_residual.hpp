@@ -13,14 +13,17 @@ namespace usacv20 {
 
 /** @brief Reprojection error in the original, distorted image.
 
-A datum is an object point and an image point converted by PoseCamera::toSearchUnits; a model is a
-3x4 matrix `matrix` [R t], see PoseCamera. For points that are not in front of the camera and for
-points that the lens does not image, squared errors are infinite and the components of the error are
-1e100. */
+A datum is an object point and an image point converted by PoseCamera::toSearchUnits, and perhaps
+the root of the covariance of the image point, see Correspondences; errors are then in units of
+their standard deviation. A model is a 3x4 matrix `matrix` [R t], see PoseCamera. For points that
+are not in front of the camera and for points that the lens does not image, squared errors are
+infinite and the components of the error are 1e100. */
 class LensResidual : public Residual
 {
 public:
-    explicit LensResidual(const PoseCamera& camera_) : camera(camera_) {}
+    //! @param whitened_ true: there are covariances
+    LensResidual(const PoseCamera& camera_, bool whitened_) : camera(camera_), whitened(whitened_)
+    {}
 
     void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
                        float* errors) const CV_OVERRIDE;
@@ -36,6 +39,7 @@ private:
                  Matx<double, 2, 3>* derivative) const;
 
     const PoseCamera camera;
+    const bool whitened;
 };
 
 }  // namespace usacv20

@@ -67,6 +67,62 @@ struct ReprojectionError
     };
 };
 
+/** Reprojection error for an image point with the covariance L L^T, L = [p 0; q s], in units of its
+standard deviation: L^-1 (p(P X) - x). */
+struct WhitenedReprojectionError
+{
+    enum { COLUMNS = 8, NUMBERS = 12, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 0 };
+
+    template <class T>
+    struct At
+    {
+        At(const T* m, T X, T Y, T Z, T x, T y, T p, T q_, T s)
+            : r(m, X, Y, Z, x, y), scale(T(1) / p), q(q_), rest(T(1) / s)
+        {}
+
+        //! The second component of the error, for a first component that is already divided by p.
+        T second(T first, T given) const { return (given - q * first) * rest; }
+        T squared() const
+        {
+            const T first = r.du * scale, other = second(first, r.dv),
+                    square = first * first + other * other;
+            return r.depth > T(0) ? square : T(INFINITY);
+        }
+        T cost() const
+        {
+            const T first = r.du * scale, other = second(first, r.dv);
+            return r.depth > T(0) ? first * first + other * other : T(BEHIND);
+        }
+
+        template <class Out>
+        void linearize(Out& out) const
+        {
+            const double unseen = 1e100;  // its square is BEHIND
+            const T first = r.du * scale;
+            out.error(0) = r.depth > 0 ? first : unseen;
+            out.error(1) = r.depth > 0 ? second(first, r.dv) : unseen;
+            for (int k = 0; k < 4; ++k)
+            {
+                const T wp = r.w * r.p(k);
+                change(k, wp, 0, out);
+                change(4 + k, 0, wp, out);
+                change(8 + k, -r.u * wp, -r.v * wp, out);
+            }
+        }
+
+        template <class Out>
+        void change(int number, T du, T dv, Out& out) const
+        {
+            const T first = du * scale;
+            out.derivative(0, number) = first;
+            out.derivative(1, number) = second(first, dv);
+        }
+
+        const ReprojectionError::At<T> r;
+        const T scale, q, rest;  //!< 1 / p, q and 1 / s
+    };
+};
+
 }  // namespace
 
 }  // namespace usacv20

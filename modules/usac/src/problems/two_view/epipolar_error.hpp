@@ -29,14 +29,22 @@ struct EpipolarLines
           e(m[1] * x2 + m[4] * y2 + m[7]), r(x2 * a + y2 * b + (m[6] * x1 + m[7] * y1 + m[8]))
     {}
 
-    /** Computes the error component r / sqrt(D) and its derivative. D is the sum of the squares of
-    a and b (if `first` is true) and of d and e (if `second` is true). The derivative is
-    (x2 x1^T - r / D ((a, b, 0)^T x1^T + x2 (d, e, 0))) / sqrt(D). */
+    //! Computes the error component r / sqrt(D) and its derivative. D is the sum of the squares of
+    //! a and b (if `first` is true) and of d and e (if `second` is true).
     template <class Out>
     void linearize(int component, bool first, bool second, Out& out) const
     {
         const T a0 = first ? a : 0, b0 = first ? b : 0, d0 = second ? d : 0, e0 = second ? e : 0;
-        const T D = a0 * a0 + b0 * b0 + d0 * d0 + e0 * e0 + BOTH_EPIPOLES;
+        linearize(component, a0, b0, d0, e0, a0 * a0 + b0 * b0 + d0 * d0 + e0 * e0, out);
+    }
+
+    /** Computes the error component r / sqrt(D) and its derivative, where D is a quadratic form of
+    (a, b) and of (d, e), and (a0, b0) and (d0, e0) are halves of its derivatives with respect to
+    them. The derivative is (x2 x1^T - r / D ((a0, b0, 0)^T x1^T + x2 (d0, e0, 0))) / sqrt(D). */
+    template <class Out>
+    void linearize(int component, T a0, T b0, T d0, T e0, T form, Out& out) const
+    {
+        const T D = form + BOTH_EPIPOLES;
         const T s = 1 / std::sqrt(D), q = r * s * s;
         const T left0 = s * (x2 - q * a0), left1 = s * (y2 - q * b0);
         const T right0 = s * q * d0, right1 = s * q * e0;
@@ -78,6 +86,37 @@ struct SampsonError
         }
 
         const EpipolarLines<T> l;
+    };
+};
+
+/** Sampson distance for points with covariances L2 L2^T and L1 L1^T, in units of the standard
+deviation of r = x2^T F x1: r^2 / (|L2^T (F x1)_{1,2}|^2 + |L1^T (F^T x2)_{1,2}|^2)
+@cite hartley2003multiple. It is the Sampson distance if both covariances are unit matrices. */
+struct WhitenedSampsonError
+{
+    enum { COLUMNS = 10, NUMBERS = 9, COMPONENTS = 1, HOMOGENEOUS = 1, PROJECTION = 0 };
+
+    template <class T>
+    struct At
+    {
+        At(const T* m, T x1, T y1, T x2, T y2, T p2_, T q2_, T s2_, T p1_, T q1_, T s1_)
+            : l(m, x1, y1, x2, y2), p2(p2_), q2(q2_), s2(s2_), p1(p1_), q1(q1_), s1(s1_),
+              a(p2 * l.a + q2 * l.b), b(s2 * l.b), d(p1 * l.d + q1 * l.e), e(s1 * l.e)
+        {}
+
+        T squared() const { return l.r * l.r / variance(); }
+        T cost() const { return l.r * l.r / (variance() + BOTH_EPIPOLES); }
+        T variance() const { return a * a + b * b + d * d + e * e; }
+
+        template <class Out>
+        void linearize(Out& out) const
+        {
+            l.linearize(0, p2 * a, q2 * a + s2 * b, p1 * d, q1 * d + s1 * e, variance(), out);
+        }
+
+        const EpipolarLines<T> l;
+        const T p2, q2, s2, p1, q1, s1;  //!< the roots L2 and L1
+        const T a, b, d, e;              //!< the lines multiplied by L2^T and L1^T
     };
 };
 

@@ -17,7 +17,7 @@ from . import _enumerations as e
 from ._arguments import array, integer
 from ._backend import native
 from ._errors import fail
-from ._fields import Field, Integer, Numbers, Option, Real, Scores, Set
+from ._fields import Field, Integer, Noise, Numbers, Option, Real, Scores, Set
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -88,9 +88,12 @@ class Params:
     scores = Scores(np.float32, """Score of each correspondence: an array of N float32, or an empty one. Assigned numbers of shape
         N, N x 1 or 1 x N are copied into this array; its elements can be changed in place. NaN is the worst score;
         SAMPLER_IMPORTANCE takes scores as probabilities and raises usacv20.error for NaN. Default none.""")
-    sigmas = Scores(np.float32, """Standard deviation of the error of each correspondence, up to a common factor, such as the scale of its
-        keypoint; N numbers, 1e-6..1e6, or none. Each error is divided by its sigma in score, fits, mask and covariance:
-        threshold, Report.threshold, Report.sigma and modelErrors refer to the divided errors. Default none: all are 1.""")
+    sigmas = Noise(np.float32, """Noise of each correspondence. N numbers: standard deviations of errors, 1e-6..1e6, in pixels or up to a
+        common factor, such as the scales of keypoints. N x 3: covariances xx, xy, yy of the points in image 2, in square pixels,
+        without noise in image 1. N x 6: those of the points in image 2, then in image 1. Covariances need image points (an
+        absolute pose has one image: N x 3) and RESIDUAL_STANDARD. Each error is divided by its standard deviation in score,
+        fits, mask and covariance: threshold, Report.threshold, Report.sigma and modelErrors refer to the divided errors. The
+        array that is stored has one dimension. Default none.""")
     initialModel = Numbers(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
         array of float64, empty if there is none; see setInitialModel(). It is scored and optimized before the first sample,
         like a model of a sample. Default none.""")

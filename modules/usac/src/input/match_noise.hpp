@@ -1,0 +1,54 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_MATCH_NOISE_HPP
+#define OPENCV_USACV20_MATCH_NOISE_HPP
+
+#include "opencv2/usac/problem.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+/** The noise of matches, Params::sigmas: one sigma for each match, or the covariance of its point
+in the last array, or also that of its point in the first array. A covariance is given as its upper
+triangle xx, xy, yy. */
+class MatchNoise
+{
+public:
+    //! Correspondences::noise for N = `count` matches and N, 3 N or 6 N numbers. Raises
+    //! cv::Exception if the problem does not support covariances.
+    static int columnsOf(const Problem& problem, const std::vector<float>& sigmas, int count);
+
+    //! @param sigmas_ Params::sigmas, not empty
+    MatchNoise(const Problem& problem_, const std::vector<float>& sigmas_, int count_)
+        : problem(problem_), sigmas(sigmas_), count(count_), each((int)sigmas.size() / count)
+    {}
+
+    //! Correspondences::meanSigma.
+    double mean() const;
+
+    /** @brief Computes the columns that describe the noise in the coordinates of the model.
+    @param taken all columns of points as given, not yet converted by
+    Problem::toModelCoordinates
+    @param image true: for the coordinates of Problem::toImageCoordinates
+    @param noise output, columnsOf() columns, see Correspondences */
+    void toColumns(const double* const* taken, bool image, double* const* noise,
+                   Arena& arena) const;
+
+private:
+    double variance(int match) const;
+    void readRoots(int first, double* const* root) const;
+    void transform(const double* const* taken, bool image, int array, double* const* root,
+                   Arena& arena) const;
+    double convert(double* const* columns, int points, bool image) const;
+
+    const Problem& problem;
+    const std::vector<float>& sigmas;
+    const int count, each;  //!< numbers of matches, and of numbers for each match
+};
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,132 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#ifndef OPENCV_USACV20_WHITENED_TRANSFER_ERROR_HPP
+#define OPENCV_USACV20_WHITENED_TRANSFER_ERROR_HPP
+
+#include "problems/two_view/transfer_error.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+// The contract of a formula is in residual/formula_residual.hpp.
+namespace {
+
+/** Transfer error r = p(H x1) - x2 for points with covariances L2 L2^T and L1 L1^T, in units of its
+standard deviation: the covariance of r is S = L2 L2^T + A L1 (A L1)^T to first order, with the
+derivative A of the mapped point with respect to x1, and the squared error is r^T S^-1 r, which is
+the squared distance of the match from the manifold of exact matches @cite hartley2003multiple. The
+error vector is C^-1 r with the Cholesky factor C of S.
+
+With the 2x4 matrix M = [L2, A L1], S is M M^T. Both r^T S^-1 r det S and det S are sums of squares
+of 2x2 minors, of [M, r] and of M. They are computed in this way because it loses no digits to
+cancellation if the standard deviations of a point in two directions differ by factors of hundreds.
+All minors are divided by the root of S00, the first entry of S, so that their squares are numbers
+of type float even if the standard deviations of two points differ by a factor of 1e12. */
+struct WhitenedTransferError
+{
+    enum { COLUMNS = 10, NUMBERS = 9, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 0 };
+
+    template <class T>
+    struct At
+    {
+        At(const T* m, T x1, T y1, T x2, T y2, T p2_, T q2_, T s2_, T p1_, T q1_, T s1_)
+            : t(m, x1, y1, x2, y2), h0(m[6]), h1(m[7]), p2(p2_), q2(q2_), s2(s2_), p1(p1_), q1(q1_),
+              s1(s1_), a0(t.w * (m[0] - t.u * m[6])), a1(t.w * (m[1] - t.u * m[7])),
+              b0(t.w * (m[3] - t.v * m[6])), b1(t.w * (m[4] - t.v * m[7])), g0(a0 * p1 + a1 * q1),
+              g1(a1 * s1), k0(b0 * p1 + b1 * q1), k1(b1 * s1),
+              scale(inverseRoot(p2 * p2 + g0 * g0 + g1 * g1))
+        {}
+
+        static float inverseRoot(float x) { return 1.f / sqrtf(x); }
+        static double inverseRoot(double x) { return 1 / std::sqrt(x); }
+
+        T squared() const
+        {
+            const T r0 = scale * t.du, r1 = scale * t.dv;
+            const T n0 = q2 * r0 - p2 * r1, n1 = s2 * r0, n2 = k0 * r0 - g0 * r1,
+                    n3 = k1 * r0 - g1 * r1;
+            return (n0 * n0 + n1 * n1 + n2 * n2 + n3 * n3) / complement();
+        }
+        T cost() const { return squared(); }
+
+        //! det S / S00: variance of the second component of r that the first one leaves.
+        T complement() const
+        {
+            const T p = scale * p2, s = scale * s2, g = scale * g0, h = scale * g1;
+            const T n0 = p * s2, n1 = p * k0 - q2 * g, n2 = p * k1 - q2 * h, n3 = s * g0,
+                    n4 = s * g1, n5 = g * k1 - h * k0;
+            return n0 * n0 + n1 * n1 + n2 * n2 + n3 * n3 + n4 * n4 + n5 * n5;
+        }
+
+        template <class Out>
+        void linearize(Out& out) const
+        {
+            const T S01 = p2 * q2 + g0 * k0 + g1 * k1;
+            const Whitening whitening(scale, S01, complement(), t.du, t.dv);
+            out.error(0) = whitening.first;
+            out.error(1) = whitening.second;
+            column(0, whitening, out);
+            column(1, whitening, out);
+            column(2, whitening, out);
+        }
+
+        //! The error vector C^-1 r as a function of r and S.
+        struct Whitening
+        {
+            Whitening(T scale, T S01, T complement, T r0_, T r1_)
+                : r0(r0_), inverse0(scale * scale), slope(S01 * inverse0), rest(r1_ - slope * r0),
+                  scale0(scale), scale1(inverseRoot(complement)), first(scale0 * r0),
+                  second(scale1 * rest)
+            {}
+
+            //! Change of the error vector if r and S change.
+            template <class Out>
+            void change(int number, T dr0, T dr1, T dS00, T dS01, T dS11, Out& out) const
+            {
+                const T dSlope = (dS01 - slope * dS00) * inverse0,
+                        dRest = dr1 - slope * dr0 - r0 * dSlope,
+                        dComplement = dS11 - 2 * slope * dS01 + slope * slope * dS00;
+                out.derivative(0, number) = scale0 * (dr0 - r0 * inverse0 * dS00 / 2);
+                out.derivative(1, number) = scale1 *
+                                            (dRest - rest * scale1 * scale1 * dComplement / 2);
+            }
+
+            const T r0, inverse0, slope, rest, scale0, scale1, first, second;
+        };
+
+        /** Derivatives with respect to a column of H. If d is the derivative of the first row of A
+        with respect to the entry in the first row of H, it is also that of the second row of A with
+        respect to the entry in the second row, and the entry in the third row changes the rows a
+        and b of A by -u d - (w p) a and -v d - (w p) b. */
+        template <class Out>
+        void column(int k, const Whitening& whitening, Out& out) const
+        {
+            const T wp = t.w * t.p(k);
+            const T d0 = t.w * ((k == 0 ? T(1) : T(0)) - wp * h0),
+                    d1 = t.w * ((k == 1 ? T(1) : T(0)) - wp * h1);
+            const T e0 = d0 * p1 + d1 * q1, e1 = d1 * s1;  // d L1
+            const T ge = g0 * e0 + g1 * e1, ke = k0 * e0 + k1 * e1;
+            const T gg = g0 * g0 + g1 * g1, gk = g0 * k0 + g1 * k1, kk = k0 * k0 + k1 * k1;
+            whitening.change(k, wp, T(0), 2 * ge, ke, T(0), out);
+            whitening.change(3 + k, T(0), wp, T(0), ge, 2 * ke, out);
+            whitening.change(6 + k, -t.u * wp, -t.v * wp, -2 * (t.u * ge + wp * gg),
+                             -t.u * ke - t.v * ge - 2 * wp * gk, -2 * (t.v * ke + wp * kk), out);
+        }
+
+        const TransferError::At<T> t;
+        const T h0, h1;                  //!< the first two entries of the third row of H
+        const T p2, q2, s2, p1, q1, s1;  //!< the roots L2 and L1
+        const T a0, a1, b0, b1;          //!< rows of A
+        const T g0, g1, k0, k1;          //!< rows of A L1
+        const T scale;                   //!< 1 / sqrt(S00)
+    };
+};
+
+}  // namespace
+
+}  // namespace usacv20
+}  // namespace cv
+
+#endif

@@ -1,0 +1,326 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "significance/directed_noise.hpp"
+
+// Tests of covariances of points, given as Params::sigmas.
+
+namespace opencv_test {
+namespace {
+
+//! The test parameters: the problem, and whether there is noise in both images.
+typedef testing::TestWithParam<testing::tuple<ProblemType, bool>> Usac_PointCovariances;
+INSTANTIATE_TEST_CASE_P(/**/, Usac_PointCovariances,
+                        testing::Combine(testing::Values(HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL,
+                                                         AFFINITY, SIMILARITY, ABSOLUTE_POSE),
+                                         testing::Bool()));
+
+/** The model must be closer to the true one than with sigmas that are right on average, and its
+distance must be as its covariance tells. */
+TEST_P(Usac_PointCovariances, accuracy)
+{
+    const ProblemType problem = testing::get<0>(GetParam());
+    const int scenes = 60;
+    double with = 0, without = 0, square = 0, noise = 0;
+    for (int seed = 1; seed <= scenes; ++seed)
+    {
+        const Directed directed(problem, seed, testing::get<1>(GetParam()));
+        Params params;
+        params.covariance = 1;
+        Report report;
+        const Mat model = directed.create(params, 3, true)->run(noArray(), &report);
+        ASSERT_FALSE(model.empty()) << seed;
+        ASSERT_FALSE(isNaN(report.covariance)) << seed;
+        const Mat equal = directed.create(params, 20 * SMALL_NOISE, false)->run();
+        ASSERT_FALSE(equal.empty()) << seed;
+        square += squaredDistance(directed.scene, model, report.covariance) /
+                  report.covariance.rows;
+        with += squaredDistance(directed.scene, model, report.covariance, model);
+        without += squaredDistance(directed.scene, equal, report.covariance, model);
+        noise += report.sigma;
+    }
+    EXPECT_NEAR(1, square / scenes, 0.25);
+    EXPECT_NEAR(1, noise / scenes, 0.05);
+    EXPECT_GE(std::sqrt(without / with), 1.3);  // measured: F, E: 1.4 to 2.0; others: 2.5 to 4.5
+}
+
+//! The threshold that is estimated must be a multiple of the standard deviations.
+TEST_P(Usac_PointCovariances, estimatedThreshold)
+{
+    double sum = 0;
+    const int scenes = 20;
+    for (int seed = 1; seed <= scenes; ++seed)
+    {
+        const Directed directed(testing::get<0>(GetParam()), seed, testing::get<1>(GetParam()));
+        Report report;
+        const Ptr<Usac> usac = directed.create(Params::automatic(), 20, true);
+        ASSERT_FALSE(usac->run(noArray(), &report).empty()) << seed;
+        sum += report.sigma;
+    }
+    EXPECT_NEAR(1, sum / scenes, 0.2);
+}
+
+//! Fits and refinements of given models must minimize the same error as a search.
+TEST_P(Usac_PointCovariances, fits)
+{
+    const Directed directed(testing::get<0>(GetParam()), 3, testing::get<1>(GetParam()));
+    const Ptr<Usac> usac = directed.create(Params(), 3, true);
+    const Mat chosen = usac->errors(directed.scene.truth) <= 4.5;
+    const auto cost = [&](const Mat& model) {
+        Mat errors = usac->errors(model);
+        errors.setTo(0, chosen == 0);
+        return errors.dot(errors);
+    };
+    const Mat fitted = usac->fit(noArray(), chosen),
+              refined = usac->refine(directed.scene.truth, chosen);
+    ASSERT_FALSE(fitted.empty());
+    ASSERT_FALSE(refined.empty());
+    EXPECT_LT(cost(fitted), cost(directed.scene.truth));
+    EXPECT_NEAR(cost(fitted), cost(refined), 1e-6 * cost(fitted));
+    Mat weights(chosen.rows, 1, CV_64F, Scalar(7));
+    EXPECT_NEAR(cost(fitted), cost(usac->fit(weights, chosen)), 1e-6 * cost(fitted));
+}
+
+//! A pose of points that are distorted in the image must be as accurate as its covariance tells.
+TEST(Usac_PointCovariances_, distortedPoses)
+{
+    const int scenes = 40;
+    double square = 0;
+    for (int seed = 1; seed <= scenes; ++seed)
+    {
+        Directed directed(ABSOLUTE_POSE, seed, false);
+        const Mat lens(1, 5, CV_64F, (void*)LENS), pose = directed.scene.truth;
+        Mat rotation;
+        cv::Rodrigues(pose.colRange(0, 3), rotation);
+        std::vector<Point2d> projected;
+        cv::projectPoints(directed.scene.points1.reshape(3), rotation, pose.col(3),
+                          directed.scene.camera, lens, projected);
+        RNG rng(seed);
+        for (int i = 0; i < (int)projected.size(); ++i)
+        {
+            const Vec2d off = gaussian(directed.second[i], rng);
+            directed.scene.points2.ptr<double>(i)[0] = projected[i].x + off[0];
+            directed.scene.points2.ptr<double>(i)[1] = projected[i].y + off[1];
+        }
+        Params params;
+        params.threshold = 3;
+        params.covariance = 1;
+        params.sigmas = directed.sigmas;
+        Report report;
+        const Mat model = estimateAbsolutePose(directed.scene.points1, directed.scene.points2,
+                                               directed.scene.camera, lens, params, noArray(),
+                                               report);
+        ASSERT_FALSE(model.empty()) << seed;
+        square += squaredDistance(directed.scene, model, report.covariance) / 6;
+    }
+    EXPECT_NEAR(1, square / scenes, 0.25);
+}
+
+//! Isotropic covariances must be the same as sigmas: of the error in image 2 for maps and poses, of
+//! the points of both images for F and E.
+TEST(Usac_PointCovariances_, isotropic)
+{
+    for (ProblemType problem :
+         {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, ABSOLUTE_POSE})
+    {
+        const Case scene = makeCase(problem, 1);
+        Params params;
+        params.threshold = scene.threshold;
+        std::vector<float> covariances;
+        for (int i = 0; i < scene.points1.rows; ++i)
+        {
+            const float sigma = i % 2 ? 1.25f : 0.75f;
+            params.sigmas.push_back(sigma);
+            append(covariances, Matx22d::eye() * (sigma * sigma));
+            if (problem == FUNDAMENTAL || problem == ESSENTIAL)
+                append(covariances, Matx22d::eye() * (sigma * sigma));
+        }
+        Mat mask, same;
+        const Ptr<Usac> usac = Usac::create(problem, scene.points1, scene.points2, params,
+                                            scene.camera);
+        const Mat model = usac->run(mask);
+        params.sigmas = covariances;
+        const Ptr<Usac> other = Usac::create(problem, scene.points1, scene.points2, params,
+                                             scene.camera);
+        EXPECT_LE(cv::norm(other->errors(model), usac->errors(model), NORM_INF),
+                  1e-5 * cv::norm(usac->errors(model), NORM_INF))
+            << (int)problem;
+        const Mat found = other->run(same);
+        EXPECT_LE(std::min(cv::norm(found - model), cv::norm(found + model)),
+                  0.02 * cv::norm(model))
+            << (int)problem;
+        EXPECT_LE(cv::norm(mask, same, NORM_L1), 4) << (int)problem;
+    }
+}
+
+//! Covariances of three zeros in image 1 must be the same as none.
+TEST(Usac_PointCovariances_, exactPointsInImage1)
+{
+    for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL})
+    {
+        Directed directed(problem, 2, false);
+        const Mat model = directed.create(Params(), 3, true)->run();
+        std::vector<float> zeros;
+        for (size_t i = 0; i < directed.sigmas.size(); ++i)
+        {
+            zeros.push_back(directed.sigmas[i]);
+            if (i % 3 == 2)
+                zeros.insert(zeros.end(), 3, 0.f);
+        }
+        directed.sigmas = zeros;
+        const Mat same = directed.create(Params(), 3, true)->run();
+        ASSERT_FALSE(model.empty());
+        EXPECT_EQ(0, cv::norm(model, same)) << (int)problem;
+    }
+}
+
+//! Extreme ratios of covariances must not lead to NaN or infinite values.
+TEST_P(Usac_PointCovariances, extremeRatios)
+{
+    const Directed directed(testing::get<0>(GetParam()), 1, testing::get<1>(GetParam()));
+    const int each = directed.both ? 6 : 3;
+    Params params;
+    params.sigmas = directed.sigmas;
+    for (size_t i = 0; i < params.sigmas.size(); ++i)
+        params.sigmas[i] *= (int)i / each % 2 ? 2e9f : 1e-10f;
+    params.threshold = 1e6;
+    const Ptr<Usac> usac = directed.create(params, 1e6, false);
+    const Mat model = usac->run();
+    EXPECT_TRUE(cv::checkRange(model));
+    EXPECT_TRUE(cv::checkRange(usac->errors(directed.scene.truth)));
+    const Correspondences& points = usac->points();
+    Model truth;
+    const Mat numbers = directed.scene.truth.clone().reshape(1, 1);
+    ASSERT_TRUE(points.problem->fromOutput(std::vector<double>(numbers), points, truth));
+    std::vector<float> errors(points.size);
+    std::vector<double> exact(points.size);
+    const Ptr<Residual> residual = usac->components().residual;
+    residual->squaredErrors(points, truth, 0, points.size, errors.data());
+    residual->squaredErrors(truth, points.exact, points.size, exact.data());
+    for (int i = 0; i < points.size; ++i)
+        EXPECT_NEAR(exact[i], errors[i], 0.02 * exact[i] + 1e-9) << i;
+}
+
+//! Checks that a call raises a cv::Exception that names `sigmas`.
+template <class Call>
+void expectRefused(const Call& call, const std::string& what)
+{
+    try
+    {
+        call();
+        ADD_FAILURE() << what << ": no exception";
+    }
+    catch (const Exception& e)
+    {
+        EXPECT_NE(String::npos, e.msg.find("sigmas")) << what << ": " << e.msg;
+    }
+}
+
+TEST(Usac_PointCovariances_, invalid)
+{
+    const Directed directed(HOMOGRAPHY, 1, true);
+    const Mat &points1 = directed.scene.points1, &points2 = directed.scene.points2;
+    const auto estimate = [&](const std::vector<float>& sigmas) {
+        Params params;
+        params.sigmas = sigmas;
+        estimateHomography(points1, points2, params);
+    };
+    estimate(directed.sigmas);
+    for (size_t each : {2, 4, 5, 7, 12})
+        expectRefused([&] { estimate(std::vector<float>(each * points1.rows, 1.f)); },
+                      std::to_string(each));
+    const float wrong[][3] = {{0, 0, 1},      {1, 0, 0},     {1, 1, 1},          {1, -1.5f, 1},
+                              {-1, 0, -1},    {NAN, 0, 1},   {1, NAN, 1},        {1, 0, INFINITY},
+                              {9e-13f, 0, 1}, {1, 0, 2e12f}, {1, 0.99999994f, 1}};
+    for (const auto& covariance : wrong)
+        for (int image = 0; image < 2; ++image)
+        {
+            std::vector<float> sigmas = directed.sigmas;
+            std::copy(covariance, covariance + 3, &sigmas[6 * 7 + 3 * image]);
+            expectRefused([&] { estimate(sigmas); }, std::to_string(covariance[0]));
+        }
+    std::vector<float> sigmas = directed.sigmas;
+    std::fill(&sigmas[6 * 7], &sigmas[6 * 7 + 3], 0.f);  // exact points are allowed in image 1 only
+    expectRefused([&] { estimate(sigmas); }, "zeros");
+}
+
+TEST(Usac_PointCovariances_, otherProblems)
+{
+    const Directed directed(HOMOGRAPHY, 1, true);
+    Params params;
+    params.sigmas = directed.sigmas;
+    params.residual = RESIDUAL_SYMMETRIC;
+    expectRefused(
+        [&] { estimateHomography(directed.scene.points1, directed.scene.points2, params); },
+        "symmetric");
+    for (ProblemType problem : {RIGID_3D, ABSOLUTE_POSE})
+    {
+        const Case scene = makeCase(problem, 1);
+        Params options;
+        for (int i = 0; i < scene.points1.rows; ++i)
+            for (float each : {1.f, 0.f, 1.f, 1.f, 0.f, 1.f})
+                options.sigmas.push_back(each);
+        expectRefused(
+            [&] { Usac::create(problem, scene.points1, scene.points2, options, scene.camera); },
+            problem == RIGID_3D ? "rigid" : "pose");
+    }
+    TwoViewPair pair;
+    pair.points1 = directed.scene.points1;
+    pair.points2 = directed.scene.points2;
+    pair.sigmas = directed.sigmas;
+    expectRefused([&] { estimateTwoViewGeometry(pair); }, "two views");
+}
+
+//! An object must keep its covariances for other points. It must reject as many points as there are
+//! numbers, which would then be sigmas.
+TEST(Usac_PointCovariances_, setPoints)
+{
+    const Directed one(HOMOGRAPHY, 1, false), two(HOMOGRAPHY, 2, false);
+    const Ptr<Usac> usac = one.create(Params(), 3, true);
+    usac->run();
+    usac->setPoints(two.scene.points1, two.scene.points2);
+    Params params;
+    params.threshold = 3;
+    params.sigmas = one.sigmas;
+    EXPECT_EQ(
+        0, cv::norm(usac->run(), estimateHomography(two.scene.points1, two.scene.points2, params)));
+    const Mat three1 = cv::repeat(two.scene.points1, 3, 1),
+              three2 = cv::repeat(two.scene.points2, 3, 1);
+    Params positive = params;
+    for (float& each : positive.sigmas)
+        each = 1;
+    for (size_t i = 1; i < positive.sigmas.size(); i += 3)
+        positive.sigmas[i] = 0.5f;
+    const Ptr<Usac> other = Usac::create(HOMOGRAPHY, one.scene.points1, one.scene.points2,
+                                         positive);
+    expectRefused([&] { other->setPoints(three1, three2); }, "three times as many points");
+    EXPECT_EQ(0, other->points().size);
+}
+
+//! The roots that components see must be those of the covariances, in units of the mean sigma and
+//! in the coordinates of the columns.
+TEST(Usac_PointCovariances_, correspondences)
+{
+    const Directed directed(HOMOGRAPHY, 1, true);
+    const Ptr<Usac> usac = directed.create(Params(), 3, true);
+    const Correspondences& points = usac->points();
+    ASSERT_EQ(6, points.noise);
+    EXPECT_EQ(10, points.numbers());
+    for (int i = 0; i < points.size; ++i)
+        for (int image = 0; image < 2; ++image)
+        {
+            const int row = points.inputIndex[i], at = image ? 4 : 7;
+            const Matx22d root(points.exact[at][i], 0, points.exact[at + 1][i],
+                               points.exact[at + 2][i]);
+            const double unit = points.meanSigma * points.frame[1].scale /
+                                points.frame[image].scale;
+            const Matx22d expected = image ? directed.second[row] : directed.first[row];
+            EXPECT_LE(cv::norm(root * root.t() * (unit * unit) - expected),
+                      1e-5 * cv::norm(expected))
+                << i << " " << image;
+        }
+}
+
+}  // namespace
+}  // namespace opencv_test
