@@ -323,7 +323,7 @@ def measure_sigmas(run):
     run.repeats = 1
     options = ["--spread=5", "--noises=0.1,0.3", "--scenes=%d" % (run.chosen or 2000)]
     text = run.call("usac_covariance", "--by=problem,ratio", *options)
-    directed = run.call("usac_covariance", "--directed", "--problems=H,F,E,A,S,P", "--by=problem", *options)
+    directed = run.call("usac_covariance", "--directed=1", "--problems=H,F,E,A,S,P", "--by=problem", *options)
     return ("Scenes as in [covariance.md](covariance.md), with noise of 0.1 and 0.3 thresholds; every second match has five "
             "times this noise, and the estimator gets these ratios as `Params::sigmas`. Error: geometric mean of the ratio of "
             "the error to that of least squares over the right matches with weights from their true noise, aim 1.1; without "

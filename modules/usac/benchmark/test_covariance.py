@@ -43,19 +43,19 @@ class CovarianceTest(ProgramTest):
             self.assertAlmostEqual(row["mean / d"], 1, delta=0.35)
 
     def test_covariances_of_points(self):
-        rows = self.table("--problems=H,A,T,P", "--scenes=100", "--spread=5", "--directed")
+        rows = self.table("--problems=H,A,T,P", "--scenes=100", "--spread=5", "--directed=1")
         self.assertEqual(set(rows), set("HATP"))
         for row in rows.values():
             self.assertLess(row["error"], 1.1)
             self.assertGreater(row["without sigmas"], 1.5)
             self.assertAlmostEqual(row["mean / d"], 1, delta=0.35)
             self.assertAlmostEqual(row["noise"], 1, delta=0.05)
-        done = self.call("usac_covariance", "--problems=R", "--spread=5", "--directed")
+        done = self.call("usac_covariance", "--problems=R", "--spread=5", "--directed=1")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("--directed", done.stderr)
 
     def test_wrong_options(self):
-        for option in ("--spread=0", "--spread=x", "--by=color", "--preset=none", "--problems=X", "--noises=-1"):
+        for option in ("--spread=0", "--spread=x", "--directed=2", "--by=color", "--preset=none", "--problems=X", "--noises=-1"):
             done = self.call("usac_covariance", "--scenes=1", option)
             self.assertNotEqual(done.returncode, 0, option)
             self.assertIn(option.split("=")[0], done.stderr)

@@ -36,7 +36,7 @@ const char KEYS
          "{spread         |1| noise of every second match, divided by that of the others; if it "
          "is not 1, the estimator gets these ratios as Params::sigmas, and its error is "
          "compared with that without sigmas }"
-         "{directed       | | --spread is the noise of each point of an image in a random "
+         "{directed       |0| 1: --spread is the noise of each point of an image in a random "
          "direction, divided by that across it; the estimator gets the covariances of the "
          "points. Not for R and M }"
          "{least          |6| minimum number of right matches in addition to those of a minimal "
@@ -109,7 +109,9 @@ bool parse(int argc, char** argv, Options& options)
     options.ratios = numbers(parser, arguments, "ratios", 1);
     options.noises = numbers(parser, arguments, "noises", 10);
     options.spread = numbers(parser, arguments, "spread", 1000)[0];
-    options.directed = parser.has("directed");
+    const int directed = integerOf(parser, "directed");
+    require(directed == 0 || directed == 1, "--directed: expected 0 or 1");
+    options.directed = directed != 0;
     options.least = integerOf(parser, "least");
     options.scenes = integerOf(parser, "scenes");
     options.seed = integerOf(parser, "seed");
