@@ -127,12 +127,15 @@ void checkScores(const Params& p, int count)
 //! Bounds of Params::sigmas, so that the squared ratio of any two sigmas is finite as a float.
 constexpr float SMALLEST_SIGMA = 1e-6f, LARGEST_SIGMA = 1e6f;
 //! Smallest determinant of a covariance relative to the product of its two variances. At this
-//! value, the two standard deviations differ by a factor of at least 1000. Numbers of type float
+//! value, the two standard deviations differ by a factor of at least 2000. Numbers of type float
 //! determine the determinant with an error of about 1e-7.
 constexpr double SMALLEST_DETERMINANT = 1e-6;
 
-void checkCovariance(const float* c)
+//! @param exact true: three zeros, an exact point, are allowed
+void checkCovariance(const float* c, bool exact)
 {
+    if (exact && c[0] == 0 && c[1] == 0 && c[2] == 0)
+        return;
     const double smallest = (double)SMALLEST_SIGMA * SMALLEST_SIGMA,
                  largest = (double)LARGEST_SIGMA * LARGEST_SIGMA, xx = c[0], xy = c[1], yy = c[2];
     const bool inRange = xx >= smallest && xx <= largest && yy >= smallest && yy <= largest;
@@ -143,32 +146,42 @@ void checkCovariance(const float* c)
                    smallest, largest, xx, xy, yy));
 }
 
-//! Raises a cv::Exception if the noise of the matches is not given in one of the three ways (a
-//! negative `count`: unknown number, so that only ranges are checked).
+//! Raises a cv::Exception if `numbers` sigmas or covariances are invalid.
+//! @param each how many of the numbers describe a match: 1, 3 or 6
+void checkSigmas(const std::vector<float>& numbers, int each)
+{
+    for (int i = 0; i < (int)numbers.size(); i += each == 1 ? 1 : 3)
+    {
+        if (each > 1)
+            checkCovariance(&numbers[i], each == 6 && i % 6 == 3);
+        else if (!(numbers[i] >= SMALLEST_SIGMA && numbers[i] <= LARGEST_SIGMA))
+            CV_Error_(Error::StsOutOfRange, ("sigmas: numbers from %g to %g are expected, not %g",
+                                             SMALLEST_SIGMA, LARGEST_SIGMA, numbers[i]));
+    }
+}
+
+//! Raises a cv::Exception if the noise of `count` matches is given in none of the three ways. A
+//! negative `count` is an unknown number; any of the three ways is then possible.
 void checkSigmas(const Params& p, int count)
 {
     const int numbers = (int)p.sigmas.size();
-    for (float each : p.sigmas)
-        if (!(std::abs(each) <= LARGEST_SIGMA * LARGEST_SIGMA))
-            CV_Error_(Error::StsOutOfRange, ("sigmas: finite numbers are expected, not %g", each));
-    if (count < 0 || numbers == 0)
+    if (numbers == 0)
         return;
+    if (count < 0)
+    {
+        bool inRange = true;
+        for (float each : p.sigmas)
+            inRange = inRange && each >= SMALLEST_SIGMA && each <= LARGEST_SIGMA;
+        checkSigmas(p.sigmas, inRange || numbers % 3 != 0 ? 1 : numbers % 6 == 0 ? 6 : 3);
+        return;
+    }
     const int each = count > 0 ? numbers / count : 0;
     if (each * count != numbers || (each != 1 && each != 3 && each != 6))
         CV_Error_(Error::StsUnmatchedSizes,
                   ("sigmas: one, three or six numbers for each of the %d correspondences are "
                    "expected, not %d numbers",
                    count, numbers));
-    for (int i = 0; i < numbers; i += each == 1 ? 1 : 3)
-    {
-        const float* const c = &p.sigmas[i];
-        const bool exact = each == 6 && i % 6 == 3 && c[0] == 0 && c[1] == 0 && c[2] == 0;
-        if (each > 1 && !exact)
-            checkCovariance(c);
-        if (each == 1 && !(c[0] >= SMALLEST_SIGMA && c[0] <= LARGEST_SIGMA))
-            CV_Error_(Error::StsOutOfRange, ("sigmas: numbers from %g to %g are expected, not %g",
-                                             SMALLEST_SIGMA, LARGEST_SIGMA, c[0]));
-    }
+    checkSigmas(p.sigmas, each);
 }
 
 void checkFinite(const char* name, const std::vector<double>& numbers, int most)

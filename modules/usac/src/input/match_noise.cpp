@@ -10,9 +10,10 @@ namespace usacv20 {
 
 namespace {
 
-//! Step of the differences with which points are converted, in units of the normalized image plane.
-//! Lens distortion is linear within this distance up to about the square of the step.
-constexpr double STEP = 1e-4;
+//! Step of the differences with which points are converted, in units of the normalized image plane,
+//! and relative to the coordinate, so that rounding errors of points far away are small. The
+//! derivative of a lens distortion changes by about the square of the step. See doc/constants.md.
+constexpr double STEP = 1e-4, RELATIVE_STEP = 1e-6;
 
 //! Replaces the 2x2 matrix [a b; c d] by the root [p 0; q s] of the same covariance.
 void toRoot(double a, double b, double c, double d, double& p, double& q, double& s)
@@ -20,6 +21,11 @@ void toRoot(double a, double b, double c, double d, double& p, double& q, double
     p = std::sqrt(a * a + b * b);
     q = p > 0 ? (a * c + b * d) / p : 0;
     s = p > 0 ? std::abs(a * d - b * c) / p : std::sqrt(c * c + d * d);
+}
+
+double stepAt(double coordinate, double pixels)
+{
+    return std::max(STEP * pixels, RELATIVE_STEP * std::abs(coordinate));
 }
 
 }  // namespace
@@ -39,33 +45,32 @@ int MatchNoise::columnsOf(const Problem& problem, const std::vector<float>& sigm
     return images ? 6 : 3;
 }
 
-//! Variance of isotropic noise that leads to about the same variance of the error: for an error in
-//! the plane, with noise in both images, the determinants of the covariances of the errors are
-//! equal for a map that does not change lengths; for a distance from a line, the average over
-//! all directions of the lines.
-double MatchNoise::variance(int match) const
-{
-    const float* const c = &sigmas[(size_t)match * each];
-    if (each == 1)
-        return (double)c[0] * c[0];
-    double xx = c[0], xy = c[1], yy = c[2];
-    if (each == 6)
-    {
-        xx += c[3];
-        xy += c[4];
-        yy += c[5];
-    }
-    return problem.errorDimension() == 1 ? (xx + yy) / 4 : std::sqrt(xx * yy - xy * xy);
-}
-
-double MatchNoise::mean() const
+MatchNoise::MatchNoise(const Problem& problem_, const std::vector<float>& sigmas_, int count_)
+    : problem(problem_), sigmas(sigmas_), count(count_), each((int)sigmas.size() / count), unit(0)
 {
     const int degrees = problem.errorDimension();
     double sum = 0;
     for (int i = 0; i < count; ++i)
         sum += each == 1 ? std::pow((double)sigmas[i], degrees)
                          : std::pow(variance(i), 0.5 * degrees);
-    return std::pow(sum / count, 1. / degrees);
+    unit = std::pow(sum / count, 1. / degrees);
+}
+
+/** Variance of isotropic noise that leads to about the same variance of the error. Errors in the
+plane: the determinant of the covariance S2 + R S1 R^T, averaged over all rotations R, with which a
+map may transfer the noise of image 1. Distances from lines: the average over the directions of the
+lines; two images with equal noise of variance v have Sampson distances of variance v. */
+double MatchNoise::variance(int match) const
+{
+    const float* const c = &sigmas[(size_t)match * each];
+    const double trace2 = (double)c[0] + c[2],
+                 determinant2 = (double)c[0] * c[2] - (double)c[1] * c[1];
+    const bool both = each == 6;
+    const double trace1 = both ? (double)c[3] + c[5] : 0,
+                 determinant1 = both ? (double)c[3] * c[5] - (double)c[4] * c[4] : 0;
+    if (problem.errorDimension() == 1)
+        return (trace1 + trace2) / 4;
+    return std::sqrt(determinant1 + determinant2 + trace1 * trace2 / 2);
 }
 
 void MatchNoise::toColumns(const double* const* taken, bool image, double* const* noise,
@@ -73,25 +78,21 @@ void MatchNoise::toColumns(const double* const* taken, bool image, double* const
 {
     if (each == 1)
     {
-        const double unit = mean();
         for (int i = 0; i < count; ++i)
             noise[0][i] = unit / sigmas[i];
         return;
     }
-    const int last = problem.coordinates(0);
+    const bool images = columnsOf(problem, sigmas, count) == 6;
     readRoots(0, noise);
-    transform(taken, image, last, noise, arena);
-    if (columnsOf(problem, sigmas, count) < 6)
-        return;
-    readRoots(3, noise + 3);
-    transform(taken, image, 0, noise + 3, arena);
+    if (images)
+        readRoots(3, noise + 3);
+    transform(taken, image, images, noise, arena);
 }
 
 //! Computes the roots of the covariances, of which the first number of each match is number
 //! `first`, in units of mean(). Points without covariance are exact.
 void MatchNoise::readRoots(int first, double* const* root) const
 {
-    const double unit = mean();
     for (int i = 0; i < count; ++i)
     {
         root[0][i] = root[1][i] = root[2][i] = 0;
@@ -108,44 +109,62 @@ void MatchNoise::readRoots(int first, double* const* root) const
 /** Converts roots to the coordinates of the model: multiplies them by the derivative of the
 conversion of points and by the number of pixels per unit. The derivative is computed by central
 differences.
-@param array first column of the points to which the roots belong */
-void MatchNoise::transform(const double* const* taken, bool image, int array, double* const* root,
+@param both true: there are roots of both images
+@param noise three columns for the last array, and perhaps three for the first one */
+void MatchNoise::transform(const double* const* taken, bool image, bool both, double* const* noise,
                            Arena& arena) const
 {
     Arena::Scope scope(arena);
-    const int columns = problem.coordinates(0) + problem.coordinates(1);
-    double *moved[MAX_COLUMNS], *product[4];
+    enum { ENTRIES = 4 };
+    const int columns = problem.coordinates(0) + problem.coordinates(1), images = both ? 2 : 1;
+    const int first[] = {problem.coordinates(0), 0};  // columns of the points of the roots
+    double *moved[MAX_COLUMNS], *product[2 * ENTRIES];
     for (int k = 0; k < columns; ++k)
         moved[k] = scope.take<double>(count);
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < images * ENTRIES; ++k)
     {
         product[k] = scope.take<double>(count);
         std::fill(product[k], product[k] + count, 0.);
     }
-    const double pixels = convert(moved, 0, false), step = STEP * pixels;
+    const double pixels = convert(moved, 0, false);
     for (int direction = 0; direction < 2; ++direction)
         for (int sign = -1; sign <= 1; sign += 2)
         {
             for (int k = 0; k < columns; ++k)
                 std::copy(taken[k], taken[k] + count, moved[k]);
-            for (int i = 0; i < count; ++i)
-                moved[array + direction][i] += sign * step;
+            for (int which = 0; which < images; ++which)
+                for (int i = 0; i < count; ++i)
+                {
+                    double& x = moved[first[which] + direction][i];
+                    x += sign * stepAt(x, pixels);
+                }
             convert(moved, count, image);
-            const double factor = sign * pixels / (2 * step);
-            for (int i = 0; i < count; ++i)
+            for (int which = 0; which < images; ++which)
             {
-                // row `direction` of the root [p 0; q s]
-                const double first = factor * root[direction][i],
-                             second = direction ? factor * root[2][i] : 0;
-                product[0][i] += moved[array][i] * first;
-                product[1][i] += moved[array][i] * second;
-                product[2][i] += moved[array + 1][i] * first;
-                product[3][i] += moved[array + 1][i] * second;
+                const double *const x = moved[first[which]], *const y = moved[first[which] + 1];
+                const double* const at = taken[first[which] + direction];
+                double *const *const root = noise + 3 * which, *const *const to = product +
+                                                                                  ENTRIES * which;
+                for (int i = 0; i < count; ++i)
+                {
+                    const double factor = sign * pixels / (2 * stepAt(at[i], pixels));
+                    // row `direction` of the root [p 0; q s]
+                    const double left = factor * root[direction][i],
+                                 right = direction ? factor * root[2][i] : 0;
+                    to[0][i] += x[i] * left;
+                    to[1][i] += x[i] * right;
+                    to[2][i] += y[i] * left;
+                    to[3][i] += y[i] * right;
+                }
             }
         }
-    for (int i = 0; i < count; ++i)
-        toRoot(product[0][i], product[1][i], product[2][i], product[3][i], root[0][i], root[1][i],
-               root[2][i]);
+    for (int which = 0; which < images; ++which)
+        for (int i = 0; i < count; ++i)
+        {
+            double *const *const from = product + ENTRIES * which, *const *const to = noise +
+                                                                                      3 * which;
+            toRoot(from[0][i], from[1][i], from[2][i], from[3][i], to[0][i], to[1][i], to[2][i]);
+        }
 }
 
 //! Converts points to the coordinates of the model. @return number of pixels per unit

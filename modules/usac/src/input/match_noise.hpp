@@ -21,12 +21,10 @@ public:
     static int columnsOf(const Problem& problem, const std::vector<float>& sigmas, int count);
 
     //! @param sigmas_ Params::sigmas, not empty
-    MatchNoise(const Problem& problem_, const std::vector<float>& sigmas_, int count_)
-        : problem(problem_), sigmas(sigmas_), count(count_), each((int)sigmas.size() / count)
-    {}
+    MatchNoise(const Problem& problem_, const std::vector<float>& sigmas_, int count_);
 
     //! Correspondences::meanSigma.
-    double mean() const;
+    double mean() const { return unit; }
 
     /** @brief Computes the columns that describe the noise in the coordinates of the model.
     @param taken all columns of points as given, not yet converted by
@@ -39,13 +37,14 @@ public:
 private:
     double variance(int match) const;
     void readRoots(int first, double* const* root) const;
-    void transform(const double* const* taken, bool image, int array, double* const* root,
+    void transform(const double* const* taken, bool image, bool both, double* const* noise,
                    Arena& arena) const;
     double convert(double* const* columns, int points, bool image) const;
 
     const Problem& problem;
     const std::vector<float>& sigmas;
     const int count, each;  //!< numbers of matches, and of numbers for each match
+    double unit;            //!< mean()
 };
 
 }  // namespace usacv20

@@ -77,7 +77,7 @@ size_t runMemory(int points, const Params& params)
 ProblemData::ProblemData()
     : view(), part(), givenThreshold(), givenReach(1), currentReach(1), inputThreshold(0),
       pixelThreshold(0), pixels(1), input(), doubles(), floats(), seen(), seenDoubles(),
-      seenFloats(), noise(-1)
+      seenFloats(), described(0)
 {}
 
 void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
@@ -140,6 +140,7 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
                   ("%s and %s: lists of the same length are expected, not of %d and %d",
                    names[0].c_str(), names[1].c_str(), count, lists[1].rows));
     params.check(count);
+    checkNoise(params, count);
     view.inputSize = count;
     for (int array = 0, k = 0; array < 2; ++array)
         for (int c = 0; c < view.coordinates[array]; ++c, ++k)
@@ -151,27 +152,31 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
         }
 }
 
+//! Raises a cv::Exception if Params::sigmas cannot be the noise of `count` matches.
+void ProblemData::checkNoise(const Params& params, int count)
+{
+    MatchNoise::columnsOf(*view.problem, params.sigmas, count);
+    if (described > 0 && !params.sigmas.empty() && count != described)
+        CV_Error_(Error::StsUnmatchedSizes,
+                  ("sigmas: they describe %d correspondences, not %d", described, count));
+    described = count;
+}
+
 //! Stores the noise of the matches, if it is given. With Correspondences::meanSigma as unit, the
 //! threshold of a problem with errors of d dimensions encloses the same volume, averaged over the
 //! matches, as with equal sigmas. Problem::randomInlierRatio therefore needs no change.
 void ProblemData::readNoise(const Params& params, Arena& arena)
 {
     view.meanSigma = 1;
-    const int columns = MatchNoise::columnsOf(*view.problem, params.sigmas, view.inputSize);
-    if (noise >= 0 && columns != noise)
-        CV_Error_(Error::StsUnmatchedSizes,
-                  ("sigmas: %d numbers describe the noise of %d correspondences in another way "
-                   "than that of the points with which the estimator was created",
-                   (int)params.sigmas.size(), view.inputSize));
-    view.noise = noise = columns;
+    view.noise = MatchNoise::columnsOf(*view.problem, params.sigmas, view.inputSize);
     if (view.noise == 0)
         return;
     const MatchNoise given(*view.problem, params.sigmas, view.inputSize);
     view.meanSigma = given.mean();
-    double** const described = input + view.columns();
+    double** const columns = input + view.columns();
     for (int k = 0; k < view.noise; ++k)
-        described[k] = arena.take<double>(view.inputSize);
-    given.toColumns(input, false, described, arena);
+        columns[k] = arena.take<double>(view.inputSize);
+    given.toColumns(input, false, columns, arena);
 }
 
 //! Stores the original image points and, if there are covariances, their noise.
@@ -224,12 +229,15 @@ Correspondences ProblemData::imagePoints() const
     return points;
 }
 
-bool ProblemData::finiteRow(int row) const
+//! True if all numbers of a row are finite and, with a covariance in the last array, this
+//! covariance is not singular.
+bool ProblemData::usableRow(int row) const
 {
     bool all = true;
-    for (int k = 0; k < view.columns(); ++k)
+    for (int k = 0; k < view.numbers(); ++k)
         all = all && finite(input[k][row]);
-    return all;
+    const int root = view.columns();
+    return all && (view.noise < 2 || (input[root][row] > 0 && input[root + 2][row] > 0));
 }
 
 /** Copies the rows without NaN and infinite numbers, as doubles, in a fixed pseudo-random order
@@ -243,14 +251,14 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
         indices[i] = i;
     int size = count;
     const int columns = view.columns();
-    bool all = true;
+    bool all = view.noise < 2;
     for (int k = 0; k < columns; ++k)
         all = all && allFinite(input[k], count);
     if (!all)
     {
         size = 0;
         for (int i = 0; i < count; ++i)
-            if (finiteRow(i))
+            if (usableRow(i))
                 indices[size++] = i;
     }
     Rng rng(0x5c3a9d1e, (uint64)size);

@@ -86,8 +86,9 @@ private:
     int independentInliers(const uchar* mask, Arena& arena) const;
     void setSearchThreshold(double threshold) { view.threshold = part.threshold = threshold; }
     void readRows(InputArray points1, InputArray points2, const Params& params, Arena& arena);
+    void checkNoise(const Params& params, int count);
     void readNoise(const Params& params, Arena& arena);
-    bool finiteRow(int row) const;
+    bool usableRow(int row) const;
     void scale(const Params& params, Arena& arena);
     void scaleColumn(int k, double shift, double factor);
     void shuffle(const Params& params, Arena& arena);
@@ -107,7 +108,7 @@ private:
                                 //!< null: not stored
     const double* seenDoubles[MAX_COLUMNS];  //!< `seen`, shuffled and normalized, for imagePoints()
     const float* seenFloats[MAX_COLUMNS];
-    int noise;  //!< Correspondences::noise of the first points; -1: no points were read before
+    int described;  //!< number of the first points, to which Params::sigmas belong; 0: none so far
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);

@@ -152,6 +152,7 @@ private:
     {
         data.restoreThreshold();
         checkComponents(parts);
+        checkNoise(*parts.residual, data.points());
         if (parts.residual != fitted && parts.nonMinimalSolver == made.nonMinimalSolver)
         {
             parts.nonMinimalSolver = made.nonMinimalSolver = problem->createNonMinimalSolver(
@@ -455,7 +456,7 @@ private:
                                         //!< residual
     Ptr<Residual> fitted;               //!< the residual that made.nonMinimalSolver minimizes
     Ptr<Residual> rated;                //!< the residual that imageResidual was created for
-    Ptr<Residual> imageResidual;        //!< Problem::createImageResidual(rated); can be empty
+    Ptr<Residual> imageResidual;        //!< `rated` for original image points; can be empty
     Ptr<NonMinimalSolver> imageFit;     //!< the least-squares solver for imageResidual
     Components imageParts;              //!< components for polishing with original image points
     bool keepsImage;                    //!< the original image points are stored, too

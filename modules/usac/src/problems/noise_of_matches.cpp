@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! The residual for covariances of points; empty if there is none.
+//! The residual for covariances of points; empty if there is none, or if `residual` is one.
 static Ptr<Residual> whitenedResidual(const Residual& residual)
 {
     if (hasFormula<TransferError>(residual))
@@ -44,10 +44,19 @@ Ptr<Residual> imageResidualWithNoise(const Problem& problem, const Ptr<Residual>
     if (points.noise > 1)
     {
         const Ptr<Residual> whitened = whitenedResidual(*residual);
-        return whitened ? problem.createImageResidual(whitened) : whitened;
+        return problem.createImageResidual(whitened ? whitened : residual);
     }
     const Ptr<Residual> image = problem.createImageResidual(residual);
     return image ? residualWithNoise(image, points) : image;
+}
+
+void checkNoise(const Residual& residual, const Correspondences& points)
+{
+    const ResidualKernels* const kernels = residual.kernels();
+    if (points.noise > 1 && kernels && kernels->columns != points.numbers())
+        CV_Error(Error::StsBadArg,
+                 "components().residual: this built-in residual does not use the covariances in "
+                 "sigmas");
 }
 
 }  // namespace usacv20

@@ -20,10 +20,14 @@ namespace usacv20 {
 `residual` for them, a cv::Exception is raised. */
 Ptr<Residual> residualWithNoise(const Ptr<Residual>& residual, const Correspondences& points);
 
-/** @brief Problem::createImageResidual for a residual without noise, in units of the noise of each
-match; empty if the problem has no such residual. */
+/** @brief Problem::createImageResidual for a residual with or without noise, in units of the noise
+of each match; empty if the problem has no such residual. */
 Ptr<Residual> imageResidualWithNoise(const Problem& problem, const Ptr<Residual>& residual,
                                      const Correspondences& points);
+
+//! Raises a cv::Exception if a residual is a built-in one that does not use the covariances of the
+//! points.
+void checkNoise(const Residual& residual, const Correspondences& points);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -59,6 +59,7 @@ struct ResidualKernels
     FusedKernel inliers;  //!< score whose cost is the number of points that are not inliers
     SumsKernel sums;      //!< all sums for the normal equations
     SumsKernel cost;      //!< only the sum of the weighted squared errors
+    int columns;          //!< number of columns of a datum
     int count;            //!< number of sums that the kernel `sums` computes
     /** Computes the normal equations of the Gauss-Newton method in the N = Model::size() entries of
     a model, for the weighted errors r with the Jacobian J.

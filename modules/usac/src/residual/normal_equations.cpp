@@ -59,6 +59,7 @@ void NormalEquationsOf<SIZE>::accumulate(const Residual& residual, const PointCh
         addPoints(residual, points, model, *this);
         return;
     }
+    CV_Assert(kernels->columns == points.width());  // the row after the columns has the weights
     double sums[MAX_SUMS];
     JtJ.resize(model.size(), model.size());
     Jtr.resize(model.size());
@@ -72,6 +73,7 @@ double NormalEquationsOf<SIZE>::costOf(const Residual& residual, const PointChun
 {
     if (!residual.kernels())
         return costOfPoints(residual, points, model);
+    CV_Assert(residual.kernels()->columns == points.width());
     double cost;
     points.sum(residual.kernels()->cost, 1, model.val, &cost);
     return cost;

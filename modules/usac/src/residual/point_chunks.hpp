@@ -31,6 +31,9 @@ public:
     //! the error. @return false if `index` is beyond the last point
     bool get(int index, double* datum, double& weight) const;
 
+    //! Number of columns of a point, without the factor of the error.
+    int width() const { return columns; }
+
 private:
     typedef double Row[SUMS_CHUNK];
     enum { TWO_VIEW_ROWS = 5, LOCAL_ROWS = 16 * TWO_VIEW_ROWS };

@@ -20,6 +20,14 @@ int firstOfPartner(const Correspondences& p)
     return p.coordinates[1] ? p.coordinates[0] : p.columns() - 1;
 }
 
+//! True if a column is that of array 2: coordinates, or the noise of a point of array 2. The factor
+//! of an error is regarded as the noise of array 2.
+bool ofPartner(const Correspondences& p, int column)
+{
+    const bool root1 = column >= p.columns() + 3;
+    return column >= firstOfPartner(p) && !root1;
+}
+
 /** Makes wrong matches, that is, pairs each point of array 1 with a point of another match in array
 2. T is float for built-in residuals, and double for a custom residual, which has no kernels. A
 custom residual may depend on the Correspondences of the run; therefore only columns are passed to
@@ -31,8 +39,8 @@ public:
     WrongPairs(const Residual& residual_, const Model& model_, const Correspondences& points_,
                const T* const* from, int count, double threshold, Arena::Scope& scope)
         : residual(residual_), model(model_), points(points_), columns(points.numbers()),
-          firstMoved(firstOfPartner(points)), limit((T)(threshold * threshold)), size(count),
-          stride(2 * count), memory(scope.take<T>((columns + 1) * (size_t)stride))
+          limit((T)(threshold * threshold)), size(count), stride(2 * count),
+          memory(scope.take<T>((columns + 1) * (size_t)stride))
     {
         for (int k = 0; k < columns; ++k)
             std::copy(from[k], from[k] + count, row(k));
@@ -62,8 +70,9 @@ public:
                 ++kept;
             }
         size = kept;
-        for (int k = firstMoved; k < columns; ++k)
-            std::copy(row(k), row(k) + size, row(k) + size);
+        for (int k = 0; k < columns; ++k)
+            if (ofPartner(points, k))
+                std::copy(row(k), row(k) + size, row(k) + size);
         return size;
     }
 
@@ -86,7 +95,7 @@ private:
     const Residual& residual;
     const Model& model;
     const Correspondences& points;
-    const int columns, firstMoved;  //!< columns from `firstMoved` on are taken from the partner
+    const int columns;
     const T limit;
     int size;
     const int stride;
@@ -98,7 +107,7 @@ void WrongPairs<double>::computeErrors(int partner)
 {
     const double* data[MAX_COLUMNS];
     for (int k = 0; k < columns; ++k)
-        data[k] = row(k) + (k < firstMoved ? 0 : partner);
+        data[k] = row(k) + (ofPartner(points, k) ? partner : 0);
     residual.squaredErrors(model, data, size, row(columns));
 }
 
@@ -108,7 +117,7 @@ void WrongPairs<float>::computeErrors(int partner)
     Correspondences view = points;
     view.size = size;
     for (int k = 0; k < columns; ++k)
-        view.column[k] = row(k) + (k < firstMoved ? 0 : partner);
+        view.column[k] = row(k) + (ofPartner(points, k) ? partner : 0);
     residual.squaredErrors(view, model, 0, size, row(columns));
 }
 
@@ -154,7 +163,7 @@ int wrongErrors(const Residual& residual, const Model& model, const Corresponden
 {
     Arena::Scope scope(arena);
     const bool custom = !residual.kernels();
-    const int columns = p.numbers(), firstMoved = firstOfPartner(p);
+    const int columns = p.numbers();
     double* const exact = custom ? scope.take<double>(count) : 0;
     int done = 0;
     for (int partner = 1; partner <= WRONG_PARTNERS && partner < count; ++partner)
@@ -164,8 +173,9 @@ int wrongErrors(const Residual& residual, const Model& model, const Corresponden
         view.size = count - partner;
         for (int k = 0; k < columns; ++k)
         {
-            view.column[k] += k < firstMoved ? 0 : partner;
-            moved[k] = p.exact[k] + (k < firstMoved ? 0 : partner);
+            const int offset = ofPartner(p, k) ? partner : 0;
+            view.column[k] += offset;
+            moved[k] = p.exact[k] + offset;
         }
         if (custom)
         {

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "significance/directed_noise.hpp"
+#include "problems/kernels.hpp"
 
 // Tests of covariances of points, given as Params::sigmas.
 
@@ -187,6 +188,7 @@ TEST_P(Usac_PointCovariances, extremeRatios)
     params.threshold = 1e6;
     const Ptr<Usac> usac = directed.create(params, 1e6, false);
     const Mat model = usac->run();
+    EXPECT_FALSE(model.empty());
     EXPECT_TRUE(cv::checkRange(model));
     EXPECT_TRUE(cv::checkRange(usac->errors(directed.scene.truth)));
     const Correspondences& points = usac->points();
@@ -285,27 +287,147 @@ TEST(Usac_PointCovariances_, setPoints)
     params.sigmas = one.sigmas;
     EXPECT_EQ(
         0, cv::norm(usac->run(), estimateHomography(two.scene.points1, two.scene.points2, params)));
-    const Mat three1 = cv::repeat(two.scene.points1, 3, 1),
-              three2 = cv::repeat(two.scene.points2, 3, 1);
-    Params positive = params;
-    for (float& each : positive.sigmas)
-        each = 1;
-    for (size_t i = 1; i < positive.sigmas.size(); i += 3)
-        positive.sigmas[i] = 0.5f;
-    const Ptr<Usac> other = Usac::create(HOMOGRAPHY, one.scene.points1, one.scene.points2,
-                                         positive);
-    expectRefused([&] { other->setPoints(three1, three2); }, "three times as many points");
-    EXPECT_EQ(0, other->points().size);
+}
+
+//! Other numbers of points for which the same numbers would be valid, too, must be rejected. The
+//! object then has no points, as after other mistakes.
+TEST(Usac_PointCovariances_, otherNumbersOfPoints)
+{
+    const Directed directed(HOMOGRAPHY, 1, false);
+    const Mat points1 = directed.scene.points1.rowRange(0, 96),
+              points2 = directed.scene.points2.rowRange(0, 96);
+    for (int each : {1, 3, 6})
+        for (int other : {1, 3, 6})
+        {
+            if (each == other)
+                continue;
+            Params params;
+            for (int i = 0; i < each * points1.rows; ++i)
+                params.sigmas.push_back(i % 3 == 1 ? 0.5f : 1.f);
+            const Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, params);
+            const int wrong = each * points1.rows / other;
+            const Mat many1 = cv::repeat(points1, 6, 1).rowRange(0, wrong),
+                      many2 = cv::repeat(points2, 6, 1).rowRange(0, wrong);
+            expectRefused([&] { usac->setPoints(many1, many2); }, std::to_string(wrong));
+            EXPECT_EQ(0, usac->points().size);
+            EXPECT_EQ(0, usac->points().inputSize);
+            Report report;
+            EXPECT_TRUE(usac->run(noArray(), &report).empty());
+            EXPECT_EQ(STOP_TOO_FEW_POINTS, report.stop);
+            EXPECT_TRUE(usac->errors(directed.scene.truth).empty());
+            usac->setPoints(points1, points2);
+            EXPECT_FALSE(usac->run().empty());
+        }
+}
+
+//! Points that are not finite must be left out, with 3 N and 6 N numbers.
+TEST_P(Usac_PointCovariances, notFinite)
+{
+    const Directed directed(testing::get<0>(GetParam()), 1, testing::get<1>(GetParam()));
+    const Mat model = directed.create(Params(), 3, true)->run();
+    Directed more = directed;
+    more.scene.points1.push_back(Mat(3, 1, directed.scene.points1.type(), Scalar::all(NAN)));
+    more.scene.points2.push_back(Mat(3, 1, directed.scene.points2.type(), Scalar::all(7)));
+    for (int i = 0; i < 3; ++i)
+        for (int image = 0; image < (more.both ? 2 : 1); ++image)
+            append(more.sigmas, Matx22d::eye());
+    const Ptr<Usac> usac = more.create(Params(), 3, true);
+    EXPECT_EQ(directed.scene.points1.rows, usac->points().size);
+    const Mat found = usac->run();
+    EXPECT_LE(std::min(cv::norm(model - found), cv::norm(model + found)), 0.05 * cv::norm(model));
+}
+
+//! With most points on a plane, isotropic covariances must lead to about the same F as sigmas
+//! (DEGENSAC).
+TEST(Usac_PointCovariances_, dominantPlane)
+{
+    for (int seed = 1; seed <= 10; ++seed)
+    {
+        SceneOptions options;
+        options.setSize(200, 0.8);
+        options.planeFraction = 0.85;
+        options.noise = 0.3;
+        options.seed = seed;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        Params params;
+        std::vector<float> covariances;
+        for (int i = 0; i < 200; ++i)
+        {
+            const float sigma = i % 2 ? 1.25f : 0.75f;
+            params.sigmas.push_back(sigma);
+            for (int image = 0; image < 2; ++image)
+                append(covariances, Matx22d::eye() * (sigma * sigma));
+        }
+        Report report, other;
+        estimateFundamental(scene.points1, scene.points2, params, noArray(), report);
+        params.sigmas = covariances;
+        const Mat F = estimateFundamental(scene.points1, scene.points2, params, noArray(), other);
+        ASSERT_FALSE(F.empty()) << seed;
+        EXPECT_LE(modelError(scene, F), 1) << seed;
+        EXPECT_NEAR(report.inliers, other.inliers, 4) << seed;
+    }
+}
+
+//! A built-in residual without covariances must be rejected. If the default residual is put back,
+//! the result must be the same as before.
+TEST(Usac_PointCovariances_, replacedResidual)
+{
+    const Directed directed(HOMOGRAPHY, 1, true);
+    const Ptr<Usac> usac = directed.create(Params(), 3, true);
+    const Mat model = usac->run();
+    const Ptr<Residual> given = usac->components().residual;
+    usac->components().residual = createResidualOf<TransferError>();
+    expectRefused([&] { usac->run(); }, "replaced");
+    usac->components().residual = given;
+    EXPECT_EQ(0, cv::norm(model, usac->run()));
+}
+
+//! The same for a pose of points that are distorted in the image.
+TEST(Usac_PointCovariances_, residualPutBack)
+{
+    const Directed directed(ABSOLUTE_POSE, 1, false);
+    Params params;
+    params.threshold = 20;
+    params.sigmas = directed.sigmas;
+    const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, directed.scene.points1,
+                                        directed.scene.points2, params, directed.scene.camera,
+                                        noArray(), Mat(1, 5, CV_64F, (void*)LENS));
+    const Mat model = usac->run();
+    ASSERT_FALSE(model.empty());
+    const Ptr<Residual> given = usac->components().residual;
+    usac->components().residual = createResidualOf<WhitenedReprojectionError>();
+    usac->run();
+    usac->components().residual = given;
+    EXPECT_EQ(0, cv::norm(model, usac->run()));
+}
+
+//! Report::chance of a right model must be small; models of random points must be rejected.
+TEST_P(Usac_PointCovariances, significance)
+{
+    Directed directed(testing::get<0>(GetParam()), 2, testing::get<1>(GetParam()));
+    Report report;
+    directed.create(Params(), 3, true)->run(noArray(), &report);
+    EXPECT_LT(report.chance, 1e-6);
+    int found = 0;
+    for (int seed = 1; seed <= 20; ++seed)
+    {
+        RNG rng(seed);
+        rng.fill(directed.scene.points2, RNG::UNIFORM, 0, 500);
+        found += !directed.create(Params(), 3, true)->run().empty();
+    }
+    EXPECT_LE(found, 1);
 }
 
 //! The roots that components see must be those of the covariances, in units of the mean sigma and
 //! in the coordinates of the columns.
 TEST(Usac_PointCovariances_, correspondences)
 {
-    const Directed directed(HOMOGRAPHY, 1, true);
+    Directed directed(HOMOGRAPHY, 1, true);
+    directed.scene.points1 *= 0.5;  // another scale than that of image 2
     const Ptr<Usac> usac = directed.create(Params(), 3, true);
     const Correspondences& points = usac->points();
     ASSERT_EQ(6, points.noise);
+    EXPECT_GT(std::abs(std::log(points.frame[0].scale / points.frame[1].scale)), 0.5);
     EXPECT_EQ(10, points.numbers());
     for (int i = 0; i < points.size; ++i)
         for (int image = 0; image < 2; ++image)

@@ -112,8 +112,7 @@ If there are Params::sigmas, more columns follow, which describe the noise of ea
 per match, there is one column: the factor by which the residual multiplies the error, `meanSigma`
 divided by the sigma. For covariances, there are three columns for the last array and, for two
 images, three more for the first one: p, q and s of the root L = [p 0; q s] of the covariance L L^T
-of the point in the coordinates of the columns. The unit of the last array is also that of the root
-in the first array: both are multiples of `unit`. */
+of the point, in the coordinates of the columns of its own array, divided by `unit`. */
 struct Correspondences
 {
     //! No correspondences.

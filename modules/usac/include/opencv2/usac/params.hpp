@@ -284,13 +284,13 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Noise of each correspondence: N, 3 N or 6 N numbers, or no sigmas; N: standard deviations of
     errors, 1e-6 to 1e6, in pixels or up to a common factor (such as keypoint scales); 3 N:
     covariances xx, xy, yy of points in image 2, square pixels, without noise in image 1; 6 N: for
-    each match, that of the point in image 2 and then in image 1. Covariances need image points (a
-    pose has one image: 3 N) and #RESIDUAL_STANDARD. `threshold`, Usac::errors, Report::threshold,
-    Report::sigma are multiples of the standard deviation of each error. Default none. */
+    each match, that in image 2, then that in image 1 (0, 0, 0: exact). Variances are 1e-12 to 1e12,
+    1 - xy^2 / (xx yy) is at least 1e-6. Covariances need image points (a pose has one image: 3 N)
+    and #RESIDUAL_STANDARD. `threshold`, Usac::errors, Report::threshold, Report::sigma are
+    multiples of the standard deviation of each error. Default none. */
     CV_PROP_RW std::vector<float> sigmas;
-    /** Entries, row by row, of an initial model as the estimator returns it (such as that of the
-    previous frame), or no model; see setInitialModel(). It is scored and optimized before the first
-    sample. A wrong number of entries raises cv::Exception. Default none. */
+    //! Entries, row by row, of an initial model as the estimator returns it, or no model; see
+    //! setInitialModel(). It is scored and optimized before the first sample. Default none.
     CV_PROP_RW std::vector<double> initialModel;
     /** Entries, row by row, of the covariance of `initialModel`, or no covariance; d x d, symmetric
     and positive definite, for the parameters of Report::covariance. With it, the initial model is a

@@ -116,7 +116,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewPair
     //! Params. Empty: Params::scores.
     CV_PROP_RW std::vector<float> scores;
     //! N standard deviations of the errors of the matches, used instead of Params::sigmas. Empty:
-    //! Params::sigmas.
+    //! Params::sigmas, which must not be covariances.
     CV_PROP_RW std::vector<float> sigmas;
 };
 

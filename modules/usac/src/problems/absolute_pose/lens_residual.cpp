@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "problems/absolute_pose/lens_residual.hpp"
+#include "problems/absolute_pose/reprojection_error.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -17,11 +18,12 @@ enum { COLUMNS = 5, ROOT = 3 };
 //! exceeds any sum of squared errors of visible points.
 constexpr double UNSEEN = 1e100;
 
-//! Multiplies the vector (first, second) by the inverse of L = [p 0; q s].
-void whiten(const double* root, double& first, double& second)
+//! Multiplies the vector (x, y) by the inverse of the root [p 0; q s].
+void whiten(const double* root, double& x, double& y)
 {
-    first /= root[0];
-    second = (second - root[1] * first) / root[2];
+    const InverseRoot<double> inverse(root[0], root[1], root[2]);
+    x = inverse.first(x);
+    y = inverse.second(x, y);
 }
 
 }  // namespace

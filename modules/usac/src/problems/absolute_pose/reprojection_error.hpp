@@ -67,6 +67,19 @@ struct ReprojectionError
     };
 };
 
+//! The inverse of a root L = [p 0; q s].
+template <class T>
+struct InverseRoot
+{
+    InverseRoot(T p, T q_, T s) : scale(T(1) / p), q(q_), rest(T(1) / s) {}
+
+    //! The components of L^-1 (x, y); the second one is computed from the first one.
+    T first(T x) const { return x * scale; }
+    T second(T whitened, T y) const { return (y - q * whitened) * rest; }
+
+    const T scale, q, rest;
+};
+
 /** Reprojection error for an image point with the covariance L L^T, L = [p 0; q s], in units of its
 standard deviation: L^-1 (p(P X) - x). */
 struct WhitenedReprojectionError
@@ -76,31 +89,24 @@ struct WhitenedReprojectionError
     template <class T>
     struct At
     {
-        At(const T* m, T X, T Y, T Z, T x, T y, T p, T q_, T s)
-            : r(m, X, Y, Z, x, y), scale(T(1) / p), q(q_), rest(T(1) / s)
+        At(const T* m, T X, T Y, T Z, T x, T y, T p, T q, T s)
+            : r(m, X, Y, Z, x, y), inverse(p, q, s), du(inverse.first(r.du)),
+              dv(inverse.second(du, r.dv))
         {}
 
-        //! The second component of the error, for a first component that is already divided by p.
-        T second(T first, T given) const { return (given - q * first) * rest; }
         T squared() const
         {
-            const T first = r.du * scale, other = second(first, r.dv),
-                    square = first * first + other * other;
+            const T square = du * du + dv * dv;
             return r.depth > T(0) ? square : T(INFINITY);
         }
-        T cost() const
-        {
-            const T first = r.du * scale, other = second(first, r.dv);
-            return r.depth > T(0) ? first * first + other * other : T(BEHIND);
-        }
+        T cost() const { return r.depth > T(0) ? du * du + dv * dv : T(BEHIND); }
 
         template <class Out>
         void linearize(Out& out) const
         {
             const double unseen = 1e100;  // its square is BEHIND
-            const T first = r.du * scale;
-            out.error(0) = r.depth > 0 ? first : unseen;
-            out.error(1) = r.depth > 0 ? second(first, r.dv) : unseen;
+            out.error(0) = r.depth > 0 ? du : unseen;
+            out.error(1) = r.depth > 0 ? dv : unseen;
             for (int k = 0; k < 4; ++k)
             {
                 const T wp = r.w * r.p(k);
@@ -111,15 +117,16 @@ struct WhitenedReprojectionError
         }
 
         template <class Out>
-        void change(int number, T du, T dv, Out& out) const
+        void change(int number, T x, T y, Out& out) const
         {
-            const T first = du * scale;
+            const T first = inverse.first(x);
             out.derivative(0, number) = first;
-            out.derivative(1, number) = second(first, dv);
+            out.derivative(1, number) = inverse.second(first, y);
         }
 
         const ReprojectionError::At<T> r;
-        const T scale, q, rest;  //!< 1 / p, q and 1 / s
+        const InverseRoot<T> inverse;
+        const T du, dv;
     };
 };
 

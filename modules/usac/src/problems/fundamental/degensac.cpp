@@ -197,12 +197,14 @@ private:
         split(p, H, planeLimit(context));
         if (onCount < LEAST_POINTS || onCount < ROUGHLY * least)
             return false;
+        Correspondences plain = p;  // without covariances, which this fit does not use
+        plain.noise = p.noise > 1 ? 0 : p.noise;
         Model fitted = H;
         int before = 0;
         for (int k = 0; k < MAX_FITS && onCount > before; ++k)
         {
             before = onCount;
-            if (!fitter->fit(p, onPlane, std::min(before, MAX_FIT), 0, fitted, FIT_STEPS))
+            if (!fitter->fit(plain, onPlane, std::min(before, MAX_FIT), 0, fitted, FIT_STEPS))
                 return false;
             H = fitted;
             split(p, H, planeLimit(context));

@@ -14,9 +14,9 @@ namespace usacv20 {
 namespace {
 
 //! If both points of a match are epipoles, the numerator and the denominator of the Sampson
-//! distance are 0. For a term of the symmetric epipolar distance, one such point is enough. Fits
-//! add this constant to each denominator, so that the quotient is then 0. It is far below any other
-//! denominator.
+//! distance are 0. For a term of the symmetric epipolar distance, and if the point of one image is
+//! exact, one such point is enough. Fits add this constant to each denominator, so that the
+//! quotient is then 0. It is far below any other denominator.
 constexpr double BOTH_EPIPOLES = 1e-200;
 
 //! Computes the first two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.

@@ -15,15 +15,16 @@ namespace {
 
 /** Transfer error r = p(H x1) - x2 for points with covariances L2 L2^T and L1 L1^T, in units of its
 standard deviation: the covariance of r is S = L2 L2^T + A L1 (A L1)^T to first order, with the
-derivative A of the mapped point with respect to x1, and the squared error is r^T S^-1 r, which is
-the squared distance of the match from the manifold of exact matches @cite hartley2003multiple. The
-error vector is C^-1 r with the Cholesky factor C of S.
+derivative A of the mapped point with respect to x1, and the squared error is r^T S^-1 r, to first
+order the squared distance of the match from the manifold of exact matches
+@cite hartley2003multiple. The error vector is C^-1 r with the Cholesky factor C of S.
 
-With the 2x4 matrix M = [L2, A L1], S is M M^T. Both r^T S^-1 r det S and det S are sums of squares
-of 2x2 minors, of [M, r] and of M. They are computed in this way because it loses no digits to
-cancellation if the standard deviations of a point in two directions differ by factors of hundreds.
-All minors are divided by the root of S00, the first entry of S, so that their squares are numbers
-of type float even if the standard deviations of two points differ by a factor of 1e12. */
+With the 2x4 matrix M = [L2, A L1], S is M M^T. det S is the sum of the squares of the 2x2 minors of
+M, and r^T S^-1 r det S that of the 2x2 minors of [M, r] with the column r. They are computed in
+this way because it loses no digits to cancellation if the standard deviations of a point in two
+directions differ by factors of hundreds. All minors are divided by the root of S00, the first entry
+of S, so that their squares are numbers of type float even if the standard deviations of two points
+differ by a factor of 1e12. */
 struct WhitenedTransferError
 {
     enum { COLUMNS = 10, NUMBERS = 9, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 0 };

@@ -216,10 +216,12 @@ class Scores(Numbers):
             raise TypeError("{}: N numbers are expected, N x 1 or 1 x N, not the shape {}".format(self.name, given.shape))
 
 
-class Noise(Scores):
+class Noise(Numbers):
     """A descriptor of a field that takes, besides a list of numbers, three or six numbers for each
     match, which are read row by row."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
-        if given.ndim != 2 or given.shape[1] not in (3, 6):
-            super().checkShape(given)
+        if given.ndim == 2 and given.shape[1] in (3, 6):
+            return
+        if sum(side != 1 for side in given.shape) > 1:
+            raise TypeError("{}: N, N x 3 or N x 6 numbers are expected, not the shape {}".format(self.name, given.shape))

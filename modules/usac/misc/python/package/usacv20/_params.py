@@ -91,7 +91,8 @@ class Params:
     sigmas = Noise(np.float32, """Noise of each correspondence. N numbers: standard deviations of errors, 1e-6..1e6, in pixels or up to a
         common factor, such as the scales of keypoints. N x 3: covariances xx, xy, yy of the points in image 2, in square pixels,
         without noise in image 1. N x 6: those of the points in image 2, then in image 1. Covariances need image points (an
-        absolute pose has one image: N x 3) and RESIDUAL_STANDARD. Each error is divided by its standard deviation in score,
+        absolute pose has one image: N x 3) and RESIDUAL_STANDARD; variances are 1e-12..1e12, 1 - xy^2 / (xx yy) is 1e-6 or more, and
+        three zeros are an exact point of image 1. Each error is divided by its standard deviation in score,
         fits, mask and covariance: threshold, Report.threshold, Report.sigma and modelErrors refer to the divided errors. The
         array that is stored has one dimension. Default none.""")
     initialModel = Numbers(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an

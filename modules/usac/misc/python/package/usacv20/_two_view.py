@@ -109,7 +109,7 @@ class TwoViewPair(typing.NamedTuple):
     # None: Params.scores.
     scores: _Optional = None
     # N standard deviations of the errors of the matches, used instead of Params.sigmas. None:
-    # Params.sigmas.
+    # Params.sigmas, which must not be covariances.
     sigmas: _Optional = None
 
 
