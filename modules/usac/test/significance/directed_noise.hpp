@@ -19,20 +19,20 @@ const double LENS[] = {-0.25, 0.1, 0.002, -0.001, 0.02};
 constexpr double SMALL_NOISE = 0.2;
 
 //! A covariance with standard deviations `a` and `b` in two directions at right angles.
-Matx22d ellipse(double a, double b, double angle)
+inline Matx22d ellipse(double a, double b, double angle)
 {
     const Matx22d turn(std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle));
     return turn * Matx22d(a * a, 0, 0, b * b) * turn.t();
 }
 
-void append(std::vector<float>& sigmas, const Matx22d& covariance)
+inline void append(std::vector<float>& sigmas, const Matx22d& covariance)
 {
     sigmas.push_back((float)covariance(0, 0));
     sigmas.push_back((float)covariance(0, 1));
     sigmas.push_back((float)covariance(1, 1));
 }
 
-Vec2d gaussian(const Matx22d& covariance, RNG& rng)
+inline Vec2d gaussian(const Matx22d& covariance, RNG& rng)
 {
     const double p = std::sqrt(covariance(0, 0)), q = covariance(0, 1) / p;
     const double first = rng.gaussian(1);

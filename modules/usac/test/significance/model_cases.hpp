@@ -34,7 +34,7 @@ struct Case
     }
 };
 
-Case twoViews(ProblemType problem, const SceneOptions& options, double threshold)
+inline Case twoViews(ProblemType problem, const SceneOptions& options, double threshold)
 {
     const Scene scene = makeScene(problem, options);
     Case result;
@@ -52,7 +52,7 @@ Case twoViews(ProblemType problem, const SceneOptions& options, double threshold
 
 //! Matches with 90 % inliers. Each component of an error has a standard deviation of `noise` times
 //! about a third of the threshold.
-Case makeCase(ProblemType problem, int seed, int size = 100, double noise = 1)
+inline Case makeCase(ProblemType problem, int seed, int size = 100, double noise = 1)
 {
     if (problem < ABSOLUTE_POSE)
     {
@@ -97,8 +97,8 @@ Case makeCase(ProblemType problem, int seed, int size = 100, double noise = 1)
 
 //! The squared Mahalanobis distance of the true model from `model`. `covariance` is that of `other`
 //! if it is given, otherwise that of `model`.
-double squaredDistance(const Case& scene, const Mat& model, const Mat& covariance,
-                       const Mat& other = Mat())
+inline double squaredDistance(const Case& scene, const Mat& model, const Mat& covariance,
+                              const Mat& other = Mat())
 {
     const int n = (int)model.total();
     Mat right = scene.truth.reshape(1, n).clone(), found = model.reshape(1, n), x, solved;
@@ -113,7 +113,7 @@ double squaredDistance(const Case& scene, const Mat& model, const Mat& covarianc
     return cv::solve(scale * covariance * scale, x, solved, DECOMP_CHOLESKY) ? x.dot(solved) : NAN;
 }
 
-bool isNaN(const Mat& matrix)
+inline bool isNaN(const Mat& matrix)
 {
     for (int i = 0; i < (int)matrix.total(); ++i)
         if (!cvIsNaN(matrix.ptr<double>()[i]))
