@@ -4,6 +4,8 @@
 
 #include "precomp.hpp"
 #include "local_optimization/alternatives.hpp"
+#include "components/growth.hpp"
+#include "scoring/common_neighbors.hpp"
 #include "scoring/order_likelihood.hpp"
 
 namespace cv {
@@ -14,18 +16,22 @@ namespace {
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant. The
 // gain of a model is defined in Alternative.
 
-//! The gain of an alternative is at least this fraction of the largest gain of all models.
-constexpr double NEAR = 0.94;
+//! The gain of an alternative is at least this fraction of the largest gain of all models: for a
+//! known order of the points, and for common neighbors of the matches.
+constexpr double NEAR = 0.94, NEAR_COMMON = 0.6;
 //! Two models have different inliers if, for at least one of them, more than this fraction of its
 //! inliers are not inliers of the other model.
 constexpr double DIFFERENT = 0.1;
 //! An alternative shares at least this fraction of its inliers with the model of largest gain. A
 //! model that shares fewer inliers describes another motion; the cost alone then decides.
 constexpr double SHARED = 0.5;
-//! Weight of the log-likelihood of the order relative to the gain, to which an inlier without error
+//! For common neighbors, at least this fraction of the inliers of an alternative are not inliers of
+//! the model of largest gain.
+constexpr double OWN = 0.04;
+//! Weight of the log-likelihood of a ranking relative to the gain, to which an inlier without error
 //! contributes 1. For comparison: with independent Gaussian errors and a threshold at their 0.95
 //! quantile, one unit of MSAC's cost is a log-likelihood of 1.9 (errors with one component) or 3
-//! (two components). A larger value gives the order more influence.
+//! (two components). A larger value gives the rankings more influence.
 constexpr double WORTH = 1;
 //! Minimum advantage of an alternative over the model of largest gain, in standard deviations of
 //! the log-likelihood. Each point that is an inlier of only one of these two models changes the
@@ -43,12 +49,91 @@ bool same(const InlierBits& a, const InlierBits& b)
     return a.without(b) <= DIFFERENT * a.count() && b.without(a) <= DIFFERENT * b.count();
 }
 
+//! Some points in an order, best point first, in which several points can have the same rank.
+class Ranking
+{
+public:
+    //! The points of a known order that are among the first LOOKED points of the run.
+    Ranking(const Context& context_, const int* order, Arena::Scope& scope)
+        : context(context_), looked(std::min(context.points.size, LOOKED)), size(0),
+          sorted(scope.take<int>(looked)), ends(0)
+    {
+        for (int i = 0; i < context.points.size; ++i)
+            if (order[i] < looked)
+                sorted[size++] = order[i];
+    }
+
+    //! The first #MATCHES_COMPARED points of the run, those with most common neighbors first.
+    Ranking(const Context& context_, const uchar* common, Arena::Scope& scope)
+        : context(context_), looked(std::min(context.points.size, MATCHES_COMPARED)), size(looked),
+          sorted(scope.take<int>(looked)), ends(scope.take<uchar>(looked))
+    {
+        int at = 0;
+        for (int level = NEIGHBORS_COMPARED; level >= 0; --level)
+        {
+            for (int i = 0; i < looked; ++i)
+                if (common[i] == level)
+                {
+                    ends[at] = 0;
+                    sorted[at++] = i;
+                }
+            if (at > 0)
+                ends[at - 1] = 1;
+        }
+    }
+
+    //! orderLogLikelihood() of all points for the inliers of `model`, extrapolated from these
+    //! points, which are a random subset.
+    double likelihood(const Model& model) const
+    {
+        const Correspondences& p = context.points;
+        Arena::Scope scope(context.arena);
+        float* const errors = scope.take<float>(looked);
+        uchar* const inliers = scope.take<uchar>(looked);
+        int* const blocks = scope.take<int>(2 * looked);
+        context.components.residual->squaredErrors(p, model, 0, looked, errors);
+        const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
+        for (int k = 0; k < size; ++k)
+            inliers[k] = errors[sorted[k]] <= limit;  // NaN is not an inlier
+        return orderLogLikelihood(inliers, size, blocks, ends) * extrapolation();
+    }
+
+    //! Number of all points for each of these points.
+    double extrapolation() const { return (double)context.points.size / looked; }
+
+private:
+    const Context& context;
+    const int looked;
+    int size;
+    int* const sorted;
+    uchar* const ends;  //!< see orderLogLikelihood()
+};
+
+//! The log-likelihood of a ranking with the inliers of a model, compared with the first model.
+struct Evidence
+{
+    Evidence(const Model& first_) : ranking(0), first(first_), ofFirst(-1) {}
+
+    double advantage(const Model& model)
+    {
+        if (ofFirst < 0)
+            ofFirst = ranking->likelihood(first);
+        return ranking->likelihood(model) - ofFirst;
+    }
+
+    const Ranking* ranking;  //!< null: not made yet
+    const Model& first;
+    double ofFirst;  //!< -1: not computed yet
+};
+
 }  // namespace
 
-Alternatives::Alternatives(bool active, Arena& arena) : kept(0), count(0)
+Alternatives::Alternatives(bool active, const Context& context)
+    : kept(0), count(0), least(hasCommonNeighbors(*context.points.problem) ? NEAR_COMMON : NEAR)
 {
-    if (!active)
+    if (!active || (least == NEAR && !orderIsKnown(context)))
         return;
+    Arena& arena = context.arena;
     kept = arena.take<Alternative>(MOST + 1);
     for (int i = 0; i <= MOST; ++i)
         new (kept + i) Alternative();
@@ -57,7 +142,7 @@ Alternatives::Alternatives(bool active, Arena& arena) : kept(0), count(0)
 void Alternatives::offer(const Context& context, const Candidate& candidate, bool sampled)
 {
     const double gain = context.points.size - candidate.quality.cost;
-    if (!(gain > 0) || (count > 0 && gain < NEAR * kept[0].gain))
+    if (!(gain > 0) || (count > 0 && gain < least * kept[0].gain))
         return;
     const Alternative added = {candidate, sampled, InlierBits(context, candidate.model), gain};
     int place = 0;
@@ -70,44 +155,37 @@ void Alternatives::offer(const Context& context, const Candidate& candidate, boo
     int left = place + 1;
     // drops models that have the same inliers as the new model, or too low a gain
     for (int i = place + 1; i <= count; ++i)
-        if (kept[i].gain >= NEAR * kept[0].gain && !same(kept[i].inliers, added.inliers))
+        if (kept[i].gain >= least * kept[0].gain && !same(kept[i].inliers, added.inliers))
             kept[left++] = kept[i];
     count = std::min<int>(left, MOST);
 }
 
-double Alternatives::orderOf(const Context& context, const Model& model, const int* order) const
+const Alternative* Alternatives::chosen(const Context& context, const int* order,
+                                        const uchar* common) const
 {
-    const Correspondences& p = context.points;
-    const int looked = std::min(p.size, LOOKED);
     Arena::Scope scope(context.arena);
-    float* const errors = scope.take<float>(looked);
-    uchar* const inliers = scope.take<uchar>(looked);
-    int* const blocks = scope.take<int>(2 * looked);
-    context.components.residual->squaredErrors(p, model, 0, looked, errors);
-    const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
-    int size = 0;
-    for (int i = 0; i < p.size; ++i)
-        if (order[i] < looked)
-            inliers[size++] = errors[order[i]] <= limit;  // NaN is not an inlier
-    return orderLogLikelihood(inliers, size, blocks) * p.size / looked;
-}
-
-const Alternative* Alternatives::chosen(const Context& context, const int* order) const
-{
     const double parts = std::max(context.points.size / (double)InlierBits::MOST, 1.);
+    Evidence neighbors(kept[0].candidate.model), known(kept[0].candidate.model);
     const Alternative* best = 0;
-    double most = 0, first = -1;  // -1: not computed yet
+    double most = 0;
     for (int i = 1; i < count; ++i)
     {
-        const int own = kept[i].inliers.without(kept[0].inliers);
-        if (own > (1 - SHARED) * kept[i].inliers.count())
+        const int all = kept[i].inliers.count(), own = kept[i].inliers.without(kept[0].inliers);
+        const bool byNeighbors = common && own >= OWN * all,
+                   byOrder = order && kept[i].gain >= NEAR * kept[0].gain;
+        if (own > (1 - SHARED) * all || !(byNeighbors || byOrder))
             continue;
-        if (first < 0)
-            first = kept[0].gain + WORTH * orderOf(context, kept[0].candidate.model, order);
-        const double points = parts * difference(kept[i].inliers, kept[0].inliers);
-        const double advantage = kept[i].gain +
-                                 WORTH * orderOf(context, kept[i].candidate.model, order) - first -
-                                 DEVIATIONS * std::sqrt(points);
+        if (byNeighbors && !neighbors.ranking)
+            neighbors.ranking = new (scope.take<Ranking>(1)) Ranking(context, common, scope);
+        if (byOrder && !known.ranking)
+            known.ranking = new (scope.take<Ranking>(1)) Ranking(context, order, scope);
+        const Model& model = kept[i].candidate.model;
+        // the variance of an extrapolated log-likelihood is larger than that of all points
+        const double points = parts * difference(kept[i].inliers, kept[0].inliers) *
+                              (byNeighbors ? neighbors.ranking : known.ranking)->extrapolation();
+        const double advantage = kept[i].gain - kept[0].gain - DEVIATIONS * std::sqrt(points) +
+                                 WORTH * ((byNeighbors ? neighbors.advantage(model) : 0) +
+                                          (byOrder ? known.advantage(model) : 0));
         if (advantage > most)
         {
             most = advantage;

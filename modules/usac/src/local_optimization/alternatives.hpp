@@ -22,44 +22,48 @@ struct Alternative
 /** @brief Optimized models whose cost is hardly higher than that of the best model, but whose
 inliers are partly different.
 
-With repeated structure or planes, a wrong model can explain a few more matches than the right
-model, and no search can recognize it as wrong by its cost. But if the order of the matches is
-known, the inliers of the right model come earlier in the order: the descriptor of a repeated corner
-has two nearly equally close neighbors, so that matches of repeated corners have bad scores.
+With repeated structure or planes, a wrong model can explain more matches than the right model, and
+no search can recognize it as wrong by its cost. Two rankings of the matches can tell that it is
+wrong, because the inliers of the right model have higher ranks:
+
+- If the order of the matches is known: the descriptor of a repeated corner has two nearly equally
+  close neighbors, so that matches of repeated corners have bad scores.
+- For F: wrong matches between repeated elements, such as the columns of a facade,
+  lie on the epipolar lines of a wrong model, but they seldom have neighbors in common in the two
+  images, see commonNeighbors().
+
 Therefore a model other than that of lowest cost is chosen on three conditions: its gain is nearly
 as large; at least half of its inliers are inliers of the model of lowest cost, too; and with its
-inliers, the log-likelihood of the order (orderLogLikelihood()) is higher by more than the
+inliers, the log-likelihood of the rankings (orderLogLikelihood()) is higher by more than the
 difference of the gains plus the effect of chance. As the gains are nearly equal, misleading scores
 can do little harm. */
 class Alternatives
 {
 public:
-    //! @param active false: no models are stored, because there are no runners-up, the order is not
-    //! known, or the cost is not a sum over the points
-    //! @param arena memory of the run
-    Alternatives(bool active, Arena& arena);
+    //! @param active false: no models are stored, because there are no runners-up, or the cost is
+    //! not a sum over the points. No models are stored either if there is no ranking.
+    Alternatives(bool active, const Context& context);
 
     bool active() const { return kept != 0; }
     //! Stores the model if its gain is high enough and if no stored model with at least this gain
     //! has nearly the same inliers. To be called only if active(). @param sampled see Alternative
     void offer(const Context& context, const Candidate& candidate, bool sampled);
-    //! False if there are fewer than two models, so that chosen() returns null for any order.
+    //! False if there are fewer than two models, so that chosen() returns null.
     bool contested() const { return count > 1; }
     //! The model to choose instead of the model of lowest cost; null: there is no such model.
-    //! @param order the points, best point first
-    const Alternative* chosen(const Context& context, const int* order) const;
+    //! @param order the points, best point first; null: the order is not known
+    //! @param common commonNeighbors() of the first #MATCHES_COMPARED points; null: not for this
+    //! problem
+    const Alternative* chosen(const Context& context, const int* order, const uchar* common) const;
     //! Forgets all models.
     void clear() { count = 0; }
 
 private:
-    enum { MOST = 8 };  //!< maximum number of models that are stored
-
-    //! orderLogLikelihood() of all points for the inliers of `model`, extrapolated from the first
-    //! points of the run (at most LOOKED, see alternatives.cpp), which are a random subset.
-    double orderOf(const Context& context, const Model& model, const int* order) const;
+    enum { MOST = 16 };  //!< maximum number of models that are stored
 
     Alternative* kept;  //!< stored models, by descending gain; null: inactive
     int count;          //!< number of stored models
+    double least;       //!< an alternative has at least this fraction of the largest gain
 };
 
 }  // namespace usacv20

@@ -60,9 +60,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       counts(context_.arena.take<uchar>(LARGEST_BATCH)), batch(0), errorRows(0), size(0),
       hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
-      alternatives(!runnersUp.none() && orderIsKnown(context_) &&
-                       !context_.components.score->wholeModel(),
-                   context_.arena),
+      alternatives(!runnersUp.none() && !context_.components.score->wholeModel(), context_),
       sampled(false), forgotten(0), unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
                             LARGEST_BATCH)),
@@ -135,7 +133,7 @@ bool Ransac::run(int pause)
             updateTermination();
     }
     if (ended && !stopped())
-        chooseByOrder();
+        chooseByRank();
     state.report.stop = ending;
     state.report.localMs = localTicks / getTickFrequency() * 1e3;
     state.report.searchMs += (getTickCount() - start) / getTickFrequency() * 1e3 -
@@ -394,27 +392,6 @@ void Ransac::improveRunnersUp()
     for (int i = 0; i < count && !stop(sampleWork); ++i)
         if (worthOptimizing(taken[i]))
             improve(taken[i].candidate, state.sampleQuality);
-}
-
-void Ransac::offer(const Model& model, const Quality& quality, const Sample* sample)
-{
-    if (alternatives.active() && quality.cost <= DBL_MAX)
-        alternatives.offer(context, Candidate(sample ? *sample : Sample(), model, quality),
-                           sample != 0);
-}
-
-void Ransac::chooseByOrder()
-{
-    if (!alternatives.contested())
-        return;  // nothing to decide, so the order of the points is not needed
-    const Alternative* const chosen = alternatives.chosen(context, state.bestFirst(context));
-    if (!chosen)
-        return;
-    const Candidate candidate = chosen->candidate;
-    Model model = candidate.model;
-    Quality quality = candidate.quality;
-    if (recover(0, model, quality))
-        setBest(model, quality, chosen->sampled ? &candidate.sample : 0);
 }
 
 //! A model with nearly the same inliers as the best model is not worth optimizing, because it leads

@@ -104,9 +104,10 @@ private:
     //! unexplained points. @return false if the search ends
     bool lookBeside();
     void improveRunnersUp();
-    //! If the order of the points is known: replaces the best model with one of `alternatives` if
-    //! the order is clearly more likely with the inliers of this alternative.
-    void chooseByOrder();
+    //! Replaces the best model with one of `alternatives` if the order of the points, if it is
+    //! known, or the common neighbors of matches are clearly more likely with its inliers.
+    void chooseByRank();
+    void offerCore(const Model& core);
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** The best model explains the points whose errors are at most EXPLAINED times
     Context::inlierThreshold. The factor is above 1 because some correct matches lie beyond the

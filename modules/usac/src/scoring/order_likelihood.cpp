@@ -22,16 +22,23 @@ double logLikelihood(int ones, int count)
 
 }  // namespace
 
-double orderLogLikelihood(const uchar* inliers, int size, int* blocks)
+double orderLogLikelihood(const uchar* inliers, int size, int* blocks, const uchar* ends)
 {
     int *const ones = blocks, *const counts = blocks + size;
     int last = -1, all = 0;
     for (int i = 0; i < size; ++i)
     {
-        ++last;
-        ones[last] = inliers[i] != 0;
-        counts[last] = 1;
-        all += ones[last];
+        const bool begins = !ends || i == 0 || ends[i - 1];
+        if (begins)
+        {
+            ++last;
+            ones[last] = counts[last] = 0;
+        }
+        ones[last] += inliers[i] != 0;
+        ++counts[last];
+        all += inliers[i] != 0;
+        if (ends && !ends[i] && i + 1 < size)
+            continue;
         // merges a block with the block before it unless the inlier ratio of the latter is higher
         for (; last > 0 &&
                (double)ones[last] * counts[last - 1] >= (double)ones[last - 1] * counts[last];

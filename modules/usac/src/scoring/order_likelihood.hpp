@@ -20,8 +20,10 @@ inliers come last.
 @param inliers 1 for inliers, 0 for outliers, best point first
 @param size number of points
 @param blocks temporary memory for 2 * size numbers
+@param ends 1 for each point that is the last one of a group of points with equal rank; null: all
+ranks are different
 @return natural logarithm of the likelihood ratio, at least 0 */
-double orderLogLikelihood(const uchar* inliers, int size, int* blocks);
+double orderLogLikelihood(const uchar* inliers, int size, int* blocks, const uchar* ends = 0);
 
 }  // namespace usacv20
 }  // namespace cv

@@ -4,7 +4,8 @@
 
 #include "test_precomp.hpp"
 
-// Tests of how the scores of the matches decide between two models of nearly the same cost.
+// Tests of how scores and common neighbors of the matches decide between two models of nearly the
+// same cost.
 
 namespace opencv_test {
 namespace {
@@ -66,19 +67,21 @@ int rightOnes(int others, bool scores)
 
 //! Both the correct F and the wrong F have the 104 matches on the plane as inliers. The correct F
 //! has 96 further inliers. The wrong F has 90 further inliers and, by chance, some of the uniform
-//! outliers, so that its cost is slightly lower. Without scores, the correct F is returned in 10 of
-//! 60 scenes, with scores in 24; other platforms have other numbers. In the other scenes, the costs
+//! outliers, so that its cost is slightly lower. By the cost alone, the correct F is returned in 10
+//! of 60 scenes. Common neighbors of the matches raise this number to 33, with scores to 27 (the
+//! search then ends earlier); other platforms have other numbers. In the other scenes, the costs
 //! differ by more, or the correct F was not found.
-TEST(Usac_Alternatives, good_scores_decide_between_models_of_nearly_the_same_cost)
+TEST(Usac_Alternatives, rankings_decide_between_models_of_nearly_the_same_cost)
 {
-    EXPECT_GE(rightOnes(90, true), rightOnes(90, false) + 6);
+    EXPECT_GE(rightOnes(90, false), 20);
+    EXPECT_GE(rightOnes(90, true), 20);
 }
 
 //! With 180 matches of the other epipole, the wrong F has many more inliers than the correct one,
 //! so that scores must not matter.
 TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
 {
-    EXPECT_LE(rightOnes(180, true), 3);
+    EXPECT_LE(rightOnes(180, true), rightOnes(180, false) + 3);
 }
 
 //! Number of scenes in which the returned model is the correct one. The scenes have 200 true

@@ -62,6 +62,38 @@ TEST(Usac_OrderLikelihood, is_the_largest_of_all)
     }
 }
 
+//! Points of equal rank must not be divided; their order must not matter.
+TEST(Usac_OrderLikelihood, groups)
+{
+    RNG rng(2);
+    for (int trial = 0; trial < 200; ++trial)
+    {
+        const int size = rng.uniform(1, 12);
+        std::vector<uchar> inliers(size), ends(size), none(size, 0), all(size, 1);
+        for (int i = 0; i < size; ++i)
+        {
+            inliers[i] = (uchar)rng.uniform(0, 2);
+            ends[i] = (uchar)rng.uniform(0, 2);
+        }
+        std::vector<int> blocks(2 * size);
+        const auto of = [&](const std::vector<uchar>& flags, const std::vector<uchar>& groups) {
+            return orderLogLikelihood(flags.data(), size, blocks.data(), groups.data());
+        };
+        EXPECT_EQ(likelihood(inliers), of(inliers, all));
+        EXPECT_EQ(0, of(inliers, none));
+        std::vector<uchar> sorted = inliers;  // within each group, the inliers come last
+        for (int begin = 0, i = 0; i < size; ++i)
+            if (ends[i] || i + 1 == size)
+            {
+                std::sort(sorted.begin() + begin, sorted.begin() + i + 1);
+                begin = i + 1;
+            }
+        EXPECT_EQ(of(inliers, ends), of(sorted, ends));
+        // groups whose inliers come last are merged by themselves
+        EXPECT_NEAR(likelihood(sorted), of(sorted, ends), 1e-9);
+    }
+}
+
 TEST(Usac_OrderLikelihood, good_random_and_inverted_orders)
 {
     std::vector<uchar> inliers(200, 0);
