@@ -128,11 +128,13 @@ struct Evidence
 
 }  // namespace
 
-Alternatives::Alternatives(bool active, const Context& context)
-    : kept(0), count(0), least(hasCommonNeighbors(*context.points.problem) ? NEAR_COMMON : NEAR)
+Alternatives::Alternatives(bool active, const Context& context) : kept(0), count(0), least(NEAR)
 {
-    if (!active || (least == NEAR && !orderIsKnown(context)))
+    const bool common = hasCommonNeighbors(*context.points.problem);
+    if (!active || !(common || orderIsKnown(context)))
         return;
+    if (common)
+        least = NEAR_COMMON;
     Arena& arena = context.arena;
     kept = arena.take<Alternative>(MOST + 1);
     for (int i = 0; i <= MOST; ++i)
@@ -179,13 +181,18 @@ const Alternative* Alternatives::chosen(const Context& context, const int* order
             neighbors.ranking = new (scope.take<Ranking>(1)) Ranking(context, common, scope);
         if (byOrder && !known.ranking)
             known.ranking = new (scope.take<Ranking>(1)) Ranking(context, order, scope);
+        // each ranking decides by itself; the variance of a log-likelihood that is extrapolated
+        // from few points is larger
         const Model& model = kept[i].candidate.model;
-        // the variance of an extrapolated log-likelihood is larger than that of all points
-        const double points = parts * difference(kept[i].inliers, kept[0].inliers) *
-                              (byNeighbors ? neighbors.ranking : known.ranking)->extrapolation();
-        const double advantage = kept[i].gain - kept[0].gain - DEVIATIONS * std::sqrt(points) +
-                                 WORTH * ((byNeighbors ? neighbors.advantage(model) : 0) +
-                                          (byOrder ? known.advantage(model) : 0));
+        const double points = parts * difference(kept[i].inliers, kept[0].inliers),
+                     lost = kept[0].gain - kept[i].gain;
+        double advantage = -DBL_MAX;
+        if (byNeighbors)
+            advantage = WORTH * neighbors.advantage(model) - lost -
+                        DEVIATIONS * std::sqrt(points * neighbors.ranking->extrapolation());
+        if (byOrder)
+            advantage = std::max(advantage, WORTH * known.advantage(model) - lost -
+                                                DEVIATIONS * std::sqrt(points));
         if (advantage > most)
         {
             most = advantage;

@@ -19,7 +19,7 @@ struct Alternative
     double gain;  //!< number of points (the cost if all points were outliers) minus the cost
 };
 
-/** @brief Optimized models whose cost is hardly higher than that of the best model, but whose
+/** @brief Optimized models whose cost is not much higher than that of the best model, but whose
 inliers are partly different.
 
 With repeated structure or planes, a wrong model can explain more matches than the right model, and
@@ -32,11 +32,11 @@ wrong, because the inliers of the right model have higher ranks:
   lie on the epipolar lines of a wrong model, but they seldom have neighbors in common in the two
   images, see commonNeighbors().
 
-Therefore a model other than that of lowest cost is chosen on three conditions: its gain is nearly
-as large; at least half of its inliers are inliers of the model of lowest cost, too; and with its
-inliers, the log-likelihood of the rankings (orderLogLikelihood()) is higher by more than the
-difference of the gains plus the effect of chance. As the gains are nearly equal, misleading scores
-can do little harm. */
+Therefore a model other than that of lowest cost is chosen on three conditions: its gain is at least
+94 % (order) or 60 % (neighbors) as large; at least half of its inliers, but not nearly all, are
+inliers of the model of lowest cost, too; and with its inliers, the log-likelihood of a ranking
+(orderLogLikelihood()) is higher by more than the difference of the gains plus the effect of chance.
+Misleading scores can do little harm, because they decide only if the gains are nearly equal. */
 class Alternatives
 {
 public:

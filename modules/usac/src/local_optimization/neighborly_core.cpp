@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "components/check_components.hpp"
 #include "components/point_subset.hpp"
 #include "components/streams.hpp"
 #include "local_optimization/neighborly_core.hpp"
@@ -12,9 +13,8 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
-//! A match is neighborly if it has at least this number of common neighbors.
+//! A match is neighborly if it has at least this number of common neighbors. With 2 instead of 3,
+//! many wrong matches of a facade are neighborly.
 constexpr int NEIGHBORLY = 3;
 //! Number of samples, and minimum number of neighborly inliers as a multiple of the sample size.
 constexpr int SAMPLES = 50, MULTIPLE = 2;
@@ -33,7 +33,7 @@ int inliersOf(const Context& context, const Model& model, int size, const Wanted
     Arena::Scope scope(context.arena);
     float* const errors = scope.take<float>(size);
     context.components.residual->squaredErrors(p, model, 0, size, errors);
-    const float limit = (float)(p.threshold * p.threshold);
+    const float limit = (float)(context.inlierThreshold() * context.inlierThreshold());
     int count = 0;
     for (int i = 0; i < size; ++i)
         if (errors[i] <= limit && wanted(i))
@@ -59,7 +59,7 @@ struct Sampled
     //! Replaces the model with one of lower cost.
     void improve(const Context& context, PointSubset& points, const Model& other)
     {
-        const double limit = context.points.threshold * context.points.threshold;
+        const double limit = context.inlierThreshold() * context.inlierThreshold();
         const double* const errors = points.squaredErrors(*context.components.residual, other);
         double costOfOther = points.size();
         int inliers = 0;
@@ -91,10 +91,8 @@ Model modelOf(const Context& context, const int* members, int size)
         points.add(members[k]);
     Sampled best(size);
     Rng rng(context.params.seed, streamOf(STREAM_CORE));
-    for (int i = 0; i < SAMPLES && !context.stop(); ++i)
+    for (int i = 0; i < SAMPLES && std::pow(1 - std::pow(best.share, m), i) > MISSED; ++i)
     {
-        if (std::pow(1 - std::pow(best.share, m), i) <= MISSED)
-            break;
         int sample[MAX_SAMPLE_SIZE];
         Model models[MAX_MODELS];
         rng.distinct(size, m, sample);
@@ -102,6 +100,7 @@ Model modelOf(const Context& context, const int* members, int size)
             sample[k] = members[sample[k]];
         const int found = valid(context, sample, 0) ? solver.solve(context.points, sample, models)
                                                     : 0;
+        checkModels(models, found);
         for (int k = 0; k < found; ++k)
             if (valid(context, sample, models + k))
                 best.improve(context, points, models[k]);

@@ -15,7 +15,8 @@ namespace usacv20 {
 
 If wrong matches along the epipolar lines have made a model wrong, most of its inliers are still
 right: those that have common neighbors, and hardly any others. Random samples of them are compared
-by their cost on these inliers only; the best model is then fitted to its inliers among all points.
+by their cost on these inliers only; the best model is then fitted to its inliers among the first
+points of the run, which are a random subset.
 @param common common neighbors of the first `count` points
 @param best the model
 @param core output, in coordinates of the search

@@ -108,6 +108,8 @@ private:
     //! known, or the common neighbors of matches are clearly more likely with its inliers.
     void chooseByRank();
     void offerCore(const Model& core);
+    void setValid(const Model& model, const Sample* sample);
+    Quality discounted(const Model& model) const;
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** The best model explains the points whose errors are at most EXPLAINED times
     Context::inlierThreshold. The factor is above 1 because some correct matches lie beyond the

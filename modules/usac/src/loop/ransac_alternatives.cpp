@@ -28,29 +28,45 @@ void Ransac::chooseByRank()
     if (hasCommonNeighbors(*context.points.problem))
     {
         common = scope.take<uchar>(compared);
-        commonNeighbors(context.points, compared, common, context.arena);
+        commonNeighbors(context.points, compared, context.inlierThreshold(), common, context.arena);
         Model core;
         if (neighborlyCore(context, common, compared, state.best, core))
             offerCore(core);
     }
     const int* const order = orderIsKnown(context) ? state.bestFirst(context) : 0;
     const Alternative* const chosen = alternatives.chosen(context, order, common);
-    if (!chosen)
-        return;
-    // the model must be valid, but no check may replace it with a model of lower cost
-    const Candidate candidate = chosen->candidate;
-    Model checked = candidate.model;
-    Quality quality = candidate.quality;
-    if (recover(0, checked, quality))
-        setBest(candidate.model, candidate.quality, chosen->sampled ? &candidate.sample : 0);
+    if (chosen)
+    {
+        const Candidate candidate = chosen->candidate;
+        setValid(candidate.model, chosen->sampled ? &candidate.sample : 0);
+    }
 }
 
+//! A core of lower cost than the best model is nearly the same model, which polishing makes as
+//! good.
 void Ransac::offerCore(const Model& core)
 {
-    Quality quality = context.rate(core);
+    const Quality quality = discounted(core);
+    if (!quality.betterThan(state.bestQuality))
+        offer(core, quality, 0);
+}
+
+//! Makes a model the best one if it is valid. No check may replace it with a model of lower cost.
+void Ransac::setValid(const Model& model, const Sample* sample)
+{
+    Model checked = model;
+    const Quality quality = discounted(model);
+    Quality other = quality;
+    if (recover(0, checked, other))
+        setBest(model, quality, sample);
+}
+
+Quality Ransac::discounted(const Model& model) const
+{
+    Quality quality = context.rate(model);
     for (int d = 0; d < checkCount; ++d)
-        checks[d]->discount(context, core, quality);
-    offer(core, quality, 0);
+        checks[d]->discount(context, model, quality);
+    return quality;
 }
 
 }  // namespace usacv20

@@ -111,14 +111,15 @@ bool hasCommonNeighbors(const Problem& problem)
            problem.errorDimension() == 1 && problem.dimension() >= 7;
 }
 
-void commonNeighbors(const Correspondences& points, int count, uchar* common, Arena& arena)
+void commonNeighbors(const Correspondences& points, int count, double threshold, uchar* common,
+                     Arena& arena)
 {
     Arena::Scope scope(arena);
     Nearest* nearest[2];
     float same[2];
     for (int image = 0; image < 2; ++image)
         same[image] = (float)((image ? 1 : points.frame[0].scale / points.frame[1].scale) *
-                              points.threshold);
+                              threshold);
     for (int image = 0; image < 2; ++image)
     {
         nearest[image] = scope.take<Nearest>(count);

@@ -16,7 +16,8 @@ constexpr int NEIGHBORS_COMPARED = 8;
 //! time.
 constexpr int MATCHES_COMPARED = 256;
 
-//! True for F: matches of two images, errors of one dimension, 7 degrees of freedom. Wrong matches
+//! True for F, and for other problems with matches of two images, errors of one dimension and at
+//! least 7 degrees of freedom. Wrong matches
 //! along epipolar lines, as between repeated elements of a facade, can fit an F; they seldom fit E,
 //! which has only 5 degrees of freedom, and models with errors of two dimensions.
 bool hasCommonNeighbors(const Problem& problem);
@@ -27,12 +28,14 @@ bool hasCommonNeighbors(const Problem& problem);
 The surfaces of a scene are mostly smooth, so that points that are neighbors in one image are
 neighbors in the other image. The result is the number of the #NEIGHBORS_COMPARED nearest neighbors
 of a point in image 1 that are also among the nearest neighbors of its counterpart in image 2. It
-does not depend on scale, rotation or density. Matches that coincide in one of the images, up to the
-threshold, are not neighbors.
+does not depend on scale, rotation or density. Matches that coincide in one of the images are not
+neighbors.
 @param points the matches
 @param count the first `count` matches are looked at
+@param threshold distance up to which points coincide, in the unit of Correspondences::threshold
 @param common output, a number from 0 to #NEIGHBORS_COMPARED for each of these matches */
-void commonNeighbors(const Correspondences& points, int count, uchar* common, Arena& arena);
+void commonNeighbors(const Correspondences& points, int count, double threshold, uchar* common,
+                     Arena& arena);
 
 }  // namespace usacv20
 }  // namespace cv

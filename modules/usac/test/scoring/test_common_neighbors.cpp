@@ -21,7 +21,7 @@ std::vector<int> commonOf(const std::vector<Point2d>& points1, const std::vector
     const Correspondences& points = usac->points();
     std::vector<uchar> common(points.size + 1, 77);
     Arena arena;
-    commonNeighbors(points, points.size, common.data(), arena);
+    commonNeighbors(points, points.size, points.threshold, common.data(), arena);
     EXPECT_EQ(77, common.back());
     std::vector<int> result(points.size);
     for (int i = 0; i < points.size; ++i)
