@@ -78,10 +78,12 @@ TEST(Usac_Alternatives, rankings_decide_between_models_of_nearly_the_same_cost)
 }
 
 //! With 180 matches of the other epipole, the wrong F has many more inliers than the correct one,
-//! so that scores must not matter.
+//! so that scores must not matter; common neighbors decide only in a few scenes.
 TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
 {
-    EXPECT_LE(rightOnes(180, true), rightOnes(180, false) + 3);
+    const int scores = rightOnes(180, true), none = rightOnes(180, false);
+    EXPECT_LE(scores, none + 3);
+    EXPECT_LE(none, 15);  // the cost decides in most scenes
 }
 
 //! Number of scenes in which the returned model is the correct one. The scenes have 200 true
