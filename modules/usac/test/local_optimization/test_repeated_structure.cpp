@@ -3,94 +3,13 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "support/facade.hpp"
 
 // Tests of scenes with repeated structure: wrong matches between the columns of a facade lie on the
 // epipolar lines of a wrong F, which has more inliers than the right one.
 
 namespace opencv_test {
 namespace {
-
-const Matx33d CAMERA(800, 0, 500, 0, 800, 350, 0, 0, 1);
-
-//! Matches of a facade with 12 columns of windows, the ground and a slanted wall. Some matches of
-//! windows are matches to the window of another column in the same row; others are random.
-struct Facade
-{
-    //! @param right, columns fractions of right matches, and of matches to another column among the
-    //! matches of windows
-    Facade(int size, double right, double columns, int seed)
-    {
-        RNG rng(seed);
-        Matx31d turn(rng.uniform(-0.05, 0.05), rng.uniform(-0.2, 0.2), rng.uniform(-0.05, 0.05));
-        cv::Rodrigues(turn, R);
-        t = Vec3d(rng.uniform(-1.5, -0.8), rng.uniform(-0.2, 0.2), rng.uniform(-0.6, 0.6));
-        for (int i = 0; i < size; ++i)
-        {
-            bool window = false;
-            const Vec3d X = pointOfScene(rng, window);
-            Vec3d Y = X;
-            const double kind = rng.uniform(0., 1.);
-            const bool wrong = kind >= right, other = wrong && window && kind < right + columns;
-            while (other && (Y[0] == X[0] || std::abs(Y[0]) > 6))
-                Y[0] = X[0] + rng.uniform(-11, 12);
-            points1.push_back(project(X) + noise(rng));
-            points2.push_back(project(R * Y + t) + noise(rng));
-            if (wrong && !other)
-                points2.back() = Point2d(rng.uniform(0., 1000.), rng.uniform(0., 700.));
-            if (!wrong)
-            {
-                clean1.push_back(project(X));
-                clean2.push_back(project(R * X + t));
-            }
-        }
-    }
-
-    static Vec3d pointOfScene(RNG& rng, bool& window)
-    {
-        const double kind = rng.uniform(0., 1.);
-        window = kind < 0.6;
-        if (window)
-            return Vec3d(rng.uniform(0, 12) - 5.5 + rng.uniform(-0.3, 0.3),
-                         0.9 * rng.uniform(0, 6) - 3 + rng.uniform(-0.25, 0.25),
-                         10 + 0.1 * rng.uniform(0, 3));
-        if (kind < 0.8)
-            return Vec3d(rng.uniform(-6., 6.), 2.8, rng.uniform(5., 10.));
-        const double x = rng.uniform(-5., -2.);
-        return Vec3d(x, rng.uniform(-2., 2.5), 7 + 0.3 * (x + 5));
-    }
-
-    static Point2d project(const Vec3d& X)
-    {
-        const Vec3d x = CAMERA * X;
-        return Point2d(x[0] / x[2], x[1] / x[2]);
-    }
-
-    static Point2d noise(RNG& rng)
-    {
-        const double x = rng.gaussian(0.4);
-        return Point2d(x, rng.gaussian(0.4));
-    }
-
-    //! Root mean square Sampson distance of the right matches, without noise, from F.
-    double error(const Mat& model) const
-    {
-        if (model.empty())
-            return 1e9;
-        const Matx33d F = model;
-        double sum = 0;
-        for (size_t i = 0; i < clean1.size(); ++i)
-        {
-            const Vec3d x1(clean1[i].x, clean1[i].y, 1), x2(clean2[i].x, clean2[i].y, 1),
-                a = F * x1, b = F.t() * x2;
-            sum += x2.dot(a) * x2.dot(a) / (a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1]);
-        }
-        return std::sqrt(sum / (double)clean1.size());
-    }
-
-    Matx33d R;
-    Vec3d t;
-    std::vector<Point2d> points1, points2, clean1, clean2;
-};
 
 //! Number of 60 scenes in which F is wrong by more than half a pixel.
 int wrongOnes(int size, double right, double columns)
