@@ -79,12 +79,12 @@ public:
     {
         if (!problem->createResidual(RESIDUAL_STANDARD)->homogeneous())
             return basis;
-        // `here` and `normal` differ in scale; if the last entry of `normal` is 1, all entries are
-        // divided by the last one
+        // `here` and `normal` are multiples of each other. For maps, all entries of `normal` are
+        // divided by the last one; for other models, only the sign differs, if anything
         const int last = normal.size() - 1;
         const Eigen::Map<const Eigen::VectorXd> entries(normal.val, normal.size()),
             unscaled(here.val, here.size());
-        if (normal.val[last] != 1)
+        if (!(normal.val[last] == 1 && here.val[last] != 1))
             return basis * (entries.dot(unscaled) < 0 ? -1. : 1.);
         return (basis - entries * basis.row(last)) / here.val[last];
     }

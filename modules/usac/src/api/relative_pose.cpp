@@ -179,6 +179,22 @@ private:
                                 //!< matches that are not finite
 };
 
+//! The report of a search whose model has been replaced with a refined one: what describes the
+//! model is from the report of the refinement, the statistics are those of the search.
+Report reportOf(const Report& search, const Report& refinement)
+{
+    Report report = search;
+    report.sample.clear();
+    report.independentInliers = refinement.independentInliers;
+    report.threshold = refinement.threshold;
+    report.wideThreshold = refinement.wideThreshold;
+    report.sigma = refinement.sigma;
+    report.covariance = refinement.covariance;
+    report.priorChance = refinement.priorChance;
+    report.cost = refinement.cost;
+    return report;
+}
+
 }  // namespace
 
 RelativePose::RelativePose() : behind(0), onPlane(0), otherInliers(0) {}
@@ -199,8 +215,7 @@ bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cam
         if (!other.essential.empty() && other.cost < best.cost)
         {
             std::swap(best, other);
-            std::swap(best.report, other.report);  // `best` gets the report of the search back
-            best.report.cost = other.report.cost;
+            best.report = reportOf(other.report, best.report);
         }
         pose.behind = views.hideBehind(best);
         best.report.inliers = countNonZero(best.mask);

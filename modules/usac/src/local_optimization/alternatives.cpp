@@ -114,11 +114,15 @@ struct Evidence
 {
     Evidence(const Model& first_) : ranking(0), first(first_), ofFirst(-1) {}
 
-    double advantage(const Model& model)
+    //! The weighted advantage of a model, less the effect of chance. The variance of a
+    //! log-likelihood that is extrapolated from few points is larger.
+    //! @param points number of points that are inliers of only one of the two models
+    double advantage(const Model& model, double points)
     {
         if (ofFirst < 0)
             ofFirst = ranking->likelihood(first);
-        return ranking->likelihood(model) - ofFirst;
+        return WORTH * (ranking->likelihood(model) - ofFirst) -
+               DEVIATIONS * std::sqrt(points * ranking->extrapolation());
     }
 
     const Ranking* ranking;  //!< null: not made yet
@@ -181,18 +185,15 @@ const Alternative* Alternatives::chosen(const Context& context, const int* order
             neighbors.ranking = new (scope.take<Ranking>(1)) Ranking(context, common, scope);
         if (byOrder && !known.ranking)
             known.ranking = new (scope.take<Ranking>(1)) Ranking(context, order, scope);
-        // each ranking decides by itself; the variance of a log-likelihood that is extrapolated
-        // from few points is larger
+        // each ranking decides by itself
         const Model& model = kept[i].candidate.model;
         const double points = parts * difference(kept[i].inliers, kept[0].inliers),
                      lost = kept[0].gain - kept[i].gain;
         double advantage = -DBL_MAX;
         if (byNeighbors)
-            advantage = WORTH * neighbors.advantage(model) - lost -
-                        DEVIATIONS * std::sqrt(points * neighbors.ranking->extrapolation());
+            advantage = neighbors.advantage(model, points) - lost;
         if (byOrder)
-            advantage = std::max(advantage, WORTH * known.advantage(model) - lost -
-                                                DEVIATIONS * std::sqrt(points));
+            advantage = std::max(advantage, known.advantage(model, points) - lost);
         if (advantage > most)
         {
             most = advantage;

@@ -126,12 +126,19 @@ void expectScatter(const Mat& covariance, const std::vector<Mat>& vectors)
                 << i << " " << k;
 }
 
+//! Also if the last entry is exactly 1, as that of a scaled homography, although a pose is not
+//! scaled.
 TEST(Usac_Covariance, parameters_of_poses_and_motions)
 {
     const double h = 1e-6;
-    for (ProblemType problem : {ABSOLUTE_POSE, RIGID_3D, SIMILARITY_3D})
+    for (int i = 0; i < 6; ++i)
     {
-        const Mat model = modelOf(problem), T = tangentOfModel(problem, model);
+        const ProblemType problem = std::vector<ProblemType>{ABSOLUTE_POSE, RIGID_3D,
+                                                             SIMILARITY_3D}[i / 2];
+        Mat model = modelOf(problem);
+        if (i % 2)
+            model.at<double>(2, 3) = 1;
+        const Mat T = tangentOfModel(problem, model);
         ASSERT_EQ(Size(PARAMETERS[problem], 12), T.size());
         for (int k = 0; k < T.cols; ++k)
         {

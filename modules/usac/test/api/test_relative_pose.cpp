@@ -182,6 +182,60 @@ TEST(Usac_RelativePose, nothing_but_a_plane)
     EXPECT_EQ(40, either);
 }
 
+//! If the second motion of a plane is returned, then threshold, covariance and noise in the report
+//! must be those of this motion, as Usac::refine returns them, and not those of the model that the
+//! search found.
+TEST(Usac_RelativePose, reportDescribesTheReturnedMotion)
+{
+    int replaced = 0;
+    for (int i = 0; i < 120; ++i)
+    {
+        SceneOptions options;
+        options.seed = 1 + i / 2;
+        options.noise = 0.3;
+        options.outliers = 60;
+        options.planeFraction = 0.99;
+        const Scene scene = makeScene(ESSENTIAL, options);
+        Params params = i % 2 ? Params::automatic() : Params();
+        params.threshold = i % 2 ? 6 : 1.5;
+        params.covariance = true;
+        Mat R, t, mask;
+        RelativePose pose;
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), params, R, t, mask, pose));
+        const Ptr<Usac> usac = Usac::create(ESSENTIAL, scene.points1, scene.points2, params,
+                                            scene.K);
+        Mat inliers;
+        Report search, refined;
+        const Mat E = usac->run(inliers, &search);
+        const bool other = cvtest::norm(E, pose.essential, NORM_INF) > 1e-9;
+        const Mat errors = usac->errors(pose.essential);
+        int within = 0;
+        for (int k = 0; k < errors.rows; ++k)
+        {
+            const bool near = errors.at<double>(k) <= pose.report.threshold;
+            within += near;
+            EXPECT_TRUE(near || !mask.at<uchar>(k)) << i << " " << k;
+        }
+        EXPECT_EQ(within, pose.report.inliers + pose.behind) << i;
+        EXPECT_EQ(other ? std::vector<int>() : search.sample, pose.report.sample) << i;
+        EXPECT_NO_THROW(covarianceOfPose(pose.essential, pose.report.covariance, R, t));
+        if (!other)
+        {
+            EXPECT_EQ(0, cvtest::norm(search.covariance, pose.report.covariance, NORM_INF));
+            continue;
+        }
+        ++replaced;
+        usac->refine(pose.essential, noArray(), inliers, &refined);
+        EXPECT_NEAR(refined.sigma, pose.report.sigma, 0.05 * refined.sigma) << i;
+        // a second refinement changes the model a little
+        EXPECT_LT(cvtest::norm(refined.covariance, pose.report.covariance, NORM_L2),
+                  0.5 * cvtest::norm(search.covariance, pose.report.covariance, NORM_L2))
+            << i;
+    }
+    EXPECT_GE(replaced, 10);
+}
+
 //! A match whose points are on their epipolar lines, but whose point of space would be behind a
 //! camera, must not be an inlier. Such matches are made from the points X = -4 x1, where x1 is a
 //! point of the normalized image plane of camera 1.
