@@ -39,7 +39,7 @@ import usacv20
 Floats = npt.NDArray[np.float64]
 
 SIZE, FOCAL, NOISE = np.array([640.0, 480.0]), 600.0, 0.4  # pixels
-DEPTH = 6.0  # of the plane on the optical axis; the general motion turns about this point
+DEPTH = 6.0  # at which the optical axis of camera 1 meets the plane; the motion `general` rotates about this point
 NAMES = ("UNDEFINED", "DEGENERATE", "CALIBRATED", "UNCALIBRATED", "PLANAR", "PANORAMIC", "PLANAR_OR_PANORAMIC", "WATERMARK")
 CLUSTER = 15.0  # standard deviation of the points of a cluster, pixels
 FOCAL_FACTORS = (0.5, 0.67, 1.5, 2, 3, 4)
@@ -49,11 +49,13 @@ class Cell(NamedTuple):
     """A kind of pair."""
 
     right: int  # number of right matches
-    planar: float  # part of them on a plane
+    planar: float  # fraction of the right matches that are on a plane
     wrong: int  # number of wrong matches
-    clusters: int  # of wrong matches; 0: uniform
-    shift: float  # of the second points of wrong matches from those of right ones, pixels; 0: no repeated structure
-    factor: float  # the given focal length over the true one
+    clusters: int  # number of clusters of wrong matches; 0: their points are uniform
+    # Horizontal distance of a wrong match's second point from that of the right match of which it is a copy, pixels. 0: wrong
+    # matches are not copies of right ones.
+    shift: float
+    factor: float  # the given focal length, divided by the true one
 
 
 def cells(kind: str) -> Iterator[Cell]:

@@ -122,10 +122,11 @@ KnownScene::KnownScene(const SceneCell& cell_, int seed) : cell(cell_)
     truth = Mat(scene.motion, true);
 }
 
-//! Multiplies the noise of every second match, or that of each point in one direction, by
-//! SceneCell::spread and sets `sigmas`, unless `spread` is 1. Wrong matches have no noise, so they
-//! do not change.
+//! Multiplies the noise of every second match by SceneCell::spread or, with SceneCell::directed,
+//! that of each image point along a random direction. Sets `sigmas`. Does nothing if `spread` is 1.
+//! Wrong matches have no noise, so their points do not change.
 //! @param exact1, exact2 the points without noise
+//! @param seed of the random directions
 void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2, int seed)
 {
     if (cell.spread == 1)
@@ -148,8 +149,11 @@ void KnownScene::spreadNoise(const Mat& exact1, const Mat& exact2, int seed)
     }
 }
 
-//! Multiplies the noise of a point in one direction by SceneCell::spread and appends its covariance
-//! to `sigmas`, in units in which errors have the variance 1 without this factor.
+//! Multiplies the noise of a point along one direction by SceneCell::spread and appends the
+//! covariance of the point to `sigmas`. Its unit is the variance that each component of the error
+//! of a match would have with `spread` 1.
+//! @param exact `points` without noise
+//! @param angle between the direction and the x axis, radians
 void KnownScene::stretchNoise(const Mat& exact, int row, double angle, Mat& points)
 {
     const double unit = noiseOf(cell) / (cell.noise * cell.threshold), x = std::cos(angle),

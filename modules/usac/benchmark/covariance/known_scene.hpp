@@ -24,8 +24,9 @@ struct SceneCell
     double threshold;  //!< pixels; R, M: in the unit in which the cloud is a cube of side 2
     double spread;     //!< noise of every second match, divided by that of the others; if it is not
                        //!< 1, the estimator gets these ratios as Params::sigmas
-    bool directed;     //!< `spread` is instead the noise of each point of an image in a random
-                       //!< direction, divided by that across it; the estimator gets covariances
+    //! True: `spread` is instead the noise of each image point along a random direction, divided by
+    //! that across it; the estimator gets the points' covariances as Params::sigmas. Not for R, M.
+    bool directed;
 };
 
 /** A synthetic scene with its true model, and an estimate that is compared with the true model. */
@@ -50,7 +51,8 @@ public:
     //! error() if the estimator does not get Params::sigmas. The estimator's threshold is then
     //! multiplied by SceneCell::spread, to fit the larger noise. Infinite if there is no model.
     double errorWithoutSigmas(const cv::usacv20::Params& options, double widening) const;
-    //! error() of the least-squares fit to the right matches with their true noise.
+    //! error() of the least-squares fit to the right matches, with errors divided by their true
+    //! standard deviations.
     double errorOfFit() const;
 
     const cv::usacv20::Report& report() const { return learned; }

@@ -16,8 +16,8 @@ namespace {
 
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Numbers;
 
-//! Largest accepted Frobenius norm of two differences: between the essential matrix of the caller
-//! and that of the motion, both of unit norm; and between R R^T and the identity.
+//! Largest accepted Frobenius norm of two differences in covarianceOfPose(): between the caller's
+//! essential matrix and [t]x R, both of unit norm; and between R R^T and the identity.
 constexpr double SAME = 1e-6;
 
 Mat toMat(const Numbers& numbers)
@@ -38,8 +38,8 @@ Mat readMatrix(InputArray given, int rows, int cols)
     return numbers;
 }
 
-//! A model of the caller, in its normal form (see Problem::toInput) and in the form that its
-//! parameterization uses (see Parameterization::plus).
+//! A model of the caller in two forms, which can differ in scale and sign: `normal`, as models are
+//! returned (see Problem::toInput), and `here`, as Parameterization::plus returns it.
 class GivenModel
 {
 public:
@@ -69,7 +69,7 @@ public:
     }
 
     int dimension() const { return rule->dimension(); }
-    //! The model in its normal form, see Problem::toInput.
+    //! The model in the scale and sign in which models are returned, see Problem::toInput.
     const Model& model() const { return normal; }
     const Problem& kind() const { return *problem; }
 
@@ -79,8 +79,8 @@ public:
     {
         if (!problem->createResidual(RESIDUAL_STANDARD)->homogeneous())
             return basis;
-        // `here` and `normal` are multiples of each other. For maps, all entries of `normal` are
-        // divided by the last one; for other models, only the sign differs, if anything
+        // `normal` is equal to `here` up to sign, or, for a map, it is `here` divided by its last
+        // entry; the derivatives are then those of a quotient
         const int last = normal.size() - 1;
         const Eigen::Map<const Eigen::VectorXd> entries(normal.val, normal.size()),
             unscaled(here.val, here.size());
@@ -107,7 +107,7 @@ public:
 private:
     const Ptr<Problem> problem;
     const Ptr<Parameterization> rule;
-    const Correspondences points;  //!< no points; coordinates are not normalized
+    const Correspondences points;  //!< no points, and a frame that changes no coordinates
     Model normal, here;
     AnyParameterization::Basis basis;  //!< derivatives of `here`, see callerBasis()
 };

@@ -126,12 +126,13 @@ void checkScores(const Params& p, int count)
 
 //! Bounds of Params::sigmas, so that the squared ratio of any two sigmas is finite as a float.
 constexpr float SMALLEST_SIGMA = 1e-6f, LARGEST_SIGMA = 1e6f;
-//! Smallest determinant of a covariance relative to the product of its two variances. At this
-//! value, the two standard deviations differ by a factor of at least 2000. Numbers of type float
-//! determine the determinant with an error of about 1e-7.
+//! Smallest ratio of the determinant of a covariance to the product of its two variances. At this
+//! value, the standard deviations along the principal axes differ by a factor of at least 2000. As
+//! the numbers are of type float, the ratio has a rounding error of about 1e-7.
 constexpr double SMALLEST_DETERMINANT = 1e-6;
 
-//! @param exact true: three zeros, an exact point, are allowed
+//! Raises a cv::Exception if the covariance c[0], c[1], c[2] (xx, xy, yy) of a point is invalid.
+//! @param exact true: three zeros, which mean a point without noise, are valid
 void checkCovariance(const float* c, bool exact)
 {
     if (exact && c[0] == 0 && c[1] == 0 && c[2] == 0)
@@ -146,8 +147,8 @@ void checkCovariance(const float* c, bool exact)
                    smallest, largest, xx, xy, yy));
 }
 
-//! Raises a cv::Exception if `numbers` sigmas or covariances are invalid.
-//! @param each how many of the numbers describe a match: 1, 3 or 6
+//! Raises a cv::Exception if one of the sigmas or covariances in `numbers` is invalid.
+//! @param each how many of the numbers describe one match: 1 (sigma), 3 or 6 (covariances)
 void checkSigmas(const std::vector<float>& numbers, int each)
 {
     for (int i = 0; i < (int)numbers.size(); i += each == 1 ? 1 : 3)
@@ -160,8 +161,9 @@ void checkSigmas(const std::vector<float>& numbers, int each)
     }
 }
 
-//! Raises a cv::Exception if the noise of `count` matches is given in none of the three ways. A
-//! negative `count` is an unknown number; any of the three ways is then possible.
+//! Raises a cv::Exception if Params::sigmas are not one, three or six valid numbers for each of
+//! `count` matches. If `count` is negative, the number of matches is unknown; it is then enough
+//! that the numbers are valid in one of these three forms.
 void checkSigmas(const Params& p, int count)
 {
     const int numbers = (int)p.sigmas.size();

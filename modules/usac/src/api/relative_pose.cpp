@@ -75,12 +75,12 @@ public:
         CV_Assert(!other.essential.empty());
         read(other);
         if (difference(other.essential, E) <
-            difference(each[0], each[1]) / 2)  // the refinement converged to the first motion
+            difference(each[0], each[1]) / 2)  // the refinement converged to the motion of `found`
             other.essential.release();
         return onPlane;
     }
 
-    //! Removes inliers that are behind a camera from the mask. @return number of inliers removed
+    //! Sets the mask to 0 for inliers that are not in front of both cameras. @return their number
     int hideBehind(Solution& solution) const
     {
         int behind = 0;

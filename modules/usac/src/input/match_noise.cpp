@@ -10,12 +10,15 @@ namespace usacv20 {
 
 namespace {
 
-//! Step of the differences with which points are converted, in units of the normalized image plane,
-//! and relative to the coordinate, so that rounding errors of points far away are small. The
-//! derivative of a lens distortion changes by about the square of the step. See doc/constants.md.
+//! Step of the central differences that approximate the derivative of the conversion of points, see
+//! stepAt(): at least STEP in the coordinates of the model (E: on the normalized image plane), and
+//! at least RELATIVE_STEP times the given coordinate, so that rounding errors of points far away
+//! are small. The derivative of a lens distortion changes by about the square of STEP. See
+//! doc/constants.md.
 constexpr double STEP = 1e-4, RELATIVE_STEP = 1e-6;
 
-//! Replaces the 2x2 matrix [a b; c d] by the root [p 0; q s] of the same covariance.
+//! Computes the triangular root L = [p 0; q s] of the covariance M M^T with M = [a b; c d], so that
+//! L L^T = M M^T.
 void toRoot(double a, double b, double c, double d, double& p, double& q, double& s)
 {
     p = std::sqrt(a * a + b * b);
@@ -23,6 +26,8 @@ void toRoot(double a, double b, double c, double d, double& p, double& q, double
     s = p > 0 ? std::abs(a * d - b * c) / p : std::sqrt(c * c + d * d);
 }
 
+//! The step for a coordinate that the caller has given, in its unit (pixels).
+//! @param pixels number of pixels per unit of the coordinates of the model
 double stepAt(double coordinate, double pixels)
 {
     return std::max(STEP * pixels, RELATIVE_STEP * std::abs(coordinate));
@@ -56,10 +61,14 @@ MatchNoise::MatchNoise(const Problem& problem_, const std::vector<float>& sigmas
     unit = std::pow(sum / count, 1. / degrees);
 }
 
-/** Variance of isotropic noise that leads to about the same variance of the error. Errors in the
-plane: the determinant of the covariance S2 + R S1 R^T, averaged over all rotations R, with which a
-map may transfer the noise of image 1. Distances from lines: the average over the directions of the
-lines; two images with equal noise of variance v have Sampson distances of variance v. */
+/** Variance of isotropic noise with which the error of a match would have about the same variance.
+S1 and S2 are the covariances of its points in images 1 and 2.
+
+If errors are vectors in the plane, the isotropic noise is in image 2 only. The result is the square
+root of the mean determinant of S2 + R S1 R^T over all rotations R, because a map can rotate the
+noise of image 1. If errors are Sampson distances, the isotropic noise is equal in both images. The
+result is the variance of the Sampson distance, averaged over the directions of the epipolar lines;
+with noise of variance v in both images, it is v. */
 double MatchNoise::variance(int match) const
 {
     const float* const c = &sigmas[(size_t)match * each];
@@ -89,8 +98,9 @@ void MatchNoise::toColumns(const double* const* taken, bool image, double* const
     transform(taken, image, images, noise, arena);
 }
 
-//! Computes the roots of the covariances, of which the first number of each match is number
-//! `first`, in units of mean(). Points without covariance are exact.
+//! Computes the roots (p, q, s) of the covariances of the points of one array, divided by mean().
+//! @param first index of xx among the numbers of a match; if there are no such numbers, the points
+//! of this array are exact, and their roots are 0
 void MatchNoise::readRoots(int first, double* const* root) const
 {
     for (int i = 0; i < count; ++i)
@@ -106,18 +116,20 @@ void MatchNoise::readRoots(int first, double* const* root) const
     }
 }
 
-/** Converts roots to the coordinates of the model: multiplies them by the derivative of the
-conversion of points and by the number of pixels per unit. The derivative is computed by central
+/** Converts roots from pixels to the coordinates of the model: multiplies them by the derivative of
+the conversion of points and by the number of pixels per unit. The derivative is computed by central
 differences.
-@param both true: there are roots of both images
-@param noise three columns for the last array, and perhaps three for the first one */
+@param taken, image as in toColumns()
+@param both true: there are roots for both arrays, false: only for the last one
+@param noise input: the roots in pixels; output: the converted roots. Three columns for the last
+array, then, if `both` is true, three for the first array */
 void MatchNoise::transform(const double* const* taken, bool image, bool both, double* const* noise,
                            Arena& arena) const
 {
     Arena::Scope scope(arena);
     enum { ENTRIES = 4 };
     const int columns = problem.coordinates(0) + problem.coordinates(1), images = both ? 2 : 1;
-    const int first[] = {problem.coordinates(0), 0};  // columns of the points of the roots
+    const int first[] = {problem.coordinates(0), 0};  // column of x in the last and first array
     double *moved[MAX_COLUMNS], *product[2 * ENTRIES];
     for (int k = 0; k < columns; ++k)
         moved[k] = scope.take<double>(count);
@@ -167,7 +179,8 @@ void MatchNoise::transform(const double* const* taken, bool image, bool both, do
         }
 }
 
-//! Converts points to the coordinates of the model. @return number of pixels per unit
+//! Converts points to the coordinates of the model. @return number of pixels per unit. If `image`
+//! is true: converts points by Problem::toImageCoordinates instead and returns 0.
 double MatchNoise::convert(double* const* columns, int points, bool image) const
 {
     if (!image)

@@ -10,14 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** The noise of matches, Params::sigmas: one sigma for each match, or the covariance of its point
-in the last array, or also that of its point in the first array. A covariance is given as its upper
-triangle xx, xy, yy. */
+/** The noise of matches, Params::sigmas. Each match has one number, its sigma; or three, the
+covariance of its point in the last array; or six, this covariance and that of its point in the
+first array. A covariance is given as its upper triangle xx, xy, yy. */
 class MatchNoise
 {
 public:
-    //! Correspondences::noise for N = `count` matches and N, 3 N or 6 N numbers. Raises
-    //! cv::Exception if the problem does not support covariances.
+    //! Correspondences::noise (0, 1, 3 or 6) for N = `count` matches and 0, N, 3 N or 6 N numbers.
+    //! Raises cv::Exception if the problem does not support as many covariances.
     static int columnsOf(const Problem& problem, const std::vector<float>& sigmas, int count);
 
     //! @param sigmas_ Params::sigmas, not empty
@@ -43,7 +43,7 @@ private:
 
     const Problem& problem;
     const std::vector<float>& sigmas;
-    const int count, each;  //!< numbers of matches, and of numbers for each match
+    const int count, each;  //!< number of matches; how many of the sigmas describe one match
     double unit;            //!< mean()
 };
 

@@ -15,9 +15,9 @@ namespace usacv20 {
 
 namespace {
 
-//! In each coordinate, the box Correspondences::lower, upper reaches at most this many mean
-//! absolute deviations from the center, however far away the outermost points are. See
-//! doc/constants.md.
+//! In each coordinate, the box Correspondences::lower, upper reaches at most this many mean (or
+//! median, see robustFrame()) absolute deviations from the center, however far away the outermost
+//! points are. See doc/constants.md.
 constexpr double FRAME = 5;
 //! Bounds of the threshold of the search, in normalized coordinates: the squared threshold and its
 //! inverse must be neither 0 nor infinite as float. The mask uses the caller's threshold unchanged.
@@ -48,7 +48,7 @@ bool allFinite(const double* values, int count)
 //! (Report::wideThreshold): along this side, all points are within the threshold of the center. If
 //! the fraction were 0.25, a threshold of 160 pixels would be wide in an image of 640 pixels. If it
 //! were 1, a threshold of 1.5 pixels would not be wide for points that are wrongly given on the
-//! normalized image plane, with a field of view of 90 degrees.
+//! normalized image plane, where a field of view of 90 degrees has a width of 2.
 constexpr double WIDE = 0.5;
 
 /** Memory in bytes. OF_POINT is for each point: 88 bytes for the point itself and 150 for temporary
@@ -152,7 +152,8 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
         }
 }
 
-//! Raises a cv::Exception if Params::sigmas cannot be the noise of `count` matches.
+//! Raises a cv::Exception if Params::sigmas cannot be the noise of `count` matches, or if they
+//! describe points that were read before and had a different number of matches.
 void ProblemData::checkNoise(const Params& params, int count)
 {
     MatchNoise::columnsOf(*view.problem, params.sigmas, count);
@@ -179,7 +180,7 @@ void ProblemData::readNoise(const Params& params, Arena& arena)
     given.toColumns(input, false, columns, arena);
 }
 
-//! Stores the original image points and, if there are covariances, their noise.
+//! Stores the original image points and, if there are Params::sigmas, the noise of the matches.
 void ProblemData::keepImage(const Params& params, Arena& arena)
 {
     double* columns[MAX_COLUMNS];
@@ -198,7 +199,8 @@ void ProblemData::keepImage(const Params& params, Arena& arena)
     view.problem->toImageCoordinates(columns, count);
 }
 
-//! Stores the original image points with the rows, order and normalization of points().
+//! Stores the original image points and the noise of the matches with the rows, order and
+//! normalization of points().
 void ProblemData::shuffleImage(Arena& arena)
 {
     const Frame& frame = view.frame[1];
@@ -229,8 +231,8 @@ Correspondences ProblemData::imagePoints() const
     return points;
 }
 
-//! True if all numbers of a row are finite and, with a covariance in the last array, this
-//! covariance is not singular.
+//! True if all numbers of a row are finite and, if there are covariances, that of the point in the
+//! last array is not singular.
 bool ProblemData::usableRow(int row) const
 {
     bool all = true;
@@ -240,9 +242,9 @@ bool ProblemData::usableRow(int row) const
     return all && (view.noise < 2 || (input[root][row] > 0 && input[root + 2][row] > 0));
 }
 
-/** Copies the rows without NaN and infinite numbers, as doubles, in a fixed pseudo-random order
-(Fisher-Yates shuffle). The search, polishing and significance rely on this order: they use the
-first points as a random sample of all points. */
+/** Copies the usable rows (usableRow()), as doubles, in a fixed pseudo-random order (Fisher-Yates
+shuffle). The search, polishing and significance rely on this order: they use the first points as a
+random sample of all points. */
 void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
@@ -329,7 +331,7 @@ void ProblemData::scale(const Params& params, Arena& arena)
         view.lower[k] = (float)std::max((low[k] - shift) * factor, middle - reach);
         view.upper[k] = (float)std::min((high[k] - shift) * factor, middle + reach);
     }
-    for (int k = 0; k < view.noise; ++k)  // the last three of six are those of array 1
+    for (int k = 0; k < view.noise; ++k)  // the last three of six are for array 0
         scaleColumn(columns + k, 0, k < 3 ? 1 : view.frame[0].scale / view.frame[1].scale);
     view.unit = view.frame[1].scale / pixels;
     view.threshold = std::min(

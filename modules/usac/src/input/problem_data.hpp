@@ -104,11 +104,12 @@ private:
     double* input[MAX_COLUMNS];    //!< columns with all rows (E: on the normalized image plane)
     double* doubles[MAX_COLUMNS];  //!< columns of Correspondences
     float* floats[MAX_COLUMNS];
-    double* seen[MAX_COLUMNS];  //!< original image points (array 2) and their noise, all rows;
-                                //!< null: not stored
+    double* seen[MAX_COLUMNS];  //!< all rows of the original image points (second array), then the
+                                //!< noise of the matches; null: not stored
     const double* seenDoubles[MAX_COLUMNS];  //!< `seen`, shuffled and normalized, for imagePoints()
     const float* seenFloats[MAX_COLUMNS];
-    int described;  //!< number of the first points, to which Params::sigmas belong; 0: none so far
+    int described;  //!< number of matches that Params::sigmas describe, if there are any: that of
+                    //!< the points read before; 0: no points were read
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);

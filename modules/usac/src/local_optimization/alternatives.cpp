@@ -16,8 +16,8 @@ namespace {
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant. The
 // gain of a model is defined in Alternative.
 
-//! The gain of an alternative is at least this fraction of the largest gain of all models: for a
-//! known order of the points, and for common neighbors of the matches.
+//! The gain of an alternative is at least this fraction of the largest gain of all models: NEAR if
+//! the ranking is a known order of the points, NEAR_COMMON if it is by common neighbors.
 constexpr double NEAR = 0.94, NEAR_COMMON = 0.6;
 //! Two models have different inliers if, for at least one of them, more than this fraction of its
 //! inliers are not inliers of the other model.
@@ -25,8 +25,8 @@ constexpr double DIFFERENT = 0.1;
 //! An alternative shares at least this fraction of its inliers with the model of largest gain. A
 //! model that shares fewer inliers describes another motion; the cost alone then decides.
 constexpr double SHARED = 0.5;
-//! For common neighbors, at least this fraction of the inliers of an alternative are not inliers of
-//! the model of largest gain.
+//! For the ranking by common neighbors: at least this fraction of the inliers of an alternative are
+//! not inliers of the model of largest gain.
 constexpr double OWN = 0.04;
 //! Weight of the log-likelihood of a ranking relative to the gain, to which an inlier without error
 //! contributes 1. For comparison: with independent Gaussian errors and a threshold at their 0.95
@@ -40,7 +40,7 @@ constexpr double DEVIATIONS = 2;
 //! Maximum number of points from which the likelihood of the order is computed.
 constexpr int LOOKED = 4096;
 
-//! Number of points that are inliers of only one of two models.
+//! Number of points that are inliers of only one of two models, among the points of InlierBits.
 int difference(const InlierBits& a, const InlierBits& b) { return a.without(b) + b.without(a); }
 
 //! True if two models have nearly the same inliers, see DIFFERENT.
@@ -98,7 +98,7 @@ public:
         return orderLogLikelihood(inliers, size, blocks, ends) * extrapolation();
     }
 
-    //! Number of all points for each of these points.
+    //! Number of points of the run, divided by the number of points from which the ranking is made.
     double extrapolation() const { return (double)context.points.size / looked; }
 
 private:
@@ -109,7 +109,8 @@ private:
     uchar* const ends;  //!< see orderLogLikelihood()
 };
 
-//! The log-likelihood of a ranking with the inliers of a model, compared with the first model.
+//! Compares the log-likelihoods of a ranking (Ranking::likelihood) for the inliers of a model and
+//! for those of the model of largest gain (`first`).
 struct Evidence
 {
     Evidence(const Model& first_) : ranking(0), first(first_), ofFirst(-1) {}
@@ -127,7 +128,7 @@ struct Evidence
 
     const Ranking* ranking;  //!< null: not made yet
     const Model& first;
-    double ofFirst;  //!< -1: not computed yet
+    double ofFirst;  //!< log-likelihood for `first`; -1: not computed yet
 };
 
 }  // namespace
@@ -159,7 +160,7 @@ void Alternatives::offer(const Context& context, const Candidate& candidate, boo
         kept[i] = kept[i - 1];
     kept[place] = added;
     int left = place + 1;
-    // drops models that have the same inliers as the new model, or too low a gain
+    // drops models that have nearly the same inliers as the new model, or too low a gain
     for (int i = place + 1; i <= count; ++i)
         if (kept[i].gain >= least * kept[0].gain && !same(kept[i].inliers, added.inliers))
             kept[left++] = kept[i];

@@ -26,22 +26,25 @@ With repeated structure or planes, a wrong model can explain more matches than t
 no search can recognize it as wrong by its cost. Two rankings of the matches can tell that it is
 wrong, because the inliers of the right model have higher ranks:
 
-- If the order of the matches is known: the descriptor of a repeated corner has two nearly equally
-  close neighbors, so that matches of repeated corners have bad scores.
-- For F: wrong matches between repeated elements, such as the columns of a facade,
-  lie on the epipolar lines of a wrong model, but they seldom have neighbors in common in the two
-  images, see commonNeighbors().
+- If the order of the matches is known, for example by their scores: two descriptors of the other
+  image are nearly equally close to the descriptor of a repeated corner, so that matches of repeated
+  corners have bad scores.
+- For F: wrong matches between repeated elements, such as the columns of a facade, lie on the
+  epipolar lines of a wrong model, but they seldom have neighbors in common in the two images, see
+  commonNeighbors().
 
-Therefore a model other than that of lowest cost is chosen on three conditions: its gain is at least
-94 % (order) or 60 % (neighbors) as large; at least half of its inliers, but not nearly all, are
-inliers of the model of lowest cost, too; and with its inliers, the log-likelihood of a ranking
-(orderLogLikelihood()) is higher by more than the difference of the gains plus the effect of chance.
-Misleading scores can do little harm, because they decide only if the gains are nearly equal. */
+Therefore a model other than that of lowest cost is chosen on three conditions. Its gain is at least
+94 % (order) or 60 % (neighbors) of the gain of the model of lowest cost. At least half of its
+inliers are inliers of the model of lowest cost, too, but the two models do not have nearly the same
+inliers. And with its inliers, the log-likelihood of a ranking (orderLogLikelihood()) is higher by
+more than the difference of the gains plus the effect of chance. Misleading scores can do little
+harm, because they decide only if the gains are nearly equal. */
 class Alternatives
 {
 public:
-    //! @param active false: no models are stored, because there are no runners-up, or the cost is
-    //! not a sum over the points. No models are stored either if there is no ranking.
+    //! @param active false: no models are stored, because the run has no runners-up (RunnersUp), or
+    //! the cost is not a sum over the points. No models are stored either if neither of the two
+    //! rankings is available.
     Alternatives(bool active, const Context& context);
 
     bool active() const { return kept != 0; }
@@ -52,8 +55,8 @@ public:
     bool contested() const { return count > 1; }
     //! The model to choose instead of the model of lowest cost; null: there is no such model.
     //! @param order the points, best point first; null: the order is not known
-    //! @param common commonNeighbors() of the first #MATCHES_COMPARED points; null: not for this
-    //! problem
+    //! @param common commonNeighbors() of the first #MATCHES_COMPARED points; null: not used for
+    //! this problem, see hasCommonNeighbors()
     const Alternative* chosen(const Context& context, const int* order, const uchar* common) const;
     //! Forgets all models.
     void clear() { count = 0; }
@@ -63,7 +66,7 @@ private:
 
     Alternative* kept;  //!< stored models, by descending gain; null: inactive
     int count;          //!< number of stored models
-    double least;       //!< an alternative has at least this fraction of the largest gain
+    double least;       //!< a stored model has at least this fraction of the largest gain
 };
 
 }  // namespace usacv20

@@ -13,18 +13,21 @@ namespace usacv20 {
 
 namespace {
 
-//! A match is neighborly if it has at least this number of common neighbors. With 2 instead of 3,
-//! many wrong matches of a facade are neighborly.
+//! A match is neighborly if it has at least this number of common neighbors (commonNeighbors()).
+//! With 2 instead of 3, many wrong matches of a facade are neighborly.
 constexpr int NEIGHBORLY = 3;
-//! Number of samples, and minimum number of neighborly inliers as a multiple of the sample size.
+//! Maximum number of samples (SAMPLES), and minimum number of neighborly inliers as a multiple of
+//! the sample size (MULTIPLE).
 constexpr int SAMPLES = 50, MULTIPLE = 2;
-//! No more samples are drawn if the probability that none of them is all-inlier is at most this.
+//! No more samples are drawn as soon as the probability that no sample so far consists only of
+//! inliers is at most this.
 constexpr double MISSED = 0.05;
-//! Number of fits to the inliers among the first MOST points, and their steps.
+//! Maximum numbers of least-squares fits (FITS) and of steps per fit (STEPS). The fits use the
+//! inliers among the first MOST points of the run.
 constexpr int FITS = 2, STEPS = 3, MOST = 400;
 
-//! Indices of the points within the threshold of a model, among the first `size` points that
-//! `wanted` accepts. @return their number
+//! Writes to `indices` which of the first `size` points are within the threshold of a model and are
+//! accepted by `wanted`. @return their number
 template <class Wanted>
 int inliersOf(const Context& context, const Model& model, int size, const Wanted& wanted,
               int* indices)
@@ -41,7 +44,7 @@ int inliersOf(const Context& context, const Model& model, int size, const Wanted
     return count;
 }
 
-//! True if all degeneracy checks accept a sample, or a sample and its model.
+//! True if all degeneracy checks accept a model of a sample or, if `model` is null, the sample.
 bool valid(const Context& context, const int* sample, const Model* model)
 {
     for (const Ptr<Degeneracy>& check : context.components.degeneracies)
@@ -51,12 +54,13 @@ bool valid(const Context& context, const int* sample, const Model* model)
     return true;
 }
 
-//! A model, with its cost and the fraction of inliers among the points from which it was sampled.
+//! A model of a sample, with its cost and its fraction of inliers (`share`), both over the points
+//! from which the samples are drawn.
 struct Sampled
 {
     explicit Sampled(int size) : cost(size), share(0) {}
 
-    //! Replaces the model with one of lower cost.
+    //! Replaces the model with `other` if `other` has a lower MSAC cost on `points`.
     void improve(const Context& context, PointSubset& points, const Model& other)
     {
         const double limit = context.inlierThreshold() * context.inlierThreshold();
@@ -80,7 +84,7 @@ struct Sampled
     double cost, share;
 };
 
-//! The best model of random samples of some points; empty if no model is valid.
+//! The best model of random samples of the points `members`; empty if no model is valid.
 Model modelOf(const Context& context, const int* members, int size)
 {
     const MinimalSolver& solver = *context.components.minimalSolver;

@@ -43,7 +43,7 @@ The threshold that the caller has given is the widest threshold that is consider
 class AutomaticThreshold
 {
 public:
-    //! @param points the points of any run, for Correspondences::noise
+    //! @param points points of the problem, of which only Correspondences::noise is used
     AutomaticThreshold(const Problem& problem, const Params& params, const Correspondences& points);
 
     /** @brief Takes steps 1 and 2. To be called before the components of the search are started.

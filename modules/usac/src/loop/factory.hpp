@@ -12,6 +12,7 @@ namespace usacv20 {
 
 //! Creates the components that the options select. A new variant of a component needs a source
 //! file, an enumerator in params.hpp and a line in factory.cpp.
+//! @param points the points, for Correspondences::noise, see residualWithNoise()
 Components createComponents(const Problem& problem, const Params& params,
                             const Correspondences& points);
 

@@ -71,8 +71,9 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       localTicks(0), checkSamples(checkSamples_)
 {}
 
-// Numbers in comments are lines of Algorithm 1: 2, 3, 7 and 13 in run(), 4 to 6 in solve(), 7 to 13
-// in hypothesize(), 14 to 18 in improve(), 19 to 24 in optimize(), 25 and 26 in setBest().
+// Numbers in comments are lines of Algorithm 1 (see Ransac): 2, 3, 7 and 13 in run(), 4 to 6 in
+// solve(), 7 to 13 in hypothesize(), 14 to 18 in improve(), 19 to 24 in optimize(), 25 and 26 in
+// setBest().
 bool Ransac::run(int pause)
 {
     const int64 start = getTickCount();

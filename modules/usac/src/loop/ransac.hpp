@@ -104,8 +104,9 @@ private:
     //! unexplained points. @return false if the search ends
     bool lookBeside();
     void improveRunnersUp();
-    //! Replaces the best model with one of `alternatives` if the order of the points, if it is
-    //! known, or the common neighbors of matches are clearly more likely with its inliers.
+    //! Replaces the best model with one of `alternatives` if a ranking of the points (a known
+    //! order, or a ranking by common neighbors) is clearly more likely with the inliers of the
+    //! alternative than with those of the best model.
     void chooseByRank();
     void offerCore(const Model& core);
     void setValid(const Model& model, const Sample* sample);

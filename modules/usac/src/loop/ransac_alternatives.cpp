@@ -42,8 +42,8 @@ void Ransac::chooseByRank()
     }
 }
 
-//! A core of lower cost than the best model is nearly the same model, which polishing makes as
-//! good.
+//! Offers the result of neighborlyCore() as an alternative, unless it has a lower cost than the
+//! best model: it is then nearly the same model as the best one, which polishing makes as good.
 void Ransac::offerCore(const Model& core)
 {
     const Quality quality = discounted(core);
@@ -51,7 +51,9 @@ void Ransac::offerCore(const Model& core)
         offer(core, quality, 0);
 }
 
-//! Makes a model the best one if it is valid. No check may replace it with a model of lower cost.
+//! Makes a model the best one if no degeneracy check rejects it. If a check finds another model of
+//! lower cost (Degeneracy::recover), that model is ignored, because here the ranking decides, not
+//! the cost.
 void Ransac::setValid(const Model& model, const Sample* sample)
 {
     Model checked = model;

@@ -456,7 +456,8 @@ private:
                                         //!< residual
     Ptr<Residual> fitted;               //!< the residual that made.nonMinimalSolver minimizes
     Ptr<Residual> rated;                //!< the residual that imageResidual was created for
-    Ptr<Residual> imageResidual;        //!< `rated` for original image points; can be empty
+    Ptr<Residual> imageResidual;        //!< counterpart of `rated` for the original image points;
+                                        //!< can be empty
     Ptr<NonMinimalSolver> imageFit;     //!< the least-squares solver for imageResidual
     Components imageParts;              //!< components for polishing with original image points
     bool keepsImage;                    //!< the original image points are stored, too

@@ -24,7 +24,8 @@ constexpr double BULK = 0.85;
 constexpr double HIGH = 0.4;
 //! A point is included again if its error is at most DEVIATIONS times the standard deviation that
 //! the fit predicts for this error. In the first of two rounds, its error must also be within the
-//! threshold, and its leverage at most PREDICTED.
+//! threshold, and its leverage at most PREDICTED. In the second round, an error above the threshold
+//! must be at most DEVIATIONS standard deviations of the noise alone.
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 /** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
 less than HOPE, the attempt ends; the result must gain at least GAIN. Changing two parameters gains
@@ -255,7 +256,8 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     sums.accumulate(*parts.residual,
                     PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
     // Errors do not depend on the scale of the model; the added term makes A regular in the
-    // direction of a change of scale. If a custom residual is undefined, the trace of A is NaN.
+    // direction of a change of scale. If the derivative of a custom residual is NaN, so is the
+    // trace of A, and there are no leverages.
     const Row scale = Eigen::Map<const Row>(model.val);
     Square A = sums.JtJ;
     A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());

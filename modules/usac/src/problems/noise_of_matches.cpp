@@ -10,7 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! The residual for covariances of points; empty if there is none, or if `residual` is one.
+//! The version of `residual` that uses the covariances of the points; empty if there is no such
+//! version, or if `residual` uses the covariances already.
 static Ptr<Residual> whitenedResidual(const Residual& residual)
 {
     if (hasFormula<TransferError>(residual))

@@ -10,23 +10,28 @@
 namespace cv {
 namespace usacv20 {
 
-// The residuals for Params::sigmas. Scores, fits, mask and covariance that use them weight each
-// match by its noise.
+// The residuals for Params::sigmas. With these residuals, the scores, the fits, the mask and the
+// covariance of the model weight each match by its noise.
 
-/** @brief The residual in units of the noise of each match.
-@param residual the residual without noise
+/** @brief The residual that divides the error of each match by the standard deviation of this
+error. The quotient is multiplied by Correspondences::unit, so that thresholds keep their unit.
+@param residual the residual that does not use the sigmas
 @param points the points, for Correspondences::noise
-@return `residual` itself if there are no sigmas. If there are covariances, but no formula of
-`residual` for them, a cv::Exception is raised. */
+@return `residual` itself if there are no sigmas. Raises a cv::Exception if there are covariances,
+but no version of `residual` that uses them. */
 Ptr<Residual> residualWithNoise(const Ptr<Residual>& residual, const Correspondences& points);
 
-/** @brief Problem::createImageResidual for a residual with or without noise, in units of the noise
-of each match; empty if the problem has no such residual. */
+/** @brief The result of Problem::createImageResidual, with errors that are divided as by
+residualWithNoise(); empty if the problem has no such residual.
+@param problem kind of model
+@param residual the residual that does not use the sigmas or, if these are covariances, possibly the
+result of residualWithNoise()
+@param points the points, for Correspondences::noise */
 Ptr<Residual> imageResidualWithNoise(const Problem& problem, const Ptr<Residual>& residual,
                                      const Correspondences& points);
 
-//! Raises a cv::Exception if a residual is a built-in one that does not use the covariances of the
-//! points.
+//! Raises a cv::Exception if the points have covariances, but `residual` is a built-in residual
+//! that does not use them.
 void checkNoise(const Residual& residual, const Correspondences& points);
 
 }  // namespace usacv20

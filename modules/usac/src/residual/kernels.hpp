@@ -31,8 +31,8 @@ struct IndicesTo<0, K...>
 typedef void (*ErrorKernel)(const Correspondences& points, const float* model, int begin, int end,
                             float* errors);
 
-//! Number of points in one call of a SumsKernel. If there are fewer points, the others have the
-//! weight 0.
+//! Number of points in one call of a SumsKernel. If there are fewer points, the caller adds points
+//! of weight 0.
 constexpr int SUMS_CHUNK = 32;
 //! Number of partial sums of each sum; the caller of the kernels adds the partial sums at the end.
 constexpr int SUMS_LANES = 8;
@@ -50,8 +50,8 @@ typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* mode
                            double (*sums)[SUMS_LANES]);
 
 /** The loops over points that the module compiles from the formula of an error, once for each
-instruction set. Entries can be null. All versions return the same bits: they sum in the same lanes
-and order, and no multiplication is fused with an addition. */
+instruction set. Entries can be null. The loops for all instruction sets return the same bits: they
+have the same partial sums, add in the same order, and fuse no multiplication with an addition. */
 struct ResidualKernels
 {
     ErrorKernel errors;   //!< squared errors
@@ -78,6 +78,7 @@ void toFloat(const Model& model, float* m, bool homogeneous = true);
 namespace {  // compiled for different instruction sets, see formula_residual.hpp
 
 //! MSAC cost: truncated squared error in units of the squared threshold @cite torr2000mlesac.
+//! @param scale 1 divided by the squared threshold
 inline float msacCost(float squaredError, float scale)
 {
     const float cost = squaredError * scale;

@@ -23,15 +23,15 @@ public:
     PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
                 Arena* arena = 0);
 
-    //! Computes the first `count` sums of a kernel over all chunks. The factors of the errors (see
-    //! Correspondences::noise), if any, are part of the weights as squares.
+    //! Computes the first `count` sums of a kernel over all chunks. If there are factors of the
+    //! errors (see Correspondences::noise), the weights are multiplied by the squared factors.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
-    //! Gets the Correspondences::numbers() numbers of a point, and its weight without the factor of
-    //! the error. @return false if `index` is beyond the last point
+    //! Gets the Correspondences::numbers() numbers of a point, and its original weight, which is
+    //! not multiplied by a squared factor. @return false if `index` is beyond the last point
     bool get(int index, double* datum, double& weight) const;
 
-    //! Number of columns of a point, without the factor of the error.
+    //! Number of columns of a point; a column of factors of the errors is not counted.
     int width() const { return columns; }
 
 private:

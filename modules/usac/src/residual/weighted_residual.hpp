@@ -10,10 +10,11 @@
 namespace cv {
 namespace usacv20 {
 
-/** The residual for one sigma per match: the error of a residual multiplied by a factor, which is a
-number of the datum, see Correspondences. Scores, fits, mask and covariance that use this residual
-thus weight each match by its noise.
-@param residual the residual without weights
+/** The residual for one sigma per match. It multiplies the error of another residual by a factor,
+Correspondences::meanSigma divided by the sigma of the match. The factor is one of the numbers of
+the datum, see Correspondences. With this residual, the scores, the fits, the mask and the
+covariance of the model weight each match by its noise.
+@param residual the other residual, which does not use the factors
 @param factor index of the column of the factors */
 Ptr<Residual> weightedResidual(const Ptr<Residual>& residual, int factor);
 

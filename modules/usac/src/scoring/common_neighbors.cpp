@@ -15,7 +15,7 @@ struct Nearest
 {
     Nearest() : count(0) {}
 
-    //! Squared distance that a further neighbor must not reach.
+    //! A further point is added only if its squared distance is below this limit.
     float limit() const { return count < NEIGHBORS_COMPARED ? FLT_MAX : distance[count - 1]; }
 
     void add(int neighbor, float squared)
@@ -34,7 +34,8 @@ struct Nearest
     float distance[NEIGHBORS_COMPARED];
 };
 
-//! A match, as seen from an image: its point there and its point in the other image.
+//! A match, as seen from one of the two images: its point in this image, and its point in the other
+//! image.
 struct Place
 {
     float x, y, otherX, otherY;
@@ -43,12 +44,13 @@ struct Place
 
 float square(float x) { return x * x; }
 
-//! The matches sorted by the x coordinate of an image, in which their neighbors are searched.
+//! The matches sorted by the x coordinates of their points in one image, to find the nearest
+//! neighbors of each point in this image.
 class SortedPlaces
 {
 public:
-    //! @param same_, otherSame_ squared distances up to which two points of this or of the other
-    //! image are the same
+    //! @param same_, otherSame_ squared distances, in this image and in the other one, up to which
+    //! two points count as the same point, so that their matches are not neighbors
     SortedPlaces(const Correspondences& p, int image, int count_, float same_, float otherSame_,
                  Arena::Scope& scope)
         : count(count_), places(scope.take<Place>(count)), same(same_), otherSame(otherSame_)
@@ -84,7 +86,8 @@ public:
     }
 
 private:
-    //! Adds a match if it is near. @return false if it is too far away along x
+    //! Adds the match `other` to the neighbors of the match `center` if it is near enough. @return
+    //! false if it is too far away along x
     bool look(int center, int other, Nearest& found) const
     {
         const Place &a = places[center], &b = places[other];

@@ -10,28 +10,29 @@
 namespace cv {
 namespace usacv20 {
 
-//! Number of nearest neighbors of a point in each image, see commonNeighbors().
+//! Number of nearest neighbors of a point that are looked at in each image, see commonNeighbors().
 constexpr int NEIGHBORS_COMPARED = 8;
-//! Maximum number of matches for which commonNeighbors() should be called, in order to take little
+//! Maximum number of matches for which commonNeighbors() should be called, so that it takes little
 //! time.
 constexpr int MATCHES_COMPARED = 256;
 
-//! True for F, and for other problems with matches of two images, errors of one dimension and at
-//! least 7 degrees of freedom. Wrong matches
-//! along epipolar lines, as between repeated elements of a facade, can fit an F; they seldom fit E,
-//! which has only 5 degrees of freedom, and models with errors of two dimensions.
+//! True for F, and for other problems with matches of two images, errors of one dimension and
+//! models of at least 7 degrees of freedom. Wrong matches along epipolar lines, as between repeated
+//! elements of a facade, can fit an F. They seldom fit an E, which has only 5 degrees of freedom,
+//! or a model whose errors have two dimensions (H).
 bool hasCommonNeighbors(const Problem& problem);
 
 /** @brief Measures how well each match fits its surroundings, before any model is known
 @cite ma2019locality.
 
-The surfaces of a scene are mostly smooth, so that points that are neighbors in one image are
-neighbors in the other image. The result is the number of the #NEIGHBORS_COMPARED nearest neighbors
-of a point in image 1 that are also among the nearest neighbors of its counterpart in image 2. It
-does not depend on scale, rotation or density. Matches that coincide in one of the images are not
-neighbors.
+The surfaces of a scene are mostly smooth, so that points that are neighbors in one image are mostly
+neighbors in the other image. For each match, the matches with the #NEIGHBORS_COMPARED nearest
+points in image 1 are compared with those with the nearest points in image 2. The result is the
+number of matches that are among both. It does not depend on the scale and rotation of the images or
+on the density of the points. Two matches are not neighbors if their points coincide in one of the
+images.
 @param points the matches
-@param count the first `count` matches are looked at
+@param count only the first `count` matches are used
 @param threshold distance up to which points coincide, in the unit of Correspondences::threshold
 @param common output, a number from 0 to #NEIGHBORS_COMPARED for each of these matches */
 void commonNeighbors(const Correspondences& points, int count, double threshold, uchar* common,

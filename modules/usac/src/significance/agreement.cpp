@@ -14,24 +14,24 @@ namespace {
 //! Minimum number of wrong matches made with each point of array 1, if there are enough points.
 constexpr int PARTNERS = 4;
 
-//! First column of array 2, or the last column of the only array.
+//! First column of array 2; if there is only one array, its last column.
 int firstOfPartner(const Correspondences& p)
 {
     return p.coordinates[1] ? p.coordinates[0] : p.columns() - 1;
 }
 
-//! True if a column is that of array 2: coordinates, or the noise of a point of array 2. The factor
-//! of an error is regarded as the noise of array 2.
+//! True if a column belongs to array 2: a coordinate, or the noise of the points of array 2. The
+//! factors of the errors (one sigma for each match) are regarded as the noise of array 2.
 bool ofPartner(const Correspondences& p, int column)
 {
     const bool root1 = column >= p.columns() + 3;
     return column >= firstOfPartner(p) && !root1;
 }
 
-/** Makes wrong matches, that is, pairs each point of array 1 with a point of another match in array
-2. T is float for built-in residuals, and double for a custom residual, which has no kernels. A
-custom residual may depend on the Correspondences of the run; therefore only columns are passed to
-it. */
+/** Makes wrong matches, that is, pairs the point of each match in array 1 with the point of another
+match in array 2. T is float for built-in residuals, and double for a custom residual, which has no
+kernels. A custom residual may depend on the Correspondences of the run; therefore it gets the wrong
+matches as columns, not as other Correspondences. */
 template <typename T>
 class WrongPairs
 {
@@ -56,9 +56,9 @@ public:
         return sum;
     }
 
-    //! Removes the marked points and appends a copy of array 2 to itself, so that agreeing() finds
-    //! a partner for the last points, too. If there is only one array, its last column is used as
-    //! array 2. @return number of points left
+    //! Removes the matches that are marked in `repeated`, and appends a copy of array 2 to itself,
+    //! so that agreeing() finds a partner for the last points of array 1, too. If there is only one
+    //! array, its last column is used as array 2. @return number of matches left
     int drop(const uchar* repeated)
     {
         int kept = 0;

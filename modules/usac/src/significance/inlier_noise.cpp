@@ -41,8 +41,8 @@ constexpr double WITHIN = 0.95;
 //! points to the error, see degreesAt().
 constexpr int CHANGES = 20;
 
-//! The errors of the first points, and the noise scale that SignificantScale finds by comparing
-//! them with the errors of wrong matches.
+//! The errors of the first `most` points, which are a random subset, and the noise scale that
+//! SignificantScale finds by comparing them with the errors of wrong matches.
 class Errors
 {
 public:
@@ -57,7 +57,8 @@ public:
         float* const memory = scope.take<float>((size_t)WRONG_PARTNERS * size);
         wrong = memory;
         wrongCount = wrongErrors(residual, model, p, size, memory, context.arena);
-        unit = 4 * widest / FINEST;  // SignificantScale begins with 0.31 of the unit
+        // the smallest radius of SignificantScale, 0.31 units, is then about widest / FINEST
+        unit = 4 * widest / FINEST;
         Correspondences narrow = p;
         narrow.threshold = unit;
         chance = p.problem->randomInlierRatio(narrow);
@@ -97,9 +98,9 @@ private:
                                            sampleSize, FINEST / 4, true);
     }
 
-    //! Of the inliers in the same cell of a grid over one of the arrays, removes all but one:
-    //! copies of a match have the same error, which may look like small noise. @return false if
-    //! nothing was removed
+    //! Of the inliers in the same cell of a grid over one of the arrays, removes all but one,
+    //! because copies of a match have the same error, which may look like small noise. @return
+    //! false if nothing was removed
     bool dropRepeated(const Correspondences& p, double threshold, Arena& arena)
     {
         Arena::Scope local(arena);
@@ -170,7 +171,7 @@ namespace {
 
 /** Effective degrees of freedom of the error of a point, by Satterthwaite's formula, for noise in
 both arrays. For an error in the plane: 2 if the error has the same variance in all directions, and
-nearly 1 if the model enlarges the noise in one direction.
+nearly 1 if the model enlarges the noise much more in one direction than in the other.
 @param step step of the finite differences, which should be below the noise */
 double degreesAt(const Context& context, const Model& model, int point, double step)
 {

@@ -33,7 +33,7 @@ struct InlierNoise
 
 /** @brief Quick estimate: sigma from the median of the inliers' errors, and a threshold of 2.2
 sigma.
-@param context, model the points and the residual, and the model
+@param context, model the run, with its points and residual, and the model
 @param widest upper bound of the radius of SignificantScale and of the threshold
 @param most use only the first `most` points
 @param once count inliers with nearly the same position in one of the arrays (the same cell, see
@@ -50,29 +50,32 @@ do not exceed. With fewer than 50 inliers, no mixture is fitted: sigma is that o
 the threshold follows from sigma for Gaussian noise. */
 InlierNoise preciseNoise(const Context& context, const Model& model, double widest);
 
-/** @brief One of the Correspondences::columns() directions of the noise of a point, as a vector in
-the coordinates of the columns. Independent noise of variance 1 along each direction has the
-distribution of the noise of the point, if the noise of an average point in the last array is 1.
+/** @brief One of the vectors by which the noise of a match is modeled: the noise is the sum of
+Correspondences::columns() vectors, each multiplied by an independent random number of variance 1.
+The vectors have an entry for each coordinate of the match. Their unit is the standard deviation of
+the noise of a coordinate in the last array, for a match of average noise.
 
 Without covariances, the noise is assumed to be the same in both images, in the caller's pixels, so
-that the directions are the columns, scaled if the arrays are scaled by different factors. There is
-no noise in the first array if its unit is not that of the threshold (Problem::commonUnit).
+that each vector has the direction of a coordinate axis; the vectors of the first array are longer
+or shorter if the two arrays are scaled by different factors. The vectors of the first array are 0
+if the unit of this array is not that of the threshold (Problem::commonUnit).
 @param points the points
-@param datum Correspondences::numbers() numbers of the point
-@param index index of the direction
-@param direction output */
+@param datum Correspondences::numbers() numbers of the match
+@param index index of the vector
+@param direction output: the vector */
 void noiseDirection(const Correspondences& points, const double* datum, int index,
                     double* direction);
 
 /** @brief True if a threshold is too narrow for the noise by more than `factor`.
 
-The number of points within the threshold is divided by the number within half of it; the points of
-a sample are not counted. If the threshold is too narrow, the errors continue beyond it, and this
-ratio is large. The result is true if the ratio is larger than it would be if the right threshold
-were `factor` times as wide. Matches of another motion or plane are not taken for noise, because few
-of them have small errors. The noise of the points is assumed to be Gaussian and equal in all
-directions in both images; the model may enlarge the noise in one direction (strongly tilted views).
-With heavy tails, the result is false. */
+The number of points within the threshold is divided by the number within half of it; the size of a
+minimal sample is subtracted from both numbers. If the threshold is too narrow, the errors continue
+beyond it, and this ratio is large. The result is true if the ratio is larger than it would be if
+the right threshold were `factor` times as wide. Matches of another motion or plane are not taken
+for noise, because few of them have small errors. The noise of the points is assumed to be Gaussian
+and, unless there are covariances, equal in all directions in both images; the model may enlarge the
+noise in one direction (strongly tilted views). If the noise has heavy tails, the result can be
+false even if the threshold is too narrow. */
 bool errorsGoOn(const Context& context, const Model& model, double threshold, double factor);
 
 }  // namespace usacv20

@@ -18,9 +18,9 @@ namespace usacv20 {
 
 namespace {
 
-//! The noise is estimated from the errors up to NOISE_WINDOW times the support, in at most
-//! NOISE_STEPS steps of the EM algorithm, until its variance changes by less than the fraction
-//! SETTLED.
+//! The noise is estimated from the errors up to NOISE_WINDOW times Polisher::support(), the error
+//! up to which points influence a polished model. The EM algorithm takes at most NOISE_STEPS steps;
+//! it ends earlier if the variance of the noise changes by less than the fraction SETTLED.
 constexpr double NOISE_WINDOW = 2, SETTLED = 1e-3;
 constexpr int NOISE_STEPS = 30;
 //! Number of rounds. Each round computes the leverages of the points and from these the
@@ -40,13 +40,14 @@ constexpr int NOISE_POINTS = 128;
 //! Number of cells of the numerical integrals over the distribution of the errors.
 constexpr int CELLS = 64;
 //! Step of the finite differences for the derivative of the caller's parameters with respect to
-//! those of the search, whose truncation error is about 1e-10. The rounding error, 1e-16 over the
-//! step, must also be small beside the smallest entries of an F for points in pixels, which are the
-//! inverse square of the focal length.
+//! those of the search. The truncation error of this derivative is about 1e-10. Its rounding error,
+//! 1e-16 divided by the step, must also be small compared with the smallest entries of an F for
+//! points in pixels, which are about the inverse square of the focal length.
 constexpr double STEP = 1e-5;
-//! STEPS_TO_PRIOR: maximum number of Gauss-Newton steps that compute the parameters of a prior.
-//! REACHED: these steps end at this difference from the prior, relative to its norm. Convergence is
-//! quadratic.
+//! STEPS_TO_PRIOR: maximum number of Gauss-Newton steps that compute the parameters of a prior
+//! (Params::initialModel with a covariance).
+//! REACHED: these steps end when the norm of the difference from the prior is at most this fraction
+//! of the norm of the prior. Convergence is quadratic.
 constexpr int STEPS_TO_PRIOR = 20;
 constexpr double REACHED = 1e-9;
 //! Largest accepted difference between opposite entries of a prior's covariance, relative to the
@@ -161,8 +162,8 @@ void ModelCovariance::estimateNoise()
 }
 
 //! Number of wrong matches per unit of error^`degrees` near the model. It is computed from the
-//! wrong matches with errors up to #NOISE_WINDOW times the support; as a prior, the number expected
-//! for uniformly distributed matches has the weight of one wrong match.
+//! wrong matches with errors up to #NOISE_WINDOW times the support. The number expected for
+//! uniformly distributed wrong matches is a prior with the weight of one observed wrong match.
 double ModelCovariance::chanceDensity() const
 {
     const double window = NOISE_WINDOW * support, limit = window * window;
@@ -229,8 +230,9 @@ bool ModelCovariance::judge(Arena::Scope& scope)
     }
 }
 
-//! Computes, for some points outside of the support, the variance of the predicted error relative
-//! to the variance of the noise. @return number of these points, at most OTHERS
+//! Computes the leverages of some points outside of the support: the variance of the error that the
+//! uncertainty of the model causes, divided by the variance of the noise. @return number of these
+//! points, at most OTHERS
 int ModelCovariance::leversOfOthers(const Eigen::LLT<Square>& llt, double* levers)
 {
     const float limit = (float)(support * support);
@@ -410,7 +412,7 @@ void ModelCovariance::checkPrior(const Mat& covariance)
 
 double ModelCovariance::weigh(const Model& prior, const Mat& covariance)
 {
-    if (!known)  // also without a parameterization
+    if (!known)  // `known` is also false if the problem has no parameterization
         return 0;
     CV_Assert(covariance.rows == dimension);
     const Eigen::MatrixXd given = Eigen::Map<const Square>(covariance.ptr<double>(), dimension,

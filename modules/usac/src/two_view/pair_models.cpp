@@ -30,19 +30,20 @@ constexpr int FREEDOM_MORE = 2;
 wrong. To accept only strong evidence, the search for F then uses the significance (10^-4 by
 default) raised to the power ALONE, that is, 10^-8. It draws at most LEAST_SAMPLES samples. */
 constexpr double ALONE = 2;
-//! F is preferred to E if its surplus of inliers exceeds this many standard deviations of the
+//! F is preferred to E only if its surplus of inliers exceeds this many standard deviations of the
 //! number of inliers that is expected by chance. By chance, about one surplus in a thousand is that
 //! large.
 constexpr double DEVIATIONS = 3;
 //! If most inliers of E are on a plane, F is preferred only if chanceOfEpipole() is at most this
 //! probability, the usual limit of Report::chance.
 constexpr double CHANCE = 0.01;
-//! Matches whose errors are between one and BESIDE thresholds show how many matches have smaller
-//! errors by chance: 1 / (BESIDE - 1) times as many, because errors of wrong matches are as dense
-//! within one threshold as just beyond it.
+//! The number of matches whose errors are between one and BESIDE thresholds shows how many wrong
+//! matches are within one threshold by chance: 1 / (BESIDE - 1) times as many, because errors of
+//! wrong matches are as dense within one threshold as just beyond it.
 constexpr double BESIDE = 3;
-//! An inlier of E whose error of F exceeds this many thresholds is lost if F replaces E. The errors
-//! of right matches are seldom that large, even if the threshold is narrow for their noise.
+//! An inlier of E is lost if F replaces E and the error of the match under F exceeds this many
+//! thresholds. The errors of right matches are seldom that large, even if the threshold is narrow
+//! for their noise.
 constexpr double LOST = 1.5;
 //! F replaces E only if the root mean square of its errors, over the matches that both explain, is
 //! at most WORSE times that of E. If F fits wrong matches, it fits right ones worse, which shows

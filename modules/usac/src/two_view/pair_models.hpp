@@ -109,17 +109,18 @@ private:
     //! True if F has clearly more inliers than E. Then either the focal lengths are wrong, or the
     //! search for E has missed the best model, or F fits wrong matches that agree with each other.
     bool explainsMore() const;
-    //! True if F shows that the focal lengths are wrong: it explains clearly more than E, and also
-    //! nearly all that E explains, with errors that are hardly larger. An F that fits wrong matches
-    //! fits right ones worse.
+    //! True if F shows that the focal lengths are wrong: F explains clearly more matches than E,
+    //! and also nearly all matches that E explains, with errors that are hardly larger. (An F that
+    //! fits wrong matches fits right ones worse.) If most inliers of E are on a plane,
+    //! chanceOfEpipole() must also be small.
     bool contradictsCameras() const;
     /** The probability that F explains by chance as many more matches than E as it does, if most
     inliers of E are on a plane: a plane does not determine the epipole, so that F can adapt to
     wrong matches. Only matches that neither E nor H explains count.
 
     Two of these matches determine the epipole of F if the plane is given. If F explains the others
-    by chance, their errors are as dense just beyond the threshold as within it, also if wrong
-    matches lie together. Thus, of those with errors of up to BESIDE (three) thresholds, each is
+    by chance, their errors are as dense just beyond the threshold as within it, even if wrong
+    matches form clusters. Thus, of those with errors of up to BESIDE (three) thresholds, each is
     within one threshold with probability 1/3. The tail of this binomial distribution is multiplied
     by the number of pairs of matches that could have determined the epipole.
     @param ofE, ofF errors of all matches */

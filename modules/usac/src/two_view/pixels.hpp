@@ -20,7 +20,7 @@ std::vector<double> sampsonDistances(const Matx33d& F, const Points& points1,
 
 /** Sampson distance of each match in pixels: the distance, in both images, to the nearest match
 that H maps exactly, to first order. The distance is infinite if H does not map the point to the
-same side of the camera as most points, or if the match is not finite. */
+same side of the camera as most points, or if the computed distance is not a finite number. */
 std::vector<double> mapDistances(const Matx33d& H, const Points& points1, const Points& points2);
 
 //! The square of the area that the points cover, up to a constant factor: the determinant of their

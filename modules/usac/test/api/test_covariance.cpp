@@ -374,7 +374,7 @@ TEST(Usac_Covariance, mistakes)
     EXPECT_EQ("model", blamed([&] { tangentOfModel(AFFINITY, H); }));
     EXPECT_EQ("model", blamed([&] { tangentOfModel(HOMOGRAPHY, H * NAN); }));
     EXPECT_EQ("model", blamed([&] { tangentOfModel(FUNDAMENTAL, H * 0); }));
-    for (double second : {0., 1e-14})  // a matrix of rank 1 is no F
+    for (double second : {0., 1e-14})  // 2nd singular value; rank 1 is not valid for F
         EXPECT_EQ("model", blamed([&] {
                       tangentOfModel(FUNDAMENTAL, Matx33d(1, 0, 0, 0, second, 0, 0, 0, 0));
                   }));
@@ -391,7 +391,10 @@ TEST(Usac_Covariance, mistakes)
     EXPECT_EQ("cameraMatrix1", blamed([&] { pointCovariance(ESSENTIAL, E, D, points, points); }));
 }
 
-//! Covariances of lines and points, as found with pixels of this size and with this origin.
+//! Estimates H or F from the points of the scene, whose coordinates are multiplied by `scale` and
+//! then increased by `origin`. @return the result of pointCovariance() for these points (H:
+//! covariances of the mapped points; F: variances of the distances from the epipolar lines),
+//! converted back to squared pixels of the scene
 Mat covarianceWithPixels(const Scene& scene, ProblemType problem, double scale, double origin)
 {
     const Mat first = column(scene.points1).reshape(1) * scale + Scalar(origin),
@@ -407,8 +410,9 @@ Mat covarianceWithPixels(const Scene& scene, ProblemType problem, double scale, 
     return pointCovariance(problem, model, report.covariance, first, second) / (scale * scale);
 }
 
-//! The covariance of F or H must be determined for images of any size, and be as accurate as for
-//! small images, although the entries of F and H differ by many orders of magnitude.
+//! The covariance of F or H must be determined whatever the size of the images and the origin of
+//! the coordinates are, and must then agree with that of the original coordinates, although the
+//! entries of F and H differ by many orders of magnitude.
 TEST(Usac_Covariance, any_size_and_origin_of_pixels)
 {
     for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL})
@@ -429,8 +433,9 @@ TEST(Usac_Covariance, any_size_and_origin_of_pixels)
         }
 }
 
-//! A translation can be given as a row. If E belongs to the opposite translation, t and its changes
-//! have the opposite sign, but the rotation is the same.
+//! The translation can be given as a column or as a row. E is compatible with t and with -t: with
+//! -t, the errors of the translation have the opposite sign, and those of the rotation are the
+//! same.
 TEST(Usac_Covariance, layout_and_sign_of_the_translation)
 {
     const Mat E = modelOf(ESSENTIAL), C = someCovariance(ESSENTIAL, E);

@@ -318,8 +318,9 @@ TEST(Usac_RelativePose, bad_input)
         EXPECT_EQ(0, mask.at<uchar>((int)i));
 }
 
-//! If the points off the plane are so many that the refinement of the second motion of the plane
-//! ends at the first motion, there is only one motion to report.
+//! The homography of a dominant plane is compatible with two motions. The second motion is refined
+//! with all points. If so many points are off the plane that this refinement ends at the first
+//! motion, there is only one motion to report.
 TEST(Usac_RelativePose, second_motion_that_is_the_first)
 {
     int alone = 0;
@@ -348,8 +349,9 @@ TEST(Usac_RelativePose, second_motion_that_is_the_first)
     EXPECT_GT(alone, 0);
 }
 
-//! Five random matches that E explains, but no homography explains four of them. They have no plane
-//! and no second motion.
+//! Five random matches that fit some E, but for which no homography is found, not even with the
+//! doubled threshold that is used to find planes, because the orientation check rejects each sample
+//! of four of them. There must be no plane and no second motion.
 TEST(Usac_RelativePose, no_plane_at_all)
 {
     const Matx33d K(600, 0, 320, 0, 600, 240, 0, 0, 1);

@@ -203,7 +203,8 @@ TEST(Usac_CustomProblem, impossiblePoints)
     EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
 }
 
-//! The problem has no fit and no parameterization from which the module could make one.
+//! A problem without a least-squares solver: the default of createNonMinimalSolver() makes one only
+//! from a parameterization, which this problem does not have either.
 class UnfittedAffineProblem : public custom::AffineProblem
 {
 public:
@@ -228,7 +229,8 @@ TEST(Usac_CustomProblem, fitsAreOptional)
     expectException([&]() { usac->fit(); }, "nonMinimalSolver");
 }
 
-//! The problem does not convert models of the caller. If one is given, the problem must be named.
+//! The problem has no fromOutput(), so that it cannot convert a model that the caller gives. The
+//! exception that such a model raises must name the problem.
 TEST(Usac_CustomProblem, modelsOfTheCallerAreRefused)
 {
     const AffineScene scene(100, 50, 0.5);
@@ -244,8 +246,9 @@ TEST(Usac_CustomProblem, modelsOfTheCallerAreRefused)
                     "initialModel: the 6 numbers are not a model of the problem affine");
 }
 
-//! The problem has a residual for the points of the caller, which it does not convert. The residual
-//! is that of the search, so that the results must be the same as without it.
+//! The problem has a residual for the original points of the caller (createImageResidual), but no
+//! conversion of these points. The residual is that of the search, so that the results must be the
+//! same as without it.
 class SeenAffineProblem : public custom::AffineProblem
 {
 public:

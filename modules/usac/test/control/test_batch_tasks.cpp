@@ -9,8 +9,9 @@
 namespace opencv_test {
 namespace {
 
-//! A failed estimation of a batch must be reported with the message of its exception, also if this
-//! is one of the standard library, as for memory that cannot be allocated.
+//! If an estimation of a batch raises an exception, mistakeOf() must return its message, whether it
+//! is a cv::Exception or a std::exception, for example because memory cannot be allocated.
+//! Exceptions of other types, which have no message, are not caught.
 TEST(Usac_BatchTasks, mistakes)
 {
     EXPECT_EQ("", mistakeOf([] {}));

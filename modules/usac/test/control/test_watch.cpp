@@ -8,8 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! A progress function can be called before the search has begun, while there is no state yet. It
-//! then gets an empty report with the time.
+//! A progress function can be called before the search has begun, that is, before Watch::begin()
+//! has set the State from which reports are made. It must then get a report in which only the
+//! elapsed time (Report::searchMs) is set.
 TEST(Usac_Watch, progress_before_the_search)
 {
     std::vector<Report> seen;

@@ -4,8 +4,9 @@
 
 #include "test_precomp.hpp"
 
-// Tests of how scores and common neighbors of the matches decide between two models of nearly the
-// same cost.
+// Tests of the choice between two models of nearly the same cost: the model whose inliers have
+// better scores (Params::scores), or more neighbors in common in both images (commonNeighbors()),
+// is preferred, see Alternatives.
 
 namespace opencv_test {
 namespace {
@@ -68,22 +69,23 @@ int rightOnes(int others, bool scores)
 //! Both the correct F and the wrong F have the 104 matches on the plane as inliers. The correct F
 //! has 96 further inliers. The wrong F has 90 further inliers and, by chance, some of the uniform
 //! outliers, so that its cost is slightly lower. By the cost alone, the correct F is returned in 10
-//! of 60 scenes. Common neighbors of the matches raise this number to 33, with scores to 27 (the
-//! search then ends earlier); other platforms have other numbers. In the other scenes, the costs
-//! differ by more, or the correct F was not found.
+//! of 60 scenes. If common neighbors can decide, it is returned in 33 scenes; if scores are given,
+//! too, in 27, because the search then ends earlier. These numbers depend on the platform. In the
+//! other scenes, the costs differ by more, or the correct F was not found.
 TEST(Usac_Alternatives, rankings_decide_between_models_of_nearly_the_same_cost)
 {
     EXPECT_GE(rightOnes(90, false), 20);
     EXPECT_GE(rightOnes(90, true), 20);
 }
 
-//! With 180 matches of the other epipole, the wrong F has many more inliers than the correct one,
-//! so that scores must not matter; common neighbors decide only in a few scenes.
+//! With 180 wrong matches of the other epipole, the wrong F has 284 inliers, and the correct F has
+//! 200. Scores must then have hardly any effect, and common neighbors can decide for the correct F
+//! only in a few scenes.
 TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
 {
     const int scores = rightOnes(180, true), none = rightOnes(180, false);
     EXPECT_LE(scores, none + 3);
-    EXPECT_LE(none, 15);  // the cost decides in most scenes
+    EXPECT_LE(none, 15);  // in most scenes, the cost decides for the wrong F
 }
 
 //! Number of scenes in which the returned model is the correct one. The scenes have 200 true

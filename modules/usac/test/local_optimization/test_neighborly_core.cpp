@@ -8,12 +8,13 @@
 #include "support/facade.hpp"
 #include "support/run_context.hpp"
 
-// Tests of neighborlyCore(), which finds the model of those inliers that have neighbors in common
-// in both images.
+// Tests of neighborlyCore(): from only those inliers of a given model that have enough neighbors in
+// common in both images (commonNeighbors()), it finds another model, the core of the given one.
 
 namespace opencv_test {
 namespace {
 
+//! Without runners-up, the search returns the model of lowest cost, see Alternatives.
 Params withoutAlternatives()
 {
     Params params;
@@ -22,7 +23,8 @@ Params withoutAlternatives()
     return params;
 }
 
-//! Counts its calls, and accepts all samples and models, or none.
+//! A degeneracy check that counts its calls. It accepts all samples or none, and all models or
+//! none.
 class Check : public Degeneracy
 {
 public:
@@ -47,7 +49,8 @@ private:
     const bool acceptSamples, acceptModels;
 };
 
-//! The core of a given F in a scene.
+//! The core of a given F in a scene. `check` replaces the degeneracy checks; if `fits` is false,
+//! there is no least-squares solver.
 struct Core
 {
     Core(const Facade& scene, const Matx33d& F, const Ptr<Degeneracy>& check = Ptr<Degeneracy>(),
@@ -77,10 +80,10 @@ struct Core
     Mat model;
 };
 
-//! Where the model of lowest cost is wrong, its core must often be right; where the model is right,
-//! its core must be near the truth, too. A core is not polished, and so is less accurate than a
-//! result. Among these 60 scenes, the model of lowest cost is wrong in 21, and its core in 11 of
-//! these; the core of the right model is wrong by a pixel in 4. Other platforms have other numbers.
+//! If the F of lowest cost is wrong (by more than 0.5 pixels, see Facade::error()), its core must
+//! often be right. The core of the true F must be near the true F; the limit is 1 pixel, because a
+//! core is not polished. Of these 60 scenes, the F of lowest cost is wrong in 21, and its core is
+//! wrong in 11 of these; the core of the true F is wrong in 4. The numbers depend on the platform.
 TEST(Usac_NeighborlyCore, ofWrongAndRightModels)
 {
     int wrong = 0, wrongCores = 0, wrongCoresOfRight = 0;
@@ -106,7 +109,8 @@ TEST(Usac_NeighborlyCore, isReproducible)
     EXPECT_EQ(0, cvtest::norm(first.model, second.model, NORM_INF));
 }
 
-//! An F that few neighborly matches agree with has no core.
+//! An F has no core if too few of its inliers have neighbors in common: here an F without inliers
+//! (y2 = y1 + 5000), and the true F of a scene without right matches.
 TEST(Usac_NeighborlyCore, ofFewInliers)
 {
     const Facade scene(600, 0.5, 0.25, 1);
@@ -115,7 +119,8 @@ TEST(Usac_NeighborlyCore, ofFewInliers)
     EXPECT_FALSE(Core(random, random.F).found);
 }
 
-//! The checks for degeneracy judge each sample and each model.
+//! Each sample, and each model of a sample, must be submitted to the degeneracy checks. If they
+//! reject all of them, there is no core.
 TEST(Usac_NeighborlyCore, refusedByChecks)
 {
     const Facade scene(600, 0.5, 0.25, 1);
@@ -125,14 +130,14 @@ TEST(Usac_NeighborlyCore, refusedByChecks)
     EXPECT_GT(all->ofModels, 0);
     EXPECT_FALSE(Core(scene, scene.F, noSample).found);
     EXPECT_EQ(0, noSample->ofModels);
-    EXPECT_GT(noSample->ofSamples, all->ofSamples);  // a found model ends the search
+    EXPECT_GT(noSample->ofSamples, all->ofSamples);  // a good model ends the sampling
     EXPECT_FALSE(Core(scene, scene.F, noModel).found);
     EXPECT_EQ(noSample->ofSamples, noModel->ofSamples);
     EXPECT_GE(noModel->ofModels, noModel->ofSamples);
 }
 
-//! Without a solver for more points than a sample, there is nothing that makes a model of a sample
-//! good enough to be compared.
+//! Without a least-squares solver, the model of a sample cannot be fitted to its inliers, which
+//! would make it accurate enough to be compared with other models. There must be no core.
 TEST(Usac_NeighborlyCore, withoutFits)
 {
     const Facade scene(600, 0.5, 0.25, 1);

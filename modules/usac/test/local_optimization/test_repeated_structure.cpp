@@ -5,13 +5,14 @@
 #include "test_precomp.hpp"
 #include "support/facade.hpp"
 
-// Tests of scenes with repeated structure: wrong matches between the columns of a facade lie on the
-// epipolar lines of a wrong F, which has more inliers than the right one.
+// Tests of scenes with repeated structure: wrong matches between different columns of windows of a
+// facade lie on the epipolar lines of a wrong F, which can have more inliers than the right F.
 
 namespace opencv_test {
 namespace {
 
-//! Number of 60 scenes in which F is wrong by more than half a pixel.
+//! Number of scenes, out of 60, in which the error of the returned F is more than half a pixel, see
+//! Facade::error(). `size`, `right` and `columns` are the parameters of Facade.
 int wrongOnes(int size, double right, double columns)
 {
     int wrong = 0;
@@ -25,8 +26,9 @@ int wrongOnes(int size, double right, double columns)
     return wrong;
 }
 
-//! By the cost alone, F is wrong in 22, 22 and 46 of 60 scenes. With the common neighbors of the
-//! matches, it is wrong in 1, 2 and 10 scenes; other platforms have other numbers.
+//! If the cost alone decided between models, F would be wrong in 22, 22 and 46 of 60 scenes for the
+//! three sets of parameters. As common neighbors of the matches also decide (commonNeighbors()), it
+//! is wrong in 1, 2 and 10 scenes. These numbers depend on the platform.
 TEST(Usac_RepeatedStructure, facades)
 {
     EXPECT_LE(wrongOnes(600, 0.4, 0.2), 6);

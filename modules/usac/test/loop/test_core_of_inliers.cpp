@@ -8,14 +8,15 @@
 
 #include <cfloat>
 
-// Tests of the step of #THRESHOLD_ESTIMATED that looks for a core: a model that explains many of
-// the inliers of a model with wide noise by much smaller errors.
+// Tests of AutomaticThreshold::findCore(), a step of #THRESHOLD_ESTIMATED. If the inliers of a
+// model have wide noise, this step looks for the model of a core: another model that explains at
+// least half of these inliers with much smaller errors (within a third of the widest threshold).
 
 namespace opencv_test {
 namespace {
 
-//! A solver for which every sample is degenerate. Counts the samples that are drawn with less than
-//! half of the widest threshold, as those of a core are.
+//! A solver for which every sample is degenerate. It counts in `narrow` the samples that are drawn
+//! while the threshold is less than half of the widest one, as in findCore().
 class UnsolvedSamples : public MinimalSolver
 {
 public:
@@ -33,7 +34,8 @@ public:
     mutable int narrow;
 };
 
-//! The errors of another residual; notices if it is asked for the errors of a missing model.
+//! Returns the errors of the residual `inner`, and counts in `missing` how often the squared errors
+//! of an empty model are requested.
 class NeedsAModel : public Residual
 {
 public:
@@ -60,8 +62,9 @@ public:
     mutable int missing;
 };
 
-//! The noise of the initial model is wide, so that a core is looked for, but no sample gives a
-//! model. There is then no core that could be polished, and the initial model must be kept.
+//! The inliers of the initial model have wide noise, so that a core is looked for, but no sample
+//! gives a model. There is then no model of a core that could be polished, and the initial model
+//! must be kept.
 TEST(Usac_Core, isNotPolishedIfNoSampleGivesAModel)
 {
     SceneOptions options;
@@ -86,11 +89,13 @@ TEST(Usac_Core, isNotPolishedIfNoSampleGivesAModel)
     EXPECT_GT(report.threshold, params.threshold / 3);
 }
 
-//! Number of points of AtTheLimit without an error.
+//! Number of points whose error is 0 under the residual AtTheLimit; they are the first ones.
 const int EXACT = 4;
 
-/** Under any model, right matches have an error that exceeds the widest threshold by rounding only.
-A match is right if its points in both images are equal; those with x < 10 have no error. */
+/** A residual whose errors are the same for all models. The squared error of a match with equal
+points in both images is 0 if x < 10 pixels, otherwise the smallest number of type float above the
+square of the widest threshold. The squared error of any other match is infinite; such matches are
+those that the estimation of the noise makes for comparison, see wrongErrors(). */
 class AtTheLimit : public Residual
 {
 public:
@@ -99,7 +104,7 @@ public:
         const double widest = context.points.threshold / context.params.reach;
         const Frame& frame = context.points.frame[0];
         left = (10 - frame.center[0]) * frame.scale;
-        if (limit > 0)  // the guess narrows the threshold after the first call
+        if (limit > 0)  // in later calls, the threshold might have been narrowed
             return;
         limit = (float)(widest * widest);
         while (!(limit > widest * widest))
@@ -131,7 +136,7 @@ private:
     double left = 0;
 };
 
-//! Notices samples that consist of the points without an error.
+//! The solver `inner`; counts in `exact` the samples that consist of the points without an error.
 class WatchesSamples : public MinimalSolver
 {
 public:
@@ -151,9 +156,10 @@ public:
     mutable int exact;
 };
 
-/** The noise is estimated from histograms in single precision, in which errors at the widest
-threshold can be within it. Then only the points of one sample are inliers of the model. There is no
-choice of samples that could give a core, so that this sample must not be drawn. */
+/** The noise is estimated from a histogram of errors in single precision. Due to rounding, errors
+slightly above the widest threshold can count as within it, so that the noise is estimated as wide,
+and a core is looked for. But only the four points without an error really are within the threshold.
+As these are not more than a minimal sample, findCore() must draw no sample. */
 TEST(Usac_Core, needsMoreInliersThanAMinimalSample)
 {
     RNG rng(1);

@@ -9,8 +9,8 @@
 namespace opencv_test {
 namespace {
 
-//! The least-squares solver of a custom problem. It never fits the model of its first call, and
-//! accepts any other model unchanged.
+//! A least-squares solver that replaces the built-in one. It fails for the model from which its
+//! first call starts, also in later calls, and leaves any other model unchanged.
 class RefusesTheFirst : public NonMinimalSolver
 {
 public:
@@ -25,9 +25,9 @@ public:
     mutable Model refused;
 };
 
-//! Fits start from the models of several samples, best first. If the least-squares solver fails for
-//! the best of these models, this model must not be the result, although its errors are the
-//! smallest ones. The result must be one of the others.
+//! Usac::fit starts from the models of several samples, best first. If the least-squares solver
+//! fails for the best of these models, this model must not be the result, although its errors are
+//! the smallest ones. The result must be one of the others.
 TEST(Usac_GivenModels, fitOfAnotherSampleReplacesAFitThatFails)
 {
     const Scene scene = makeScene(TRANSLATION_2D, 50, 0);
@@ -44,8 +44,8 @@ TEST(Usac_GivenModels, fitOfAnotherSampleReplacesAFitThatFails)
     EXPECT_GT(cvtest::norm(squareModel(fitted) - Matx33d(refused), NORM_INF), 1e-6);
 }
 
-//! One point fewer than a minimal sample must not change the model, even if the caller gives a good
-//! model.
+//! With one point fewer than a minimal sample, Usac::refine must return no model, even if the
+//! caller gives a good one. With a minimal sample of points, it must return a model.
 TEST(Usac_GivenModels, refineNeedsAMinimalSample)
 {
     for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY})

@@ -358,7 +358,8 @@ TEST(Usac_Replacement, problem)
     EXPECT_THROW(Usac::create(Ptr<Problem>(), scene.points1, scene.points2), cv::Exception);
 }
 
-//! The score of InliersOnly that claims to count inliers up to a wrong fraction of the threshold.
+//! The score InliersOnly with a given inlierPart(), the fraction of the threshold up to which
+//! errors count as those of inliers. Valid fractions are above 0 and at most 1.
 class PartlyInliers : public InliersOnly
 {
 public:
@@ -369,7 +370,7 @@ private:
     const double part;
 };
 
-//! A solver of samples of any size, which finds no model.
+//! A minimal solver with a given sample size, which never finds a model.
 class NoModels : public MinimalSolver
 {
 public:
@@ -408,7 +409,7 @@ TEST(Usac_Replacement, numbersOutOfRangeAreNamed)
     }
 }
 
-//! A polisher that does not say what it minimizes.
+//! A polisher without Polisher::support(), so that it is unknown what it minimizes.
 class SilentPolisher : public Polisher
 {
 public:
@@ -420,7 +421,7 @@ private:
     const Ptr<Polisher> given;
 };
 
-//! The covariance of a model is unknown if it is unknown what the polisher minimizes.
+//! If it is unknown what the polisher minimizes, all entries of the covariance must be NaN.
 TEST(Usac_Replacement, covarianceWithAPolisherOfTheCaller)
 {
     Params params;

@@ -402,8 +402,9 @@ TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
     EXPECT_NEAR(counts[0], counts[1], 2);
 }
 
-//! If there is no time to build the tree, a point has no neighbors but itself, and there are no
-//! edges. The next run, which has enough time, must find all neighbors.
+//! If the time limit of a run is reached before the kd-tree is built, a point must have no neighbor
+//! except itself, and there must be no edges. The next run, which has enough time, must find all
+//! neighbors.
 TEST(Usac_NeighborhoodFlann, noTimeForTheTree)
 {
     RNG rng(4);

@@ -101,8 +101,9 @@ TEST(Usac_Parameterization, faultsAreFound)
     }
 }
 
-//! A parameterization counts as smooth unless it says otherwise: Report::covariance refers to its
-//! tangents themselves, not to an orthonormal basis. There is no basis around a degenerate model.
+//! Parameterization::smooth is true by default. The result of callerBasis(), which is the basis of
+//! the parameters of Report::covariance, must then be the columns of tangent() themselves, not an
+//! orthonormal basis. For a degenerate model, callerBasis() must return false.
 TEST(Usac_Parameterization, tangentsOfTheCaller)
 {
     Model model(2, 1);

@@ -119,8 +119,8 @@ TEST(Usac_Leverage, derivative_of_Sampsons_distance)
     }
 }
 
-//! A problem of the caller that estimates F. `free_` is the answer of leavesFree(): 0: false; 1:
-//! true; -1: the default.
+//! A custom problem that estimates F. `free_` selects the result of leavesFree(): 0: false; 1:
+//! true; -1: that of the base class Problem.
 class OwnFundamental : public Problem
 {
 public:
@@ -152,8 +152,9 @@ private:
     const Problem& F;
 };
 
-//! By default, the inliers of a custom problem are taken to determine all parameters, so that
-//! distorted models are corrected even if the gain is small.
+//! By default, Problem::leavesFree is false, that is, the inliers of a custom problem are taken to
+//! determine all parameters. Leverage then corrects models even if their sum of squared errors
+//! decreases little. If leavesFree() is true, some of these corrections must not be made.
 TEST(Usac_Leverage, custom_problems_leave_nothing_free)
 {
     int prevented = 0;
@@ -222,8 +223,9 @@ private:
     const int good;
 };
 
-//! The effect of Leverage on a model that fits wrong matches of high leverage, if only the first
-//! `goodFits` fits succeed, and if derivatives are 0 after the first `goodDerivatives` fits.
+//! The effect of Leverage on a model that fits wrong matches of high leverage. Only the first
+//! `goodFits` fits of the least-squares solver succeed, and the derivatives of the residual are 0
+//! after the first `goodDerivatives` fits.
 struct Corrected
 {
     Corrected(int goodFits, int goodDerivatives)
@@ -256,7 +258,8 @@ struct Corrected
     double error, errorBefore;  //!< errors of the model after and before, see modelError()
 
 private:
-    //! Least squares of the true matches and of three wrong ones.
+    //! F fitted to the true matches and, with a weight of 100, to the three wrong matches that have
+    //! the smallest errors under the true F.
     static Model distorted(const Scene& scene, const Correspondences& points,
                            const NonMinimalSolver& solver)
     {
@@ -285,8 +288,10 @@ private:
     }
 };
 
-//! The model must stay as it is if the fits fail that Leverage needs: two without the points of
-//! high leverage, two to the points that agree, and one to all points that agree with these fits.
+//! Leverage needs five fits: two, from different starting points, to the inliers without those of
+//! high leverage; two to the points of low leverage that agree with the better one of the first two
+//! fits; and one to all points that agree with the better one of the next two. If all fits fail
+//! after the first 0, 2 or 4, the model must stay as it is. If none fails, it must be corrected.
 TEST(Usac_Leverage, nothingChangesIfFitsFail)
 {
     const int good[] = {0, 2, 4}, asked[] = {2, 4, 5};
@@ -303,9 +308,9 @@ TEST(Usac_Leverage, nothingChangesIfFitsFail)
     EXPECT_LT(result.error, 0.4);
 }
 
-//! If the derivatives are 0, there are no leverages. Leverage must then stop and leave the model as
-//! it is: before the first fit, or after the fits without the points of high leverage, or after the
-//! fits to the points that agree.
+//! If the derivatives of the residual are 0, leverages cannot be computed. Leverage must then stop
+//! and leave the model as it is: before the first fit, after the two fits without the points of
+//! high leverage, or after the two fits to the points that agree with these fits.
 TEST(Usac_Leverage, nothingChangesWithoutLeverages)
 {
     for (int good : {0, 2, 4})

@@ -105,7 +105,8 @@ TEST(Usac_Restarts, aWrongMatchIsNot)
     EXPECT_LE(taken, 1);
 }
 
-//! A check that calls every model degenerate. It rejects the model if `rejects` is true.
+//! A degeneracy check that sets State::degenerate for every model, and rejects every model if
+//! `rejects` is true.
 class Distrust : public Degeneracy
 {
 public:
@@ -121,8 +122,8 @@ public:
     int asked;
 };
 
-//! Better fits that a check rejects as degenerate must not replace the model, and must leave no
-//! trace in the state of the run.
+//! A better fit that the check rejects must not replace the model, and the changes that the check
+//! made to the state of the run must be undone. If the check accepts it, it must replace the model.
 TEST(Usac_Restarts, rejectedModelsAreNotTaken)
 {
     for (bool rejects : {false, true})

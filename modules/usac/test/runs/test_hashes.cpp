@@ -145,8 +145,8 @@ std::vector<NamedPreset> hashedParams(ProblemType problem, const std::vector<flo
     return all;
 }
 
-//! As hashedParams(), without the symmetric residual, which poses and 3-D motions do not have, and
-//! without covariances for 3-D motions.
+//! Like hashedParams(), but without the symmetric residual, which does not exist for poses and 3-D
+//! motions, and for 3-D motions also without covariances of points, which must be image points.
 std::vector<NamedPreset> hashedSpaceParams(ProblemType problem, const std::vector<float>& scores)
 {
     std::vector<NamedPreset> all = hashedParams(problem, scores);

@@ -53,7 +53,8 @@ std::vector<NamedKernels> availableKernels()
     return result;
 }
 
-//! Random covariances xx, xy, yy. The standard deviations in two directions are from 0.1 to 10.
+//! Random covariances of image points, three numbers xx, xy, yy each. The standard deviations along
+//! the two axes of the ellipse of a covariance are from 0.1 to 10.
 std::vector<float> randomCovariances(int count, RNG& rng)
 {
     std::vector<float> covariances;
@@ -132,7 +133,7 @@ struct Fixture
         }
     }
 
-    //! Motions with a scale, which is part of the models.
+    //! Points and models of 3-D motions with a scale, which is part of the models.
     void createMotions(uint64 seed)
     {
         RigidSceneOptions options;
@@ -167,7 +168,8 @@ struct Fixture
     std::vector<Model> models;
 };
 
-//! The covariance whose root [p 0; q s] begins in a column.
+//! The covariance L L^T of a point of match i. The entries p, q and s of its root L = [p 0; q s]
+//! are in the columns `column`, `column` + 1 and `column` + 2.
 Matx22d covarianceAt(const Correspondences& points, int column, int i)
 {
     const Matx22d root(points.column[column][i], 0, points.column[column + 1][i],
@@ -175,7 +177,8 @@ Matx22d covarianceAt(const Correspondences& points, int column, int i)
     return root * root.t();
 }
 
-//! Squared reprojection error of a point under a pose; infinite behind the camera.
+//! Squared reprojection error of a point under a pose, in units of its standard deviation if there
+//! are covariances; infinite behind the camera.
 double directReprojection(const Correspondences& p, const Matx34d& P, int i)
 {
     const Vec3d x = P * Vec4d(p.column[0][i], p.column[1][i], p.column[2][i], 1);
@@ -184,7 +187,8 @@ double directReprojection(const Correspondences& p, const Matx34d& P, int i)
     return x[2] > 0 ? error.dot(covariance.inv() * error) : INFINITY;
 }
 
-//! Transfer error or Sampson distance of a point in units of its standard deviation, squared.
+//! Squared transfer error (M is H) or squared Sampson distance (M is F) of match i in units of its
+//! standard deviation, which follows from the covariances of both points to first order.
 double directWhitened(const Correspondences& p, Formula::Kind kind, const Matx33d& M, int i)
 {
     const Matx22d second = covarianceAt(p, 4, i), first = covarianceAt(p, 7, i);
@@ -240,7 +244,8 @@ struct Direct
 {
     Direct() : msac(0), inliers(0), doubtful(0) {}
     double msac;
-    int inliers, doubtful;  //!< doubtful: so close to the threshold that rounding to float decides
+    int inliers, doubtful;  //!< numbers of points within the threshold, and of points so close to
+                            //!< it that rounding to float decides
 };
 
 Direct directScore(const Fixture& f, const Model& model, int begin, int end)

@@ -7,7 +7,8 @@
 #include "support/problem_objects.hpp"
 #include "support/run_context.hpp"
 
-// Tests of commonNeighbors(), which counts the neighbors that a match has in both images.
+// Tests of commonNeighbors(), which counts how many of the nearest neighbors of a match in image 1
+// are also among its nearest neighbors in image 2.
 
 namespace opencv_test {
 namespace {
@@ -29,7 +30,9 @@ std::vector<int> commonOf(const std::vector<Point2d>& points1, const std::vector
     return result;
 }
 
-//! The nearest neighbors of a point, found by sorting all points.
+//! The nearest neighbors of the match `center` in the image of `points`, found by sorting all
+//! matches. `others` are the points of the other image. Matches within `threshold` of `center` in
+//! one of the images are not neighbors.
 std::set<int> nearest(const std::vector<Point2d>& points, const std::vector<Point2d>& others,
                       int center, double threshold)
 {
@@ -66,7 +69,7 @@ TEST(Usac_CommonNeighbors, against_sorted_distances)
     {
         std::vector<Point2d> points1, points2;
         makeMatches(count, count, points1, points2);
-        if (count == 200)  // repeated matches, and points that share a point in one image
+        if (count == 200)  // moves matches close to others in both images, or in image 1 only
             for (int i = 0; i < 20; ++i)
             {
                 points1[i] = points1[20 + i] + Point2d(0.01 * i, 0.3);

@@ -62,7 +62,8 @@ TEST(Usac_OrderLikelihood, is_the_largest_of_all)
     }
 }
 
-//! Points of equal rank must not be divided; their order must not matter.
+//! Points of equal rank form a group, whose last point is marked in `ends`. A group must not be
+//! divided into parts of different inlier probabilities, and the order within it must not matter.
 TEST(Usac_OrderLikelihood, groups)
 {
     RNG rng(2);
@@ -89,7 +90,7 @@ TEST(Usac_OrderLikelihood, groups)
                 begin = i + 1;
             }
         EXPECT_EQ(of(inliers, ends), of(sorted, ends));
-        // groups whose inliers come last are merged by themselves
+        // even without `ends`, a group whose inliers come last is not divided
         EXPECT_NEAR(likelihood(sorted), of(sorted, ends), 1e-9);
     }
 }

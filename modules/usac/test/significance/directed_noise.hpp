@@ -12,13 +12,15 @@
 namespace opencv_test {
 namespace {
 
-//! Strong distortion: the derivative of the undistortion differs from 1 by up to a third.
+//! Coefficients of a strong lens distortion: the derivative of the undistorted point with respect
+//! to the distorted point differs from the unit matrix by up to a third.
 const double LENS[] = {-0.25, 0.1, 0.002, -0.001, 0.02};
 
 //! The smaller standard deviation of a point in image 2, in pixels.
 constexpr double SMALL_NOISE = 0.2;
 
-//! A covariance with standard deviations `a` and `b` in two directions at right angles.
+//! A covariance with standard deviations `a` and `b` in two directions at right angles. `angle` is
+//! that between the direction of `a` and the x axis, in radians.
 inline Matx22d ellipse(double a, double b, double angle)
 {
     const Matx22d turn(std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle));
@@ -39,11 +41,12 @@ inline Vec2d gaussian(const Matx22d& covariance, RNG& rng)
     return Vec2d(p * first, q * first + std::sqrt(covariance(1, 1) - q * q) * rng.gaussian(1));
 }
 
-//! A scene whose points have noise of a covariance of their own, ten times as large in one
-//! direction as in the other.
+//! A scene whose points have Gaussian noise, each with a covariance of its own. The ratio of the
+//! standard deviations in two directions at right angles is 10 in image 2 and, if there is noise in
+//! image 1, 2 in image 1.
 struct Directed
 {
-    //! @param both true: noise in both images
+    //! @param both_ true: noise in both images; false, or for poses: noise in image 2 only
     Directed(ProblemType problem, int seed, bool both_)
         : scene(makeCase(problem, seed, 100, 0.01)), both(both_ && problem != ABSOLUTE_POSE)
     {

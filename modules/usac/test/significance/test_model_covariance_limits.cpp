@@ -8,8 +8,9 @@
 #include "support/problem_objects.hpp"
 #include "support/run_context.hpp"
 
-// Tests of the class ModelCovariance with models and points that do not determine a covariance, and
-// with models that cannot be converted to the caller's coordinates.
+// Tests of the class ModelCovariance with models and points for which the covariance is not
+// determined, and with models that cannot be converted to the caller's coordinates. The inlier
+// threshold is 1 unless OwnPoints gets another one.
 
 namespace opencv_test {
 namespace {
@@ -66,8 +67,8 @@ std::vector<Point2d> displaced(const std::vector<Point2d>& points,
     return result;
 }
 
-//! H that maps the plane to a line has no parameterization, so that nothing is computed, although
-//! all points agree with it.
+//! An H that maps the plane to a line has no parameterization, so that neither noise nor covariance
+//! is computed, although all points agree with this H.
 TEST(Usac_ModelCovariance_Limits, degenerateModel)
 {
     const std::vector<Point2d> points1 = randomPoints(40, 1, 9);
@@ -85,8 +86,8 @@ TEST(Usac_ModelCovariance_Limits, degenerateModel)
     EXPECT_EQ(0, degenerate.sigma);
 }
 
-//! Six points are within the threshold, but only three of them have the small errors of inliers:
-//! with fewer inliers than H needs, neither noise nor covariance is known.
+//! Six points are within the threshold, but only three of them have the small errors of inliers.
+//! With fewer inliers than the four that H needs, neither noise nor covariance is known.
 TEST(Usac_ModelCovariance_Limits, noiseOfFewInliers)
 {
     const std::vector<Point2d> points1 = randomPoints(6, 1, 9);
@@ -99,8 +100,9 @@ TEST(Usac_ModelCovariance_Limits, noiseOfFewInliers)
     EXPECT_EQ(0, few.sigma);
 }
 
-//! The noise is so large that only two of eight inliers are within the threshold. All of them
-//! determine the noise, but two are too few for the covariance of a translation.
+//! Only `within` of eight inliers are within the threshold. The noise is known in any case, because
+//! all inliers up to twice the threshold determine it. But two inliers are too few for the
+//! covariance of a translation; eight are enough.
 TEST(Usac_ModelCovariance_Limits, fewInliersWithinTheThreshold)
 {
     const std::vector<Point2d> points1 = randomPoints(8, 1, 99);
@@ -139,8 +141,9 @@ TEST(Usac_ModelCovariance_Limits, pointsOnALine)
     }
 }
 
-//! The sign of the caller's H is that of its last entry. If this entry is so small that it changes
-//! its sign in finite differences, the covariance must be nearly that of a similar H.
+//! H is returned with h33 = 1. If h33 was so small before that it changes its sign in finite
+//! differences, all other entries change their signs instead. The covariance must nevertheless be
+//! nearly that of a similar H with a larger h33.
 TEST(Usac_ModelCovariance_Limits, arbitrarySign)
 {
     const std::vector<Point2d> points1 = randomPoints(40, 1, 9);
@@ -155,7 +158,7 @@ TEST(Usac_ModelCovariance_Limits, arbitrarySign)
     EXPECT_LE(cv::norm(tiny.covariance, similar.covariance), 0.01 * cv::norm(similar.covariance));
 }
 
-//! What is impossible for Unconvertible.
+//! Which step fails in the problem Unconvertible.
 enum Impossible {
     NOTHING,
     CENTER_TO_INPUT,  //!< converting the model `center` to the caller's coordinates
@@ -163,7 +166,7 @@ enum Impossible {
     TANGENT           //!< a tangent of any model
 };
 
-//! Affinities that cannot always be converted to the caller's coordinates.
+//! The problem of affinities, in which one of the steps of Impossible fails.
 class Unconvertible : public Problem
 {
 public:
@@ -216,7 +219,8 @@ private:
     const Problem& inner;
 };
 
-//! The covariance of the identity as the affinity of 40 points, with the problem Unconvertible.
+//! The covariance of an affinity, the identity, whose 40 inliers have errors of 0.1, with the
+//! problem Unconvertible.
 class Unconverted
 {
 public:
@@ -250,8 +254,9 @@ public:
     ModelCovariance covariance;
 };
 
-//! If the model or one of its neighbors cannot be converted to the caller's coordinates, or if the
-//! converted model is degenerate, the covariance in these coordinates is not known.
+//! The covariance in the caller's coordinates is not known if the model, or a model near it that
+//! finite differences need, cannot be converted to these coordinates, or if the converted model is
+//! degenerate, so that it has no tangent.
 TEST(Usac_ModelCovariance_Limits, modelsThatCannotBeConverted)
 {
     Unconverted estimated;
@@ -266,8 +271,8 @@ TEST(Usac_ModelCovariance_Limits, modelsThatCannotBeConverted)
     }
 }
 
-//! A prior that cannot be converted to the caller's coordinates, to which its covariance refers, is
-//! not used.
+//! The covariance of a prior refers to the caller's coordinates. If the prior cannot be converted
+//! to these coordinates, ModelCovariance::weigh must not use it and must return 0.
 TEST(Usac_ModelCovariance_Limits, priorThatCannotBeConverted)
 {
     Unconverted estimated;

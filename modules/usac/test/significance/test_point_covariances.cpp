@@ -17,8 +17,10 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_PointCovariances,
                                                          AFFINITY, SIMILARITY, ABSOLUTE_POSE),
                                          testing::Bool()));
 
-/** The model must be closer to the true one than with sigmas that are right on average, and its
-distance must be as its covariance tells. */
+/** A model estimated with the covariances of the points must be closer to the true model than one
+estimated without them (with a threshold of 4 pixels). Its squared Mahalanobis distance from the
+true model must on average be the number of parameters, and the estimated noise must be 1 in units
+of the standard deviations of the errors. */
 TEST_P(Usac_PointCovariances, accuracy)
 {
     const ProblemType problem = testing::get<0>(GetParam());
@@ -46,7 +48,8 @@ TEST_P(Usac_PointCovariances, accuracy)
     EXPECT_GE(std::sqrt(without / with), 1.3);  // measured: F, E: 1.4 to 2.0; others: 2.5 to 4.5
 }
 
-//! The threshold that is estimated must be a multiple of the standard deviations.
+//! An estimated threshold must be in units of the standard deviation of each error: the noise from
+//! which it is derived must be about 1 in these units.
 TEST_P(Usac_PointCovariances, estimatedThreshold)
 {
     double sum = 0;
@@ -62,7 +65,8 @@ TEST_P(Usac_PointCovariances, estimatedThreshold)
     EXPECT_NEAR(1, sum / scenes, 0.2);
 }
 
-//! Fits and refinements of given models must minimize the same error as a search.
+//! Usac::fit and Usac::refine must minimize the errors in units of their standard deviations, as
+//! Usac::errors returns them. Equal weights of all matches must have no effect.
 TEST_P(Usac_PointCovariances, fits)
 {
     const Directed directed(testing::get<0>(GetParam()), 3, testing::get<1>(GetParam()));
@@ -83,7 +87,8 @@ TEST_P(Usac_PointCovariances, fits)
     EXPECT_NEAR(cost(fitted), cost(usac->fit(weights, chosen)), 1e-6 * cost(fitted));
 }
 
-//! A pose of points that are distorted in the image must be as accurate as its covariance tells.
+//! Even if the image has lens distortion, the errors of a pose must agree with its covariance: the
+//! mean squared Mahalanobis distance from the true pose must be about 6.
 TEST(Usac_PointCovariances_, distortedPoses)
 {
     const int scenes = 40;
@@ -118,8 +123,9 @@ TEST(Usac_PointCovariances_, distortedPoses)
     EXPECT_NEAR(1, square / scenes, 0.25);
 }
 
-//! Isotropic covariances must be the same as sigmas: of the error in image 2 for maps and poses, of
-//! the points of both images for F and E.
+//! Isotropic covariances must have about the same effect as one standard deviation per match. For
+//! maps and poses, which measure errors in image 2, they are covariances of the points in image 2
+//! only; for F and E, of the points in both images.
 TEST(Usac_PointCovariances_, isotropic)
 {
     for (ProblemType problem :
@@ -155,7 +161,8 @@ TEST(Usac_PointCovariances_, isotropic)
     }
 }
 
-//! Covariances of three zeros in image 1 must be the same as none.
+//! Covariances 0, 0, 0 of all points in image 1 (6 N numbers) must have the same effect as no
+//! covariances in image 1 (3 N numbers).
 TEST(Usac_PointCovariances_, exactPointsInImage1)
 {
     for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL})
@@ -176,7 +183,8 @@ TEST(Usac_PointCovariances_, exactPointsInImage1)
     }
 }
 
-//! Extreme ratios of covariances must not lead to NaN or infinite values.
+//! Extreme ratios of covariances must not lead to NaN or infinite values, and errors in single
+//! precision must agree with those in double precision.
 TEST_P(Usac_PointCovariances, extremeRatios)
 {
     const Directed directed(testing::get<0>(GetParam()), 1, testing::get<1>(GetParam()));
@@ -274,8 +282,7 @@ TEST(Usac_PointCovariances_, otherProblems)
     expectRefused([&] { estimateTwoViewGeometry(pair); }, "two views");
 }
 
-//! An object must keep its covariances for other points. It must reject as many points as there are
-//! numbers, which would then be sigmas.
+//! After setPoints(), an estimator must use its covariances for the new points.
 TEST(Usac_PointCovariances_, setPoints)
 {
     const Directed one(HOMOGRAPHY, 1, false), two(HOMOGRAPHY, 2, false);
@@ -289,8 +296,10 @@ TEST(Usac_PointCovariances_, setPoints)
         0, cv::norm(usac->run(), estimateHomography(two.scene.points1, two.scene.points2, params)));
 }
 
-//! Other numbers of points for which the same numbers would be valid, too, must be rejected. The
-//! object then has no points, as after other mistakes.
+//! The K numbers in Params::sigmas are N, 3 N or 6 N numbers for N points. setPoints() must reject
+//! another number of points for which K numbers would be valid, too, but with another meaning: for
+//! example K points, for which they would be standard deviations instead of covariances. The
+//! estimator then has no points, as after any other invalid argument of setPoints().
 TEST(Usac_PointCovariances_, otherNumbersOfPoints)
 {
     const Directed directed(HOMOGRAPHY, 1, false);
@@ -320,7 +329,8 @@ TEST(Usac_PointCovariances_, otherNumbersOfPoints)
         }
 }
 
-//! Points that are not finite must be left out, with 3 N and 6 N numbers.
+//! Matches with points that are not finite must be left out together with their covariances, for
+//! 3 N and for 6 N numbers.
 TEST_P(Usac_PointCovariances, notFinite)
 {
     const Directed directed(testing::get<0>(GetParam()), 1, testing::get<1>(GetParam()));
@@ -337,8 +347,8 @@ TEST_P(Usac_PointCovariances, notFinite)
     EXPECT_LE(std::min(cv::norm(model - found), cv::norm(model + found)), 0.05 * cv::norm(model));
 }
 
-//! With most points on a plane, isotropic covariances must lead to about the same F as sigmas
-//! (DEGENSAC).
+//! If most points are on a plane, so that DEGENSAC is needed, F must be accurate with isotropic
+//! covariances, and have about as many inliers as with one standard deviation per match.
 TEST(Usac_PointCovariances_, dominantPlane)
 {
     for (int seed = 1; seed <= 10; ++seed)
@@ -368,8 +378,8 @@ TEST(Usac_PointCovariances_, dominantPlane)
     }
 }
 
-//! A built-in residual without covariances must be rejected. If the default residual is put back,
-//! the result must be the same as before.
+//! If there are covariances, a built-in residual that does not use them must be rejected. If the
+//! default residual is put back, the result must be the same as before.
 TEST(Usac_PointCovariances_, replacedResidual)
 {
     const Directed directed(HOMOGRAPHY, 1, true);
@@ -382,7 +392,8 @@ TEST(Usac_PointCovariances_, replacedResidual)
     EXPECT_EQ(0, cv::norm(model, usac->run()));
 }
 
-//! The same for a pose of points that are distorted in the image.
+//! For a pose from an image with lens distortion, the residual can be replaced by one that ignores
+//! the distortion. If the default residual is put back, the result must be the same as before.
 TEST(Usac_PointCovariances_, residualPutBack)
 {
     const Directed directed(ABSOLUTE_POSE, 1, false);
@@ -418,8 +429,9 @@ TEST_P(Usac_PointCovariances, significance)
     EXPECT_LE(found, 1);
 }
 
-//! The roots that components see must be those of the covariances, in units of the mean sigma and
-//! in the coordinates of the columns.
+//! The roots L of the covariances L L^T that components get in Correspondences must be in units of
+//! meanSigma and in the coordinates of the columns: converted back to pixels, L L^T must be the
+//! given covariance.
 TEST(Usac_PointCovariances_, correspondences)
 {
     Directed directed(HOMOGRAPHY, 1, true);

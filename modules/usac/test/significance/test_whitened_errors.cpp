@@ -6,13 +6,13 @@
 #include "problems/absolute_pose/lens_residual.hpp"
 #include "problems/kernels.hpp"
 
-// Tests of errors that are divided by the standard deviations that follow from covariances of
-// points.
+// Tests of whitened errors: errors in units of their standard deviations (for two components, the
+// Mahalanobis length), which follow from covariances of the points.
 
 namespace opencv_test {
 namespace {
 
-//! Derivative of a map from the plane to the plane.
+//! Derivative of a map from the plane to the plane at a point, by central differences.
 template <class Map>
 Matx22d derivativeOf(const Map& map, const Vec2d& at)
 {
@@ -35,7 +35,8 @@ Vec2d pointOf(const Mat& points, int row)
     return Vec2d(points.ptr<double>(row)[0], points.ptr<double>(row)[1]);
 }
 
-//! Errors of maps of the plane must be transfer errors divided by their standard deviation.
+//! Errors of maps of the plane must be the Mahalanobis lengths of the transfer errors in image 2,
+//! whose covariances follow from those of the points in both images to first order.
 TEST(Usac_WhitenedErrors, errorsOfMaps)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})
@@ -75,8 +76,8 @@ Vec2d undistorted(const Vec2d& x, const Matx33d& K, const Mat& lens)
     return points[0];
 }
 
-//! Errors of F and E must be the error x2^T F x1 divided by its standard deviation. Covariances of
-//! distorted points must be those of the original image.
+//! Errors of F and E must be |x2^T F x1| divided by the standard deviation of x2^T F x1. If there
+//! is lens distortion, the given covariances must be taken as those of the distorted points.
 TEST(Usac_WhitenedErrors, errorsOfEpipolarGeometry)
 {
     for (bool both : {false, true})
@@ -119,7 +120,8 @@ TEST(Usac_WhitenedErrors, errorsOfEpipolarGeometry)
         }
 }
 
-//! Errors of poses must be those in the original image, divided by their standard deviation.
+//! Errors of poses must be the Mahalanobis lengths of the reprojection errors in the original
+//! image, that is, with lens distortion.
 TEST(Usac_WhitenedErrors, errorsOfPoses)
 {
     for (bool distorted : {false, true})
@@ -153,7 +155,7 @@ TEST(Usac_WhitenedErrors, errorsOfPoses)
     }
 }
 
-//! Derivatives of the errors must agree with differences.
+//! Derivatives of the errors must agree with finite differences.
 TEST(Usac_WhitenedErrors, derivatives)
 {
     RNG rng(3);
@@ -176,7 +178,7 @@ TEST(Usac_WhitenedErrors, derivatives)
             for (int k = 0; k < MAX_COLUMNS; ++k)
                 datum[k] = rng.gaussian(k < (pose ? 5 : 4) ? 0.5 : 0.3);
             for (int k = pose ? 5 : 4; k < MAX_COLUMNS; ++k)
-                if ((k - (pose ? 5 : 4)) % 3 != 1)  // p and s of a root are positive
+                if ((k - (pose ? 5 : 4)) % 3 != 1)  // p, s of a root [p 0; q s] are positive
                     datum[k] = 0.1 + std::abs(datum[k]);
             const int components = residual.linearize(model, datum, unused, derivative);
             ASSERT_EQ(which == 1 ? 1 : 2, components);
@@ -202,8 +204,8 @@ TEST(Usac_WhitenedErrors, derivatives)
         }
 }
 
-//! The squared error must be the squared length of the error vector, also for points that the
-//! camera does not see.
+//! The squared error must be the squared length of the error vector. For points behind the camera,
+//! the squared error must be infinite, the error 1e100, and its derivatives 0.
 TEST(Usac_WhitenedErrors, squaredErrors)
 {
     const PoseCamera camera(Matx33d::eye(), Mat(1, 5, CV_64F, (void*)LENS));

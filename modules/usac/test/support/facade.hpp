@@ -10,22 +10,26 @@
 
 namespace opencv_test {
 
-//! Matches of a facade with 12 columns of windows, the ground and a slanted wall. Some matches of
-//! windows are matches to the window of another column in the same row; others are random.
+//! Matches of a scene with a facade with 12 columns of windows, the ground and a slanted wall. Some
+//! wrong matches lead from a window to a window in another column of the same row; the other wrong
+//! matches have random points in image 2.
 class Facade
 {
 public:
-    //! @param right, columns fractions of right matches, and of matches to another column among the
-    //! matches of windows
+    //! @param size number of matches
+    //! @param right fraction of right matches
+    //! @param columns fraction of the matches of windows that lead to another column
+    //! @param seed seed of the random numbers
     Facade(int size, double right, double columns, int seed);
 
-    //! Root mean square Sampson distance of the right matches, without noise, from F.
+    //! Root mean square Sampson distance in pixels of the right matches, without their noise, under
+    //! `model`, an estimated F; 1e9 if it is empty.
     double error(const cv::Mat& model) const;
 
     cv::Matx33d R, F;
     cv::Vec3d t;
     std::vector<cv::Point2d> points1, points2;
-    std::vector<bool> truth;  //!< of each match: it is right
+    std::vector<bool> truth;  //!< for each match, whether it is right
 
 private:
     std::vector<cv::Point2d> clean1, clean2;

@@ -72,7 +72,7 @@ LensOracle::Answer LensOracle::startOf(const Vec2d& seen, Vec2d& point) const
             before = now;
             r += step;
         }
-        else if (step > SHORTEST * wanted)  // it might have crossed a pole
+        else if (step > SHORTEST * wanted)  // this step might have crossed a pole
             step /= 2;
         else
             return onlyRadial && before < wanted * (1 - OFF_FOLD) ? NOT_SEEN : UNDECIDED;

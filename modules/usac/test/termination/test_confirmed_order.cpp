@@ -283,8 +283,8 @@ TEST(Usac_ConfirmedOrder, isIdleWithoutRunnersUp)
     EXPECT_EQ(0, run(HOMOGRAPHY, options, true, 10, none).byOrder);
 }
 
-//! What the criterion decides for the true model of a scene, whose matches have the given scores,
-//! after this number of samples that follow the order.
+//! What the criterion #TERMINATION_ORDER decides if the best model is the true model of a scene,
+//! the matches have the given scores, and `orderedSamples` samples have followed the order.
 struct Decision
 {
     Decision(const Scene& scene, const std::vector<float>& scores, int orderedSamples)
@@ -313,12 +313,14 @@ struct Decision
     enum { ITERATION = 1234 };
 
     bool ordered;     //!< the criterion wants only samples that follow the order
-    int unexplained;  //!< samples of the outliers that it wants before the end; -1: not decided
+    int unexplained;  //!< number of samples of the best model's outliers that it wants before the
+                      //!< search ends; -1: not decided yet
     int iterations;   //!< Termination::iterations
 };
 
-//! A scene of H in which some true matches occur several times. `copies` contains all copies. They
-//! are not quite equal, because equal matches come last in any order.
+//! A scene for H in which the first `copied` true matches occur `times` times each. `copies` gets
+//! the indices of these matches and of their copies. The copies differ slightly, because equal
+//! matches come last in any order.
 Scene withCopies(int size, double inlierRatio, int copied, int times, std::vector<int>& copies)
 {
     SceneOptions options;
@@ -341,8 +343,9 @@ Scene withCopies(int size, double inlierRatio, int copied, int times, std::vecto
     return scene;
 }
 
-//! If the best scores are those of the copies of a few matches, and all other scores are random,
-//! these copies are no evidence for the order. As many different matches are.
+//! 120 true matches have the best scores, and all other scores are random. If they are 40 copies
+//! each of three matches, they must not count as evidence that the order is informative. If they
+//! are 120 different matches, they must count.
 TEST(Usac_ConfirmedOrder, copiesAreNoEvidence)
 {
     for (bool repeated : {false, true})
@@ -360,7 +363,8 @@ TEST(Usac_ConfirmedOrder, copiesAreNoEvidence)
 }
 
 //! If the outliers are fewer than the inliers that another model needs, the search must end without
-//! a single sample of the outliers, also if copies of matches hide whether outliers are neighbors.
+//! a single sample of the outliers. The result must be the same if so many inliers are copies that
+//! neighboring matches are not used to rule out another model (see otherMotionWouldShow()).
 TEST(Usac_ConfirmedOrder, tooFewOutliersForAnotherModel)
 {
     std::vector<int> copies;

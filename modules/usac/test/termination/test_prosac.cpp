@@ -365,8 +365,9 @@ TEST(Usac_TerminationProsac, heedsTheOptions)
         EXPECT_GT(sums[option], sums[0] * 1.02) << option;
 }
 
-//! The criterion of many points needs inliers late in the order. When the time is over, it must not
-//! go on to these inliers, and must not be fulfilled.
+//! All inliers are in the second half of the order, so that prosacSamples() must examine more than
+//! half of the points. If the time limit is reached, it must stop earlier and return INT_MAX, which
+//! means that the criterion is not fulfilled.
 TEST(Usac_TerminationProsac, endsWithTheTime)
 {
     const int size = 3000;

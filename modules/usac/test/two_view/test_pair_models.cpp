@@ -20,15 +20,16 @@ PairModel modelOf(const Matx33d& matrix, const std::vector<double>& errors, doub
     return model;
 }
 
-//! A match moved by `pixels` in image 2 along its epipolar line.
+//! The point `to` of image 2 of a match, moved by `pixels` along the epipolar line of `from`.
 Point2d movedAlong(const Matx33d& F, const Point2d& from, const Point2d& to, double pixels)
 {
     const Vec3d line = F * Vec3d(from.x, from.y, 1);
     return to + Point2d(-line[1], line[0]) * (pixels / std::hypot(line[0], line[1]));
 }
 
-//! Exact matches of a plane. A wrong E explains 60 of 100, the true F all of them. The true H
-//! explains all but 20 (`off`), which are off the plane.
+//! 100 matches without noise. A wrong E explains 60 of them, the true F all. If `off` is false, all
+//! are on a plane, so that the true H explains them all. If it is true, 20 of the 40 that E does
+//! not explain are moved along their epipolar lines, off the plane, and H explains the other 80.
 class PlaneOfWrongE
 {
 public:
@@ -89,8 +90,9 @@ public:
     Ptr<PairModels> models;
 };
 
-//! A plane does not determine the epipole. If F explains more than E, but H explains all of that,
-//! too, F is no evidence against the cameras. Matches off the plane are.
+//! A plane does not determine the epipole. If F explains more matches than E, but H explains these
+//! matches, too, F is no evidence that the focal lengths are wrong, and E must be preferred. If
+//! these matches are off the plane, they are evidence, and F must be preferred.
 TEST(Usac_PairModels, evidence_against_the_cameras)
 {
     for (int off = 0; off < 2; ++off)

@@ -8,7 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Points of image 1 and where H maps them, up to the sign of the third component.
+//! Points of image 1 with the given x coordinates, and the points to which H maps them, whether
+//! their third homogeneous coordinate is positive or negative.
 struct Mapped
 {
     explicit Mapped(const std::vector<double>& xs) : H(1, 0, 3, 0, 1, -2, 0.01, 0, 1)
@@ -25,8 +26,9 @@ struct Mapped
     Points points1, points2;
 };
 
-//! H maps points with x = -100 to infinity. Matches on the side where most points are fit exactly;
-//! those beyond are behind the camera and at an infinite distance. The sign of H does not matter.
+//! H maps the line x = -100 to infinity. On the side of this line where most points are, the
+//! matches agree with H exactly. Points on the other side would be behind the camera, so that their
+//! distances must be infinite. The sign of H must not matter.
 TEST(Usac_Pixels, beyond_the_horizon)
 {
     for (int most = 0; most < 2; ++most)

@@ -253,8 +253,8 @@ TEST(Usac_TwoViewRules, samples_of_a_collection)
     }
 }
 
-//! In double precision, 0.07 times 100 is a little more than 7. The expected number of inliers must
-//! nevertheless be 7.
+//! The expected number of inliers is the inlier ratio times the number of matches, rounded up. In
+//! double precision, 0.07 times 100 is a little more than 7. The number must nevertheless be 7.
 TEST(Usac_TwoViewRules, rounding_of_the_inlier_ratio)
 {
     Params params = Params::fast();

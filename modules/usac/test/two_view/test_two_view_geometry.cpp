@@ -149,8 +149,9 @@ TEST(Usac_TwoViewGeometry, wrong_focal_lengths)
     }
 }
 
-//! Adds wrong matches that agree with each other: right matches whose second points are moved by a
-//! distance to the left or to the right, as in images of a facade with equal windows.
+//! Adds `count` wrong matches that agree with each other: copies of right matches whose points in
+//! image 2 are moved by `distance` pixels, alternately to the left and to the right, as in images
+//! of a facade with equal windows.
 void addRepetitions(Scene& scene, int count, double distance)
 {
     for (int i = 0; count > 0; ++i)
@@ -163,7 +164,8 @@ void addRepetitions(Scene& scene, int count, double distance)
     }
 }
 
-//! The number of 40 pairs with repeated structure whose E is replaced by F.
+//! The number of pairs, out of 40 with repeated structure and right focal lengths, for which F is
+//! returned instead of E. `count` and `distance` are those of addRepetitions().
 int replacedByRepetitions(double baseline, double planeFraction, int count, double distance,
                           double threshold)
 {
@@ -185,15 +187,16 @@ int replacedByRepetitions(double baseline, double planeFraction, int count, doub
     return replaced;
 }
 
-//! With the right focal lengths, an F that fits wrong matches must not replace E.
+//! If the focal lengths are right, E must not be replaced by an F that has more inliers because it
+//! also fits wrong matches.
 TEST(Usac_TwoViewGeometry, repeated_structure)
 {
-    for (double distance : {10, 20, 40})  // 23 to 36 without PairModels::contradictsCameras()
+    for (double distance : {10, 20, 40})  // of 40; 23 to 36 without contradictsCameras()
         EXPECT_LE(replacedByRepetitions(1, 0.8, 80, distance, 1), 5) << distance;
 }
 
-//! If the threshold is wide for the noise and the motion small, an F that fits wrong matches can
-//! still explain all inliers of E, but with larger errors.
+//! If the threshold is wide for the noise and the motion is small, an F that fits wrong matches can
+//! still explain all inliers of E. E must be preferred because its errors are smaller.
 TEST(Usac_TwoViewGeometry, repeated_structure_of_small_motions)
 {
     int replaced = 0;
@@ -254,7 +257,7 @@ TEST(Usac_TwoViewGeometry, watermark)
     EXPECT_NE((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
     pair.imageSize1 = pair.imageSize2 = Size(SCENE_WIDTH, SCENE_HEIGHT);
     EXPECT_EQ((int)TWO_VIEW_WATERMARK, estimateTwoViewGeometry(pair, twoPixels()).configuration);
-    // the distance within which points are shifted alike is in pixels, whatever the unit of sigmas
+    // the tolerance for the common shift is in pixels, whatever the unit of the sigmas is
     Params params = twoPixels();
     params.threshold = 2. / 20;
     pair.sigmas.assign(60, 20.f);
@@ -338,7 +341,7 @@ TEST(Usac_TwoViewGeometry, scores)
     EXPECT_EQ(0, cv::norm(byPair.E, estimateTwoViewGeometry(pair, params).E));
 }
 
-//! Why no model was found must be told.
+//! If no model was found, TwoViewGeometry::reason must tell why.
 TEST(Usac_TwoViewGeometry, reasons)
 {
     const Scene scene = twoViewScene(1, 0, 200);
@@ -359,9 +362,10 @@ TEST(Usac_TwoViewGeometry, reasons)
     EXPECT_EQ((int)STOP_TIME, found.report.stop);
 }
 
-//! There are so few right matches that H, with its two errors per match, is significant, but E and
-//! F are not. The threshold estimated for H must then decide whether the camera has only rotated:
-//! within the given threshold of 15 pixels, a rotation would explain all matches of the plane.
+//! There are so few right matches that H is significant, because its error has two components per
+//! match, but E and F are not. Whether the camera has only rotated must then be decided with the
+//! threshold estimated for H: within the given threshold of 15 pixels, a rotation would explain all
+//! matches of the plane, although the camera has moved.
 TEST(Usac_TwoViewGeometry, estimated_threshold_of_a_plane_alone)
 {
     int alone = 0;
@@ -387,7 +391,8 @@ TEST(Usac_TwoViewGeometry, estimated_threshold_of_a_plane_alone)
     EXPECT_GT(alone, 0);
 }
 
-//! The motion that a watermark seems to have is not that of the cameras.
+//! The points of a watermark do not show the motion of the cameras, so that no rotations must be
+//! returned for a watermark.
 TEST(Usac_TwoViewGeometry, watermark_of_known_cameras)
 {
     RNG rng(2);
@@ -408,11 +413,11 @@ TEST(Usac_TwoViewGeometry, watermark_of_known_cameras)
     EXPECT_EQ(0, cv::norm(moved.mask, found.mask));
 }
 
-//! 45 % of the matches follow exactly a rotation; the others differ from it by nearly the threshold
-//! in opposite directions, more of them to the right. All are inliers of this rotation, but those
-//! on the left are not inliers of the mean rotation, so that the pair counts as planar. The
-//! homography then determines a single rotation, also if its determinant is negative (`center`
-//! 20000).
+//! 45 % of the matches follow a rotation exactly. The others are shifted in image 2 by 3.35 pixels,
+//! which is nearly the threshold of H, more of them to the right than to the left. All are inliers
+//! of the homography of this rotation. But the rotation fitted to all of them is closer to those on
+//! the right, so that those on the left are not its inliers, and the pair counts as planar. H then
+//! determines a single rotation, also if its determinant is negative (`center` 20000).
 TEST(Usac_TwoViewGeometry, homography_that_is_a_rotation)
 {
     for (double center : {320., 20000.})
@@ -444,7 +449,7 @@ TEST(Usac_TwoViewGeometry, homography_that_is_a_rotation)
     }
 }
 
-//! A pair can be filled field by field.
+//! A TwoViewPair can be created empty and filled field by field.
 TEST(Usac_TwoViewGeometry, pair_without_arguments)
 {
     TwoViewPair pair;

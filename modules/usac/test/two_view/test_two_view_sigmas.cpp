@@ -6,12 +6,13 @@
 
 #include "two_view_scenes.hpp"
 
-// Tests of estimateTwoViewGeometry with the noise of each match, TwoViewPair::sigmas.
+// Tests of estimateTwoViewGeometry with given noise of each match (TwoViewPair::sigmas).
 
 namespace opencv_test {
 namespace {
 
-//! A pair whose matches have noise of `small` or five times as much, in turns, with their sigmas.
+//! A pair whose matches alternately have noise with a standard deviation of `small` pixels and of
+//! five times as many; the sigmas of the pair are these standard deviations.
 TwoViewPair pairOfMixedNoise(const Scene& scene, double small)
 {
     TwoViewPair pair = pairOf(scene);
@@ -61,8 +62,8 @@ TEST(Usac_TwoViewSigmas, mask_and_accuracy)
     EXPECT_LT(with, 0.7 * without);
 }
 
-//! The estimate with sigmas multiplied by a factor and the threshold divided by it, which must
-//! change hardly anything.
+//! The result if the sigmas are multiplied by `factor` and the threshold is divided by it, which
+//! must have hardly any effect.
 TwoViewGeometry estimateScaled(TwoViewPair pair, double threshold, double factor)
 {
     Params params = twoPixels();

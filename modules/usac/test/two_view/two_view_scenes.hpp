@@ -17,16 +17,17 @@ const double DEGREE = CV_PI / 180;
 //! Angle of the rotation between a rotation matrix and the true one, in radians.
 double angleBetween(const cv::Mat& R, const cv::Matx33d& truth);
 
-//! Options with a threshold of 2 pixels and at most 10000 samples.
+//! Options with a threshold of 2 pixels, a confidence of 0.999 and at most 10000 samples.
 cv::usacv20::Params twoPixels();
 
-//! Two views with 200 right matches, a fraction of them on a plane, and wrong ones.
+//! Two views with 200 right matches, `planeFraction` of them on a plane, and `outliers` wrong ones.
 Scene twoViewScene(uint64 seed, double planeFraction = 0, int outliers = 100);
 
-//! Such a scene with 60 wrong matches whose second camera only turns.
+//! A scene of twoViewScene() with 60 wrong matches, changed so that the camera only rotates between
+//! the two views.
 Scene turnedScene(uint64 seed);
 
-//! The matches of a scene, with its cameras if they are known.
+//! The matches of a scene, with its camera matrices if `known` is true.
 cv::usacv20::TwoViewPair pairOf(const Scene& scene, bool known = true);
 
 //! Checks the documented properties of a result with inliers.

@@ -11,14 +11,15 @@ namespace usacv20 {
 
 namespace {
 
-//! Numbers in a datum: three of the object point and two of the image point, and those of the root
-//! of a covariance.
+//! Numbers in a datum: three of the object point and two of the image point (COLUMNS) and, if there
+//! are covariances, the root of that of the image point (ROOT).
 enum { COLUMNS = 5, ROOT = 3 };
 //! Value of both components of the error of a point that the camera does not see. Its square
 //! exceeds any sum of squared errors of visible points.
 constexpr double UNSEEN = 1e100;
 
-//! Multiplies the vector (x, y) by the inverse of the root [p 0; q s].
+//! Multiplies the vector (x, y) by the inverse of the root [p 0; q s] of a covariance; `root` is
+//! p, q, s.
 void whiten(const double* root, double& x, double& y)
 {
     const InverseRoot<double> inverse(root[0], root[1], root[2]);

@@ -67,13 +67,13 @@ struct ReprojectionError
     };
 };
 
-//! The inverse of a root L = [p 0; q s].
+//! The inverse of the root L = [p 0; q s] of a covariance L L^T.
 template <class T>
 struct InverseRoot
 {
     InverseRoot(T p, T q_, T s) : scale(T(1) / p), q(q_), rest(T(1) / s) {}
 
-    //! The components of L^-1 (x, y); the second one is computed from the first one.
+    //! The components of L^-1 (x, y). @param whitened the first component, first(x)
     T first(T x) const { return x * scale; }
     T second(T whitened, T y) const { return (y - q * whitened) * rest; }
 
@@ -81,7 +81,7 @@ struct InverseRoot
 };
 
 /** Reprojection error for an image point with the covariance L L^T, L = [p 0; q s], in units of its
-standard deviation: L^-1 (p(P X) - x). */
+standard deviation: L^-1 times the error of ReprojectionError. */
 struct WhitenedReprojectionError
 {
     enum { COLUMNS = 8, NUMBERS = 12, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 0 };

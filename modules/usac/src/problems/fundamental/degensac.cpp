@@ -197,7 +197,7 @@ private:
         split(p, H, planeLimit(context));
         if (onCount < LEAST_POINTS || onCount < ROUGHLY * least)
             return false;
-        Correspondences plain = p;  // without covariances, which this fit does not use
+        Correspondences plain = p;  // without covariances, which `fitter` does not use
         plain.noise = p.noise > 1 ? 0 : p.noise;
         Model fitted = H;
         int before = 0;

@@ -14,9 +14,9 @@ namespace usacv20 {
 
 namespace {
 
-//! F is considered a matrix of rank 1 if the ratio of its second to its first singular value, which
-//! have a rounding error of about 1e-16, is at most this number. For points in pixels, the ratio is
-//! about the inverse square of the focal length.
+//! F is considered a matrix of rank 1 if the ratio of its second to its first singular value is at
+//! most this number. The ratio has a rounding error of about 1e-16. For points in pixels, the ratio
+//! is about the inverse square of the focal length.
 constexpr double RANK_ONE = 1e-12;
 
 //! A Householder reflection whose last column is a multiple of n, which is not zero.

@@ -34,8 +34,8 @@ public:
     static int dimension() { return DIMENSION; }
     //! False if F has rank 1, up to rounding.
     bool hasFullRank() const;
-    //! False if F is close to rank 1 in the coordinates of a fit, which do not depend on the
-    //! pixels.
+    //! False if F is close to rank 1. Only for the normalized coordinates of Correspondences,
+    //! because the limit depends on the unit of length.
     bool wellConditioned() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

@@ -10,11 +10,12 @@ namespace cv {
 namespace usacv20 {
 
 //! H counts as a matrix of rank 3 if the magnitude of its determinant is above this fraction of the
-//! sum of the magnitudes of its six terms, which has a rounding error of about 1e-16. Unlike the
-//! determinant itself, the fraction does not depend on the units of the coordinates.
+//! sum of the magnitudes of the six products that form the determinant. The rounding error of the
+//! fraction is about 1e-16. Unlike the determinant itself, the fraction does not depend on the
+//! units of the coordinates.
 constexpr double RANK_TWO = 1e-12;
-//! In the coordinates of a fit, H of unit norm counts as a matrix of rank 3 if the magnitude of its
-//! determinant is above this value.
+//! In the normalized coordinates of Correspondences, an H of unit norm counts as well-conditioned
+//! if the magnitude of its determinant is above this value.
 constexpr double LEAST_DETERMINANT = 1e-9;
 
 HomographyParameterization::HomographyParameterization(const Model& model)

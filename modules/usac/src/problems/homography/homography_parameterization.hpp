@@ -27,8 +27,8 @@ public:
     static int dimension() { return DIMENSION; }
     //! False if H maps the plane to a line or a point, up to rounding.
     bool hasFullRank() const;
-    //! False if H is close to such a map in the coordinates of a fit, which do not depend on the
-    //! pixels.
+    //! False if H is close to such a map. Only for the normalized coordinates of Correspondences,
+    //! because the limit depends on the unit of length.
     bool wellConditioned() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;
@@ -40,8 +40,9 @@ public:
     Model model() const;
 
 private:
-    /** Computes the Householder reflection I - factor v v^T that maps the axis of h33 to h or -h,
-    and thus the other axes to the orthogonal complement of h. @return factor */
+    /** Computes v and `factor` of the Householder reflection I - factor v v^T that maps the last of
+    the 9 axes, that of h33, to h or -h, and thus the other axes to the orthogonal complement of h.
+    @return factor */
     double reflection(Eigen::Matrix<double, 9, 1>& v) const
     {
         v = h;

@@ -42,7 +42,8 @@ struct Triangle
     Eigen::Matrix3d axes;     //!< orthonormal, as columns
     Eigen::Vector3d center;
     //! True if the height above the longer of the two sides at the first corner is more than
-    //! sqrt(DBL_EPSILON) times this side, so that the normal is determined.
+    //! sqrt(DBL_EPSILON) times this side, so that the normal is determined. False if numbers
+    //! overflow.
     bool regular;
 };
 

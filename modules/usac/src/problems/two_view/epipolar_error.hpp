@@ -10,13 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-// The contract of a formula is in residual/formula_residual.hpp.
+// residual/formula_residual.hpp describes the members that the formula of an error must have.
 namespace {
 
 //! If both points of a match are epipoles, the numerator and the denominator of the Sampson
-//! distance are 0. For a term of the symmetric epipolar distance, and if the point of one image is
-//! exact, one such point is enough. Fits add this constant to each denominator, so that the
-//! quotient is then 0. It is far below any other denominator.
+//! distance are 0. A single point at the epipole is enough for a term of the symmetric epipolar
+//! distance and, if there are covariances, for the Sampson distance if the covariance of this point
+//! is 0. Fits add this constant to each denominator, so that the quotient is then 0. The constant
+//! is far below any other denominator.
 constexpr double BOTH_EPIPOLES = 1e-200;
 
 //! Computes the first two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.
@@ -38,9 +39,10 @@ struct EpipolarLines
         linearize(component, a0, b0, d0, e0, a0 * a0 + b0 * b0 + d0 * d0 + e0 * e0, out);
     }
 
-    /** Computes the error component r / sqrt(D) and its derivative, where D is a quadratic form of
-    (a, b) and of (d, e), and (a0, b0) and (d0, e0) are halves of its derivatives with respect to
-    them. The derivative is (x2 x1^T - r / D ((a0, b0, 0)^T x1^T + x2 (d0, e0, 0))) / sqrt(D). */
+    /** Computes the error component r / sqrt(D) and its derivative with respect to F. D is `form`,
+    the sum of a quadratic form of (a, b) and one of (d, e); half the derivatives of D with respect
+    to (a, b) and to (d, e) are (a0, b0) and (d0, e0). The derivative is
+    (x2 x1^T - r / D ((a0, b0, 0)^T x1^T + x2 (d0, e0, 0))) / sqrt(D). */
     template <class Out>
     void linearize(int component, T a0, T b0, T d0, T e0, T form, Out& out) const
     {
@@ -89,9 +91,10 @@ struct SampsonError
     };
 };
 
-/** Sampson distance for points with covariances L2 L2^T and L1 L1^T, in units of the standard
-deviation of r = x2^T F x1: r^2 / (|L2^T (F x1)_{1,2}|^2 + |L1^T (F^T x2)_{1,2}|^2)
-@cite hartley2003multiple. It is the Sampson distance if both covariances are unit matrices. */
+/** Sampson distance, squared, if x2 and x1 have the covariances L2 L2^T and L1 L1^T: the square of
+r = x2^T F x1 divided by the variance of r, to first order,
+r^2 / (|L2^T (F x1)_{1,2}|^2 + |L1^T (F^T x2)_{1,2}|^2) @cite hartley2003multiple. If both
+covariances are unit matrices, this is SampsonError. */
 struct WhitenedSampsonError
 {
     enum { COLUMNS = 10, NUMBERS = 9, COMPONENTS = 1, HOMOGENEOUS = 1, PROJECTION = 0 };
@@ -115,8 +118,8 @@ struct WhitenedSampsonError
         }
 
         const EpipolarLines<T> l;
-        const T p2, q2, s2, p1, q1, s1;  //!< the roots L2 and L1
-        const T a, b, d, e;              //!< the lines multiplied by L2^T and L1^T
+        const T p2, q2, s2, p1, q1, s1;  //!< L2 = [p2 0; q2 s2] and L1 = [p1 0; q1 s1]
+        const T a, b, d, e;              //!< L2^T (F x1)_{1,2} and L1^T (F^T x2)_{1,2}
     };
 };
 

@@ -10,14 +10,15 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief A map of the plane whose entries are affine functions of its parameters. Maps near this
-map are parameterized by increments of its parameters; zero increments give the map itself.
+/** @brief A map of the plane, as a 3x3 matrix with the last row (0, 0, 1), whose entries are affine
+functions of its parameters. Maps near this map are parameterized by increments of its parameters;
+zero increments give the map itself.
 
 The class `Map` defines the parameters p:
 - DIMENSION is the number of parameters;
-- read(m, p) writes to p the parameters of the map that is nearest to a given map m, which has 9
-entries, row by row;
-- write(p, m) writes the first two rows of the map with the parameters p to m;
+- read(m, p) writes to p the parameters of the map that is nearest to a given matrix m (9 entries,
+row by row);
+- write(p, m) writes to m the first two rows of the matrix with the parameters p;
 - isRegular(p) is false if the map with the parameters p maps the plane to a line or a point. */
 template <class Map>
 class PlaneParameterization

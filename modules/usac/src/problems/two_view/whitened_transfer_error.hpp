@@ -10,21 +10,22 @@
 namespace cv {
 namespace usacv20 {
 
-// The contract of a formula is in residual/formula_residual.hpp.
+// residual/formula_residual.hpp describes the members that the formula of an error must have.
 namespace {
 
-/** Transfer error r = p(H x1) - x2 for points with covariances L2 L2^T and L1 L1^T, in units of its
-standard deviation: the covariance of r is S = L2 L2^T + A L1 (A L1)^T to first order, with the
-derivative A of the mapped point with respect to x1, and the squared error is r^T S^-1 r, to first
-order the squared distance of the match from the manifold of exact matches
-@cite hartley2003multiple. The error vector is C^-1 r with the Cholesky factor C of S.
+/** Whitened transfer error. The transfer error is r = p(H x1) - x2, where p is the perspective
+division; x2 and x1 have the covariances L2 L2^T and L1 L1^T. To first order, the covariance of r is
+S = L2 L2^T + A L1 (A L1)^T, where A is the derivative of p(H x1) with respect to x1. The squared
+error is r^T S^-1 r: to first order, the squared Mahalanobis distance of the match from the manifold
+of exact matches @cite hartley2003multiple. The error vector is C^-1 r, where C is the lower
+Cholesky factor of S.
 
 With the 2x4 matrix M = [L2, A L1], S is M M^T. det S is the sum of the squares of the 2x2 minors of
-M, and r^T S^-1 r det S that of the 2x2 minors of [M, r] with the column r. They are computed in
-this way because it loses no digits to cancellation if the standard deviations of a point in two
-directions differ by factors of hundreds. All minors are divided by the root of S00, the first entry
-of S, so that their squares are numbers of type float even if the standard deviations of two points
-differ by a factor of 1e12. */
+M, and r^T S^-1 r det S is the sum of the squares of those 2x2 minors of [M, r] that contain the
+column r. Both are computed in this way because it loses no digits to cancellation if the standard
+deviations of a point in two directions differ by factors of hundreds. All minors are divided by the
+root of S00, the first entry of S, so that their squares stay within the range of float even if the
+standard deviations of two points differ by a factor of 1e12. */
 struct WhitenedTransferError
 {
     enum { COLUMNS = 10, NUMBERS = 9, COMPONENTS = 2, HOMOGENEOUS = 1, PROJECTION = 0 };
@@ -52,7 +53,7 @@ struct WhitenedTransferError
         }
         T cost() const { return squared(); }
 
-        //! det S / S00: variance of the second component of r that the first one leaves.
+        //! det S / S00: variance of the second component of r if the first component is known.
         T complement() const
         {
             const T p = scale * p2, s = scale * s2, g = scale * g0, h = scale * g1;
@@ -82,7 +83,8 @@ struct WhitenedTransferError
                   second(scale1 * rest)
             {}
 
-            //! Change of the error vector if r and S change.
+            //! Writes the derivative of the error vector with respect to entry `number` of H, given
+            //! the derivatives of r and S.
             template <class Out>
             void change(int number, T dr0, T dr1, T dS00, T dS01, T dS11, Out& out) const
             {
@@ -97,10 +99,12 @@ struct WhitenedTransferError
             const T r0, inverse0, slope, rest, scale0, scale1, first, second;
         };
 
-        /** Derivatives with respect to a column of H. If d is the derivative of the first row of A
-        with respect to the entry in the first row of H, it is also that of the second row of A with
-        respect to the entry in the second row, and the entry in the third row changes the rows a
-        and b of A by -u d - (w p) a and -v d - (w p) b. */
+        /** Derivatives with respect to the three entries of column `k` of H. Let a and b be the
+        rows of A, (u, v) the mapped point, w the reciprocal of its homogeneous coordinate, p
+        coordinate `k` of the homogeneous x1, and d the derivative of a with respect to the entry in
+        the first row of H. Then d is also the derivative of b with respect to the entry in the
+        second row, and the derivatives of a and b with respect to the entry in the third row are
+        -u d - (w p) a and -v d - (w p) b. */
         template <class Out>
         void column(int k, const Whitening& whitening, Out& out) const
         {
@@ -118,9 +122,9 @@ struct WhitenedTransferError
 
         const TransferError::At<T> t;
         const T h0, h1;                  //!< the first two entries of the third row of H
-        const T p2, q2, s2, p1, q1, s1;  //!< the roots L2 and L1
-        const T a0, a1, b0, b1;          //!< rows of A
-        const T g0, g1, k0, k1;          //!< rows of A L1
+        const T p2, q2, s2, p1, q1, s1;  //!< L2 = [p2 0; q2 s2] and L1 = [p1 0; q1 s1]
+        const T a0, a1, b0, b1;          //!< rows (a0, a1) and (b0, b1) of A
+        const T g0, g1, k0, k1;          //!< rows (g0, g1) and (k0, k1) of A L1
         const T scale;                   //!< 1 / sqrt(S00)
     };
 };

@@ -104,8 +104,9 @@ TEST(Usac_TriangleDepths, bothConicsDegenerate)
     EXPECT_GT(total, 200);
 }
 
-//! Three positions of such a triangle coincide. They are a triple root, for which one of the
-//! formulas gives p : q : w = 0 : 0 : 0; this is no position. The triple one must be found once.
+//! For each of these triangles, three of the at most four positions coincide. For such a triple
+//! root, one of the formulas of solveTriangle() gives p : q : w = 0 : 0 : 0, which is not a
+//! position. The triple position must be found once.
 TEST(Usac_TriangleDepths, threePositionsCoincide)
 {
     for (double side : {1 / 16., 2 / 16., 3 / 16., 4 / 16., 5 / 16.})

@@ -6,15 +6,17 @@
 #include "problems/random_rotation.hpp"
 #include "problems/essential/motions.hpp"
 
-// Tests of the camera motions that explain the homography of a plane.
+// Tests of motionsOfPlane(), which computes the two camera motions that explain the homography of a
+// plane.
 
 namespace opencv_test {
 namespace {
 
-//! Not the enumeration Motion of scenes.
+//! The class with R and t; opencv_test::Motion is an enumeration of the motions in test scenes.
 typedef cv::usacv20::Motion CameraMotion;
 
-//! A camera motion and a plane that is in front of both cameras.
+//! A camera motion, and a plane n^T X = 1 with n of unit length. If the translation is shorter than
+//! 1, the two camera centers are on the same side of the plane.
 struct Plane
 {
     explicit Plane(RNG& rng)
@@ -24,7 +26,7 @@ struct Plane
         n *= 1 / cv::norm(n);
     }
 
-    //! Maps the plane n x = 1 after a translation by t times `length`.
+    //! Homography of the plane from image 1 to image 2, for the motion X2 = R X1 + `length` t.
     Matx33d homography(double length) const { return R + Matx33d(Mat(t * length * n.t())); }
 
     Matx33d R;
@@ -54,8 +56,10 @@ TEST(Usac_Motions, ofAPlane)
     }
 }
 
-//! A pure rotation does not show where the plane is. A singular matrix maps the plane to a line or
-//! a point. The scale of H must not matter.
+//! The homography of a pure rotation does not depend on the plane, and a singular matrix maps the
+//! plane to a line or a point. motionsOfPlane() must then find no motions. A translation of 1e-10
+//! (the distance of the plane is 1) must count as none, one of 1e-6 must not. The scale of H must
+//! not matter.
 TEST(Usac_Motions, areUndeterminedByARotationOrASingularMatrix)
 {
     RNG rng(2);

@@ -287,8 +287,9 @@ TEST(Usac_TriangleSolver, degenerate)
     }
 }
 
-//! The squared area of the larger triangle is finite, but the fourth power of its sides is not. The
-//! least-squares scale cannot be computed, and there must be no model instead of NaN.
+//! For the larger triangle, with sides of 1e78, the squared area is finite, but the fourth power of
+//! the sides is not. The least-squares rotation and scale cannot be computed, and the solver must
+//! return no model instead of NaN. For the smaller triangle, it must return the identity.
 TEST(Usac_TriangleSolver, tooLargeForDouble)
 {
     for (double size : {1e70, 1e78})

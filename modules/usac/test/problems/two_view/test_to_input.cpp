@@ -5,20 +5,22 @@
 #include "test_precomp.hpp"
 #include "support/problem_objects.hpp"
 
-// Tests of Problem::toInput, which converts a model to the coordinates and the scale of the caller.
+// Tests of Problem::toInput, which converts a model from the coordinates of the search to the
+// caller's coordinates, and to the scale in which it is returned.
 
 namespace opencv_test {
 namespace {
 
-//! Expects that the model cannot be converted.
+//! Checks that Problem::toInput returns false: the model cannot be converted.
 void expectNoModel(ProblemType problem, const Matx33d& model, const Correspondences& points)
 {
     Model result;
     EXPECT_FALSE(problemObject(problem).toInput(model, points, result)) << (int)problem;
 }
 
-//! F and E are determined up to scale; they must be returned with unit norm. A matrix whose norm is
-//! 0 or out of the range of double cannot be scaled, so that it is no model.
+//! F and E are determined up to scale; they must be returned with unit norm. If the sum of the
+//! squared entries is 0, infinite or NaN in double precision, a matrix cannot be scaled, so that it
+//! is no model.
 TEST(Usac_ToInput, epipolarGeometryHasUnitNorm)
 {
     const Matx33d E(0, -1, 2, 1, 0, -3, -2, 3, 0);
@@ -40,8 +42,9 @@ TEST(Usac_ToInput, epipolarGeometryHasUnitNorm)
     }
 }
 
-//! If the coordinates of both images are about 1e-100, entries of F in these coordinates exceed the
-//! range of double; if they are about 1e100, the product of the scales is 0.
+//! If the coordinates of both images are about 1e-100, entries of F in these coordinates are about
+//! 1e200, so that their squares overflow; if the coordinates are about 1e100, the entries are about
+//! 1e-200, so that their squares underflow to 0.
 TEST(Usac_ToInput, fundamentalMatrixOutOfRange)
 {
     for (double scale : {1e-100, 1e100})
@@ -52,9 +55,9 @@ TEST(Usac_ToInput, fundamentalMatrixOutOfRange)
     }
 }
 
-//! An affine map can lose entries of its linear part when they are smaller than the numbers of
-//! double precision. Any entry that is left makes it a map; without one, all points would have the
-//! same image.
+//! In the caller's coordinates, entries of the linear part of an affine map can be too small for
+//! double precision and become 0. The map must be returned if at least one of the four entries is
+//! not 0. If all are 0, it would map all points to the same point, so that it is no model.
 TEST(Usac_ToInput, oneLinearEntryMakesAMap)
 {
     Correspondences points = OwnPoints(AFFINITY, {}, {}).view();
