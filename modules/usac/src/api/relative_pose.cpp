@@ -45,7 +45,8 @@ public:
         Mat essential, mask;
         Report report;
         Motion motion;
-        int inliers;  //!< inliers of the essential matrix, including points behind a camera
+        double threshold;  //!< threshold of the mask
+        int inliers;       //!< inliers of the essential matrix, including points behind a camera
         double cost;  //!< sum of squared errors, in squared thresholds; a point counts as 1 if it
                       //!< is an outlier or not in front of both cameras
     };
@@ -54,7 +55,7 @@ public:
     {
         found.essential = usac->run(found.mask, &found.report);
         if (!found.essential.empty())
-            read(found);
+            read(found, found.report.threshold);
         return !found.essential.empty();
     }
 
@@ -71,9 +72,9 @@ public:
         const Matx33d E = found.essential,
                       each[] = {motions[0].essential(), motions[1].essential()};
         const int same = difference(each[0], E) < difference(each[1], E) ? 0 : 1;
-        other.essential = usac->refine(Mat(each[1 - same]), noArray(), other.mask, &other.report);
+        other.essential = usac->refine(Mat(each[1 - same]), noArray(), noArray(), &other.report);
         CV_Assert(!other.essential.empty());
-        read(other);
+        read(other, found.report.threshold);
         if (difference(other.essential, E) <
             difference(each[0], each[1]) / 2)  // the refinement converged to the motion of `found`
             other.essential.release();
@@ -96,10 +97,16 @@ public:
 
 private:
     //! Of the four motions of the essential matrix, selects the one with the most inliers in front
-    //! of both cameras, and computes Solution::inliers and Solution::cost.
-    void read(Solution& solution)
+    //! of both cameras, and computes the other members of the solution. An estimated threshold of a
+    //! refinement would differ from that of the search; the two motions of a plane are comparable
+    //! only with the same threshold.
+    void read(Solution& solution, double threshold)
     {
         const Mat errors = usac->errors(solution.essential);
+        solution.threshold = threshold;
+        solution.mask = errors <= threshold;  // NaN is not an inlier
+        solution.mask.setTo(1, solution.mask);
+        solution.inliers = countNonZero(solution.mask);
         Motion motions[4];
         motionsOf(solution.essential, motions);
         int most = -1;
@@ -111,12 +118,10 @@ private:
             most = count;
             solution.motion = motions[k];
         }
-        solution.inliers = countNonZero(solution.mask);
         solution.cost = 0;
-        const double pixels = solution.report.threshold;
         for (int i = 0; i < errors.rows; ++i)
         {
-            const double part = errors.at<double>(i) / pixels;
+            const double part = errors.at<double>(i) / threshold;
             const bool counts = part <= 1 &&
                                 inFront(solution.motion, x1[i], x2[i], limit(solution));
             solution.cost += counts ? part * part : 1;
@@ -132,13 +137,13 @@ private:
     }
 
     //! Inlier threshold on the normalized image planes.
-    double limit(const Solution& solution) const { return unit * solution.report.threshold; }
+    double limit(const Solution& solution) const { return unit * solution.threshold; }
 
     //! Finds the homography of the plane with the largest number of inliers, and the image of one
     //! point of this plane in image 1. @return number of inliers on the plane; 0: none was found
     int plane(const Solution& found, Matx33d& H, Vec3d& point) const
     {
-        const double pixels = found.report.threshold / limit(found);
+        const double pixels = 1 / unit;
         std::vector<Point2d> first, second;
         std::vector<int> rows;
         for (int i = 0; i < found.mask.rows; ++i)
@@ -149,7 +154,7 @@ private:
                 rows.push_back(i);
             }
         Params options;
-        options.threshold = ON_PLANE * found.report.threshold;
+        options.threshold = ON_PLANE * found.threshold;
         options.seed = params.seed;
         options.significance = 1;
         Mat mask;
@@ -180,14 +185,12 @@ private:
 };
 
 //! The report of a search whose model has been replaced with a refined one: what describes the
-//! model is from the report of the refinement, the statistics are those of the search.
+//! model is from the report of the refinement; threshold and statistics are those of the search.
 Report reportOf(const Report& search, const Report& refinement)
 {
     Report report = search;
     report.sample.clear();
     report.independentInliers = refinement.independentInliers;
-    report.threshold = refinement.threshold;
-    report.wideThreshold = refinement.wideThreshold;
     report.sigma = refinement.sigma;
     report.covariance = refinement.covariance;
     report.priorChance = refinement.priorChance;
@@ -219,6 +222,8 @@ bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cam
         }
         pose.behind = views.hideBehind(best);
         best.report.inliers = countNonZero(best.mask);
+        best.report.independentInliers = std::min(best.report.independentInliers,
+                                                  best.report.inliers);
         best.report.inlierRatio = (double)best.report.inliers / std::max(best.mask.rows, 1);
         pose.essential = best.essential;
         Mat(best.motion.R).copyTo(R);

@@ -50,9 +50,10 @@ GivenModels::GivenModels(const Context& context_, ProblemData& data_,
                          const Ptr<Residual>& imageResidual, const Ptr<NonMinimalSolver>& imageFit)
     : context(context_), data(data_),
       residual(imageResidual ? imageResidual : context_.components.residual),
-      asSeen(!imageResidual.empty()), points(asSeen ? data_.imagePoints() : context_.points),
-      solver(started(context_, imageFit)), problem(*context_.points.problem), start(getTickCount()),
-      indices(0), weights(0), count(0)
+      asSeen(!imageResidual.empty()),
+      fitted(imageFit ? imageResidual : context_.components.residual),
+      points(imageFit ? data_.imagePoints() : context_.points), solver(started(context_, imageFit)),
+      problem(*context_.points.problem), start(getTickCount()), indices(0), weights(0), count(0)
 {}
 
 Mat GivenModels::fit(InputArray weightOfEach, InputArray chosen, OutputArray mask, Report* report)
@@ -66,6 +67,7 @@ Mat GivenModels::fit(InputArray weightOfEach, InputArray chosen, OutputArray mas
         state.report.stop = begin(best) && leastSquares(count, best) ? STOP_NO_SEARCH
                                                                      : STOP_NO_MODEL;
     state.best = best;
+    setThreshold(state);
     return give(state, mask, report);
 }
 
@@ -78,6 +80,7 @@ Mat GivenModels::refine(InputArray model, InputArray chosen, OutputArray mask, R
         state.report.stop = STOP_TOO_FEW_POINTS;
     else
         state.report.stop = leastSquares(count, state.best) ? STOP_NO_SEARCH : STOP_NO_MODEL;
+    setThreshold(state);
     return give(state, mask, report);
 }
 
@@ -135,7 +138,7 @@ void GivenModels::choose(InputArray weightOfEach, InputArray chosen)
 
 double GivenModels::lossOf(PointSubset& part, const Model& model) const
 {
-    const double* const errors = part.squaredErrors(*residual, model);
+    const double* const errors = part.squaredErrors(*fitted, model);
     double sum = 0;
     for (int k = 0; k < part.size(); ++k)
         sum += weights ? weights[k] * errors[k] : errors[k];
@@ -200,6 +203,21 @@ bool GivenModels::begin(Model& model) const
     return least < DBL_MAX;
 }
 
+void GivenModels::setThreshold(const State& state)
+{
+    if (state.report.stop == STOP_NO_SEARCH)
+        data.setThreshold(
+            context.components.score->threshold(context, problem.closest(state.best)));
+}
+
+double GivenModels::costOf(const Model& model) const
+{
+    Components parts = context.components;
+    parts.residual = fitted;
+    return Context(points, parts, context.params, context.arena).rate(model).cost /
+           std::max(points.size, 1);
+}
+
 Mat GivenModels::give(State& state, OutputArray mask, Report* report)
 {
     Report& learned = state.report;
@@ -210,16 +228,13 @@ Mat GivenModels::give(State& state, OutputArray mask, Report* report)
     Model model;
     const bool found = learned.stop == STOP_NO_SEARCH;
     if (found)
-    {
         state.best = problem.closest(state.best);
-        data.setThreshold(context.components.score->threshold(context, state.best));
-    }
     if (found && problem.toInput(state.best, context.points, model))
     {
         result = problem.toOutput(model);
         learned.inliers = data.mask(*residual, modelOfMask(problem, result, model), asSeen, inliers,
                                     context.arena);
-        learned.cost = context.rate(state.best).cost / std::max(points.size, 1);
+        learned.cost = costOf(state.best);
     }
     else if (found)
         learned.stop = STOP_NO_MODEL;

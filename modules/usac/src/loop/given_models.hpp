@@ -18,9 +18,10 @@ class GivenModels
 {
 public:
     /** @param context points, components (already started) and options
-    @param data the points; give() sets their threshold
+    @param data the points; fit() and refine() set their threshold
     @param imageResidual result of Problem::createImageResidual; can be empty
-    @param imageFit the least-squares solver for `imageResidual`; empty: the solver of `context` */
+    @param imageFit the least-squares solver for `imageResidual`; empty: the solver of `context`,
+    which fits the residual of `context` */
     GivenModels(const Context& context, ProblemData& data, const Ptr<Residual>& imageResidual,
                 const Ptr<NonMinimalSolver>& imageFit);
 
@@ -45,12 +46,17 @@ private:
     //! The loss: the sum of the (weighted) squared errors of the points in `part`.
     double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
+    //! Sets the threshold of the mask, if there is a model.
+    void setThreshold(const State& state);
+    //! Report::cost of a model.
+    double costOf(const Model& model) const;
 
     const Context& context;
     ProblemData& data;
     const Ptr<Residual> residual;  //!< residual from which the mask is computed
     const bool asSeen;             //!< true if `residual` is for the original image points
-    const Correspondences points;  //!< the points, in the coordinates of `residual`
+    const Ptr<Residual> fitted;    //!< residual that the fits minimize; its points are `points`
+    const Correspondences points;  //!< the points, in the coordinates of `fitted`
     const NonMinimalSolver& solver;
     const Problem& problem;
     const int64 start;

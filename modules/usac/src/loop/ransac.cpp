@@ -61,7 +61,7 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples_)
       hypotheses(0),
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
       alternatives(!runnersUp.none() && !context_.components.score->wholeModel(), context_),
-      sampled(false), forgotten(0), unexplainedSamples(0), rivals(0),
+      sampled(false), unexplainedSamples(0), rivals(0),
       threads(std::min<int>(context_.params.threads > 0 ? context_.params.threads : getNumThreads(),
                             LARGEST_BATCH)),
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
@@ -156,13 +156,14 @@ void Ransac::begin(const Model& initial, int drawn)
         optimize(0, model, quality);
     if (quality.betterThan(state.bestQuality))
         setBest(model, quality, 0);
-    forgotten = -drawn;
+    state.forgotten = -drawn;
 }
 
 void Ransac::thresholdChanged()
 {
     runnersUp.clear();
     alternatives.clear();
+    explored = Model();
     state.sampleQuality = Quality();
     Quality quality = context.rate(state.best);
     const bool valid = recover(0, state.best, quality);
@@ -178,9 +179,10 @@ void Ransac::thresholdChanged()
 
 void Ransac::forgetSamples()
 {
-    forgotten = state.iteration;
-    state.countedSamples = state.repeatedSamples = 0;
+    state.forgotten = state.iteration;
+    state.countedSamples = state.repeatedSamples = state.orderedSamples = 0;
     state.tests.resize(0);
+    parts.sampler->start(context);  // the growing set of the best points begins anew
     if (parts.verifier)
         parts.verifier->start(context);
     for (size_t t = 0; t < parts.terminations.size(); ++t)
@@ -419,8 +421,8 @@ void Ransac::optimize(const Sample* sample, Model& model, Quality& quality)
         ++state.report.localOptimizations;
         if (!parts.localOptimizer->optimize(context, state, optimized, optimizedQuality))  // 19
             break;
-        if (!optimizedQuality.betterThan(state.bestQuality))
-            offer(optimized, optimizedQuality, sample);
+        if (alternatives.active() && !optimizedQuality.betterThan(state.bestQuality))
+            offer(optimized, discounted(optimized, optimizedQuality), sample);
         const Quality before = optimizedQuality;
         if (!optimizedQuality.betterThan(state.bestQuality) ||
             !recover(0, optimized, optimizedQuality) ||  // 20, 21

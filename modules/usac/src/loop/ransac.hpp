@@ -65,8 +65,8 @@ public:
     //! no best model until run() finds one.
     void thresholdChanged();
     //! To be called before thresholdChanged() if the samples so far do not count for the
-    //! confidence, because their models were tested with another threshold. The verifier and the
-    //! criteria are started again.
+    //! confidence, because their models were tested with another threshold. The sampler, the
+    //! verifier and the criteria are started again.
     void forgetSamples();
     //! The sample that led to State::best; null if State::best did not come from a sample.
     const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
@@ -110,7 +110,8 @@ private:
     void chooseByRank();
     void offerCore(const Model& core);
     void setValid(const Model& model, const Sample* sample);
-    Quality discounted(const Model& model) const;
+    //! The score of a model after the discounts of the degeneracy checks.
+    Quality discounted(const Model& model, const Quality& rated) const;
     bool worthOptimizing(const RunnerUp& runnerUp) const;
     /** The best model explains the points whose errors are at most EXPLAINED times
     Context::inlierThreshold. The factor is above 1 because some correct matches lie beyond the
@@ -167,10 +168,7 @@ private:
     RunnersUp runnersUp;
     Alternatives alternatives;
     Sample sampleOfBest;
-    bool sampled;  //!< true if the best model comes from `sampleOfBest`
-    //! Number of samples that do not count, see forgetSamples(). If it is negative, its absolute
-    //! value is the number of samples drawn before this search that count, too, see begin().
-    int forgotten;
+    bool sampled;            //!< true if the best model comes from `sampleOfBest`
     Model explored;          //!< the best model for which searchUnexplained() was last called
     int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized

@@ -46,7 +46,7 @@ void Ransac::chooseByRank()
 //! best model: it is then nearly the same model as the best one, which polishing makes as good.
 void Ransac::offerCore(const Model& core)
 {
-    const Quality quality = discounted(core);
+    const Quality quality = discounted(core, context.rate(core));
     if (!quality.betterThan(state.bestQuality))
         offer(core, quality, 0);
 }
@@ -57,15 +57,15 @@ void Ransac::offerCore(const Model& core)
 void Ransac::setValid(const Model& model, const Sample* sample)
 {
     Model checked = model;
-    const Quality quality = discounted(model);
+    const Quality quality = discounted(model, context.rate(model));
     Quality other = quality;
     if (recover(0, checked, other))
         setBest(model, quality, sample);
 }
 
-Quality Ransac::discounted(const Model& model) const
+Quality Ransac::discounted(const Model& model, const Quality& rated) const
 {
-    Quality quality = context.rate(model);
+    Quality quality = rated;
     for (int d = 0; d < checkCount; ++d)
         checks[d]->discount(context, model, quality);
     return quality;

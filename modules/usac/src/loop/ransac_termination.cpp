@@ -46,7 +46,7 @@ int Ransac::samplesThatCount() const
     const bool planar = state.degenerate ||
                         state.successProbability < 1;  // a wrong model can share nearly all inliers
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
-    return most ? state.iteration - forgotten - state.repeatedSamples : state.countedSamples;
+    return most ? state.iteration - state.forgotten - state.repeatedSamples : state.countedSamples;
 }
 
 void Ransac::updateTermination()

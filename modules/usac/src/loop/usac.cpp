@@ -112,7 +112,7 @@ public:
         prepare();
         const Context context(data.points(), parts, params, arena);
         parts.start(context);
-        return GivenModels(context, data, imageResidual, imageFit)
+        return GivenModels(context, data, imageResidual, fitAsSeen())
             .fit(weights, chosen, mask, report);
     }
 
@@ -121,7 +121,7 @@ public:
         prepare();
         const Context context(data.points(), parts, params, arena);
         parts.start(context);
-        GivenModels given(context, data, imageResidual, imageFit);
+        GivenModels given(context, data, imageResidual, fitAsSeen());
         if (!chosen.empty())
             return given.refine(model, chosen, mask, report);
         State state;
@@ -132,6 +132,8 @@ public:
             automatic->look(context, state.best);
             state.report.sigma = automatic->settle(data);
         }
+        else
+            data.setThreshold(parts.score->threshold(context, state.best));
         polishAsSeen(context, state);
         if (report && params.covariance)
             tellCertainty(context, state.best, state.report);
@@ -142,7 +144,7 @@ public:
     {
         prepare();
         const Context context(data.points(), parts, params, arena);
-        return GivenModels(context, data, imageResidual, imageFit).errors(model);
+        return GivenModels(context, data, imageResidual, fitAsSeen()).errors(model);
     }
 
 private:
@@ -160,7 +162,11 @@ private:
             fitted = parts.residual;
         }
         if (parts.residual != rated)
-            seeImage(rated = parts.residual);
+        {
+            rated = parts.residual;
+            // made.residual can be a residual with sigmas, which has no counterpart for the image
+            seeImage(rated == made.residual ? problem->createResidual(params.residual) : rated);
+        }
         arena.clear();
     }
 
@@ -299,7 +305,7 @@ private:
     //! the caller has not replaced the solver, which might not support them.
     Quality polishAsSeen(const Context& context, State& state)
     {
-        if (!seesImage())
+        if (!fitAsSeen())
             return polish(context, context, state, state.best);
         const Correspondences seen = data.imagePoints();
         imageParts = parts;
@@ -310,8 +316,11 @@ private:
                       state.best);
     }
 
-    //! True if polishAsSeen() uses the original image points.
-    bool seesImage() const { return imageFit && parts.nonMinimalSolver == made.nonMinimalSolver; }
+    //! The solver for the original image points; empty if polishAsSeen() does not use them.
+    Ptr<NonMinimalSolver> fitAsSeen() const
+    {
+        return parts.nonMinimalSolver == made.nonMinimalSolver ? imageFit : Ptr<NonMinimalSolver>();
+    }
 
     //! Params::initialCovariance as a matrix.
     Mat priorCovariance() const
@@ -333,7 +342,7 @@ private:
     Quality tellCertainty(const Context& context, Model& model, Report& learned,
                           const Model* prior = 0) const
     {
-        const bool image = seesImage();
+        const bool image = !fitAsSeen().empty();
         const Correspondences points = image ? data.imagePoints() : context.points;
         const Context polishing(points, image ? imageParts : parts, params, context.arena,
                                 context.watch);
@@ -425,7 +434,10 @@ private:
             result.release();
         }
         if (result.empty())
+        {
             learned.covariance.release();
+            learned.sigma = learned.cost = learned.priorChance = 0;
+        }
         else if (report && params.covariance && params.initialCovariance.empty())
             tellCertainty(context, state.best, learned);
         if (mask.needed())

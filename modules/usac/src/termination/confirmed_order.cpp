@@ -126,7 +126,9 @@ public:
         const int wanted = state.wanted, before = enough;
         if (state.bestQuality.cost != cost)
             look(context, state);
-        state.wanted = state.iteration < FIRST_ORDERED ? (int)SAMPLES_HALF : SAMPLES_MIXED;
+        state.wanted = state.iteration - std::max(state.forgotten, 0) < FIRST_ORDERED
+                           ? (int)SAMPLES_HALF
+                           : SAMPLES_MIXED;
         if (orderedNeeded < INT_MAX &&
             orderedNeeded - state.orderedSamples < uniformLeft(context, state))
         {

@@ -125,10 +125,12 @@ private:
     //! one in `every` samples follows it.
     static int ofAll(int samples, int every, const State& state)
     {
-        if (samples == INT_MAX || every == 1)
+        if (samples == INT_MAX)
             return samples;
-        const double all = state.iteration +
-                           std::max(samples - state.orderedSamples, 0) * (double)every;
+        const double all = every == 1
+                               ? (double)samples + std::max(state.forgotten, 0)
+                               : state.iteration +
+                                     std::max(samples - state.orderedSamples, 0) * (double)every;
         return all < INT_MAX ? (int)all : INT_MAX;
     }
 

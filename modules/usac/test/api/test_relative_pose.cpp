@@ -182,9 +182,9 @@ TEST(Usac_RelativePose, nothing_but_a_plane)
     EXPECT_EQ(40, either);
 }
 
-//! If the second motion of a plane is returned, then threshold, covariance and noise in the report
-//! must be those of this motion, as Usac::refine returns them, and not those of the model that the
-//! search found.
+//! If the second motion of a plane is returned, then covariance and noise in the report must be
+//! those of this motion, as Usac::refine returns them, and not those of the model that the search
+//! found. The mask must be that of the reported threshold.
 TEST(Usac_RelativePose, reportDescribesTheReturnedMotion)
 {
     int replaced = 0;
@@ -209,6 +209,7 @@ TEST(Usac_RelativePose, reportDescribesTheReturnedMotion)
         Report search, refined;
         const Mat E = usac->run(inliers, &search);
         const bool other = cvtest::norm(E, pose.essential, NORM_INF) > 1e-9;
+        EXPECT_EQ(search.threshold, pose.report.threshold);
         const Mat errors = usac->errors(pose.essential);
         int within = 0;
         for (int k = 0; k < errors.rows; ++k)
@@ -228,10 +229,14 @@ TEST(Usac_RelativePose, reportDescribesTheReturnedMotion)
         ++replaced;
         usac->refine(pose.essential, noArray(), inliers, &refined);
         EXPECT_NEAR(refined.sigma, pose.report.sigma, 0.05 * refined.sigma) << i;
-        // a second refinement changes the model a little
-        EXPECT_LT(cvtest::norm(refined.covariance, pose.report.covariance, NORM_L2),
-                  0.5 * cvtest::norm(search.covariance, pose.report.covariance, NORM_L2))
-            << i;
+        EXPECT_LE(pose.report.independentInliers, pose.report.inliers);
+        // a second refinement changes the model a little; an undetermined covariance is NaN
+        if (cv::checkRange(search.covariance) && cv::checkRange(refined.covariance))
+        {
+            EXPECT_LT(cvtest::norm(refined.covariance, pose.report.covariance, NORM_L2),
+                      0.5 * cvtest::norm(search.covariance, pose.report.covariance, NORM_L2))
+                << i;
+        }
     }
     EXPECT_GE(replaced, 10);
 }

@@ -88,6 +88,66 @@ TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
     EXPECT_LE(none, 15);  // in most scenes, the cost decides for the wrong F
 }
 
+//! Halves the gain of models that have most of the given points as inliers, as a check does whose
+//! points are not independent evidence.
+class HalvesTheGain : public Degeneracy
+{
+public:
+    explicit HalvesTheGain(const std::vector<bool>& points_) : points(points_) {}
+
+    void discount(const Context& context, const Model& model, Quality& quality) CV_OVERRIDE
+    {
+        const Correspondences& p = context.points;
+        std::vector<float> errors(p.size);
+        context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
+        int all = 0, inliers = 0;
+        for (int i = 0; i < p.size; ++i)
+            if (points[p.inputIndex[i]])
+            {
+                ++all;
+                inliers += errors[i] <= p.threshold * p.threshold;
+            }
+        if (2 * inliers > all)
+            quality.cost = 0.5 * (p.size + quality.cost);
+    }
+
+private:
+    const std::vector<bool> points;
+};
+
+//! The best scores are those of the matches of the other epipole. Without a check, the wrong F is
+//! chosen because of them; a check that halves its gain must prevent this.
+TEST(Usac_Alternatives, the_gain_is_that_after_the_discounts)
+{
+    int right[2] = {0, 0};
+    for (int seed = 1; seed <= RUNS; ++seed)
+    {
+        Scene scene = twoEpipoles(90, seed);
+        std::vector<bool> others(scene.size(), false);
+        Params params;
+        params.threshold = 1.5;
+        params.maxIterations = 20000;
+        params.seed = seed;
+        params.termination = TERMINATION_STANDARD;
+        params.scores.assign(scene.size(), 2.f);
+        for (int i = 0, left = 90; i < scene.size(); ++i)
+            if (!scene.truth[i] && left-- > 0)
+            {
+                others[i] = true;
+                params.scores[i] = 1;
+            }
+        for (int checked = 0; checked < 2; ++checked)
+        {
+            const Ptr<Usac> usac = createUsac(scene, params);
+            if (checked)
+                usac->components().degeneracies.push_back(makePtr<HalvesTheGain>(others));
+            right[checked] += modelError(scene, usac->run()) < 1.5;
+        }
+    }
+    EXPECT_LE(right[0], RUNS - 10);  // 40 of 60
+    EXPECT_GE(right[1], RUNS - 6);   // 58 of 60
+}
+
 //! Number of scenes in which the returned model is the correct one. The scenes have 200 true
 //! matches, 100 uniform outliers and 180 matches of another motion, which have the best scores.
 int rightMotions(ProblemType problem, bool scores, int scenes)

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
 
 // Tests of Usac::fit and Usac::refine where points or solvers do not determine a model.
 
@@ -90,6 +91,114 @@ TEST(Usac_GivenModels, mapThatIsTooSmallForDoubleIsNoModel)
         EXPECT_EQ(0, countNonZero(mask));
         EXPECT_EQ(0, report.inliers);
     }
+}
+
+//! With #QUALITY_LMEDS, Params::threshold has no meaning: Usac::refine must polish with the
+//! threshold of its mask, also if Params::threshold is much smaller than the noise.
+TEST(Usac_GivenModels, refineWithLmedsUsesItsOwnThreshold)
+{
+    SceneOptions options;
+    options.noise = 5;
+    options.outliers = 40;
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    Params params = Params::lmeds();
+    params.threshold = 0.5;
+    params.covariance = true;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    Report found, refined;
+    const Mat model = usac->run(noArray(), &found);
+    usac->refine(model, noArray(), noArray(), &refined);
+    EXPECT_GT(refined.threshold, 10);
+    EXPECT_GT(found.sigma, 3);
+    EXPECT_NEAR(found.sigma, refined.sigma, 0.2 * found.sigma);
+}
+
+//! A pose with a strongly distorting lens, from the matches of a scene.
+struct Distorted
+{
+    explicit Distorted(const Params& params)
+    {
+        PoseSceneOptions options;
+        options.coefficients = 5;
+        options.inlierRatio = 0.7;
+        scene = makePoseScene(options);
+        usac = Usac::create(ABSOLUTE_POSE, scene.object, scene.image, params, scene.K, noArray(),
+                            scene.distortion);
+    }
+
+    PoseScene scene;
+    Ptr<Usac> usac;
+};
+
+//! Usac::refine must report the cost that Usac::run reports for the same model, although the lens
+//! makes the errors of the search differ from those of the mask.
+TEST(Usac_GivenModels, costIsThatOfTheMask)
+{
+    const Distorted distorted((Params()));
+    Report found, refined;
+    const Mat pose = distorted.usac->run(noArray(), &found);
+    distorted.usac->refine(pose, noArray(), noArray(), &refined);
+    EXPECT_EQ(found.inliers, refined.inliers);
+    EXPECT_NEAR(found.cost, refined.cost, 1e-3 * found.cost);
+}
+
+//! A solver of the caller does not support the original image points: it must nevertheless be used
+//! in place of the built-in one, with the points of the search.
+TEST(Usac_GivenModels, replacedSolverIsUsedWithALens)
+{
+    const Distorted distorted((Params()));
+    const Mat pose = distorted.usac->run();
+    const Ptr<RefusesTheFirst> solver = makePtr<RefusesTheFirst>();
+    distorted.usac->components().nonMinimalSolver = solver;
+    const std::vector<int> all(distorted.scene.truth.size(), 1);
+    EXPECT_TRUE(distorted.usac->refine(pose, all).empty());
+    EXPECT_GT(solver->refused.size(), 0);
+}
+
+//! If the first residual is put back after another one, the results must be those of the first run:
+//! also with a lens and with a sigma for each match.
+TEST(Usac_GivenModels, residualPutBackWithALens)
+{
+    for (int numbers : {0, 1})
+    {
+        Params params;
+        params.sigmas.assign(numbers * Distorted((Params())).scene.truth.size(), 1.f);
+        for (size_t i = 0; i < params.sigmas.size(); i += 2)
+            params.sigmas[i] = 2;
+        const Distorted distorted(params);
+        Usac& usac = *distorted.usac;
+        const Mat first = usac.run();
+        const Ptr<Residual> original = usac.components().residual;
+        usac.components().residual = usac.points().problem->createResidual(RESIDUAL_STANDARD);
+        usac.run();
+        usac.components().residual = original;
+        EXPECT_EQ(0, cvtest::norm(first, usac.run(), NORM_INF)) << numbers;
+    }
+}
+
+//! A rejected model leaves no noise and no cost in the report.
+TEST(Usac_GivenModels, rejectedModelsLeaveNothing)
+{
+    int rejected = 0;
+    for (uint64 seed = 1; seed <= 20; ++seed)
+    {
+        SceneOptions options;
+        options.inliers = 0;
+        options.outliers = 100;
+        options.seed = seed;
+        const Scene scene = makeScene(HOMOGRAPHY, options);
+        Params params = Params::automatic();
+        params.threshold = 5;
+        Report report;
+        const Mat model = createUsac(scene, params)->run(noArray(), &report);
+        if (!model.empty())
+            continue;
+        rejected += report.stop == STOP_NOT_SIGNIFICANT;
+        EXPECT_EQ(0, report.sigma);
+        EXPECT_EQ(0, report.cost);
+        EXPECT_EQ(0, report.priorChance);
+    }
+    EXPECT_GE(rejected, 10);
 }
 
 }  // namespace

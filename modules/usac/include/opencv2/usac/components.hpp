@@ -56,7 +56,7 @@ struct CV_EXPORTS State
 {
     State()
         : iteration(0), counts(true), successProbability(1), countedSamples(0), repeatedSamples(0),
-          orderedSamples(0), wanted(SAMPLES_MIXED), unexplainedSamples(0), order(0),
+          orderedSamples(0), forgotten(0), wanted(SAMPLES_MIXED), unexplainedSamples(0), order(0),
           degenerate(false)
     {}
 
@@ -77,10 +77,10 @@ struct CV_EXPORTS State
                                 //!< see Degeneracy::successProbability()
     int countedSamples;   //!< number of samples so far for which `counts` was true; the confidence
                           //!< is computed from this number
-    int repeatedSamples;  //!< number of samples that would count if they did not contain the same
-                          //!< match twice
-    int orderedSamples;   //!< number of samples so far that follow a known order (scores, or the
-                          //!< order of the input)
+    int repeatedSamples;  //!< number of samples that would count, but contain the same match twice
+    int orderedSamples;   //!< number of samples that follow a known order (scores, order of input)
+    int forgotten;        //!< number of first samples that do not count, because the threshold has
+                          //!< changed since; negative: number of samples of a guess that count, too
     int wanted;           //!< @ref WantedSamples; used only by samplers that follow a known order
     //! Set by a criterion that ends the search with #STOP_ORDER: number of samples that are drawn
     //! from the outliers of the best model before the search ends. The search continues if these

@@ -91,7 +91,7 @@ changed for scores that are not a sum over the points. */
 class SharedPoints : public Degeneracy
 {
 public:
-    SharedPoints() : targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
+    SharedPoints() : threshold(0), targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
 
     /** Estimates the extents of the points in both images in two ways: from the box
     Correspondences::lower, upper, which is robust against a few points far from the other points,
@@ -116,12 +116,14 @@ public:
         }
         if (std::abs(std::log(first[1] / first[0])) < std::abs(std::log(sizes[1] / sizes[0])))
             std::copy(first, first + 2, sizes);
-        const TargetLimits limits(p.threshold, sizes);
-        int shared = 0;
-        for (int i = 1; i < std::min<int>(p.size, FIRST_PAIRS); ++i)
-            for (int k = 0; k < i; ++k)
-                shared += shareATarget(p, limits, i, k);
-        targets = shared >= SHARED_PAIRS;
+        lookForTargets(p);
+    }
+
+    bool recover(const Context& context, State&, const int*, Model&, Quality&) CV_OVERRIDE
+    {
+        if (context.points.threshold != threshold)
+            lookForTargets(context.points);
+        return true;
     }
 
     bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
@@ -161,8 +163,20 @@ public:
     }
 
 private:
-    float sizes[2];  //!< extents of the points in the two images
-    bool targets;    //!< true if many matches share points
+    void lookForTargets(const Correspondences& p)
+    {
+        threshold = p.threshold;
+        const TargetLimits limits(threshold, sizes);
+        int shared = 0;
+        for (int i = 1; i < std::min<int>(p.size, FIRST_PAIRS); ++i)
+            for (int k = 0; k < i; ++k)
+                shared += shareATarget(p, limits, i, k);
+        targets = shared >= SHARED_PAIRS;
+    }
+
+    double threshold;  //!< threshold with which `targets` was found
+    float sizes[2];    //!< extents of the points in the two images
+    bool targets;      //!< true if many matches share points
 };
 
 }  // namespace

@@ -1,0 +1,137 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "test_precomp.hpp"
+#include "loop/ransac.hpp"
+#include "problems/two_view/two_view.hpp"
+#include "support/run_context.hpp"
+
+// Tests of what a search forgets when its threshold changes: samples that a criterion has counted,
+// and what the degeneracy checks have found.
+
+namespace opencv_test {
+namespace {
+
+//! After Ransac::forgetSamples(), a criterion for samples that follow the order must ask for as
+//! many of them as before, and the growing set of the sampler must be small again.
+TEST(Usac_ChangedThreshold, orderedSamplesAreDrawnAgain)
+{
+    for (int termination : {TERMINATION_ORDER | TERMINATION_STANDARD, (int)TERMINATION_PROSAC})
+        for (int every : {1, 4})
+        {
+            if (termination != TERMINATION_PROSAC && every == 1)
+                continue;  // the criterion needs uniform samples, too
+            SceneOptions options;
+            options.setSize(400, 0.25);
+            options.scoreInformation = 0.9;
+            const Scene scene = makeScene(FUNDAMENTAL, options);
+            Params params;
+            params.sampler = SAMPLER_PROSAC;
+            params.scores = scene.scores;
+            params.termination = termination;
+            params.orderedEvery = every;
+            params.maxIterations = 100000;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            const RunContext run(usac->points(), usac->components(), params);
+            State state;
+            Ransac search(run, state);
+            search.run();
+            const int ordered = state.orderedSamples, first = state.iteration;
+            EXPECT_GE(ordered, 20);
+            EXPECT_LT(first, params.maxIterations);
+            search.forgetSamples();
+
+            EXPECT_EQ(first, state.forgotten);
+            EXPECT_EQ(0, state.orderedSamples);
+            search.thresholdChanged();
+            search.run();
+            EXPECT_GE(state.orderedSamples, ordered / 4) << termination << " " << every;
+            EXPECT_LT(state.iteration, params.maxIterations);
+        }
+}
+
+//! Quality of a model after a check has seen the threshold `before`, and then `now`.
+Quality discounted(const Ptr<Degeneracy>& check, const Scene& scene, const Matx33d& given,
+                   double before, double now)
+{
+    Params params;
+    params.threshold = now;
+    const Ptr<Usac> usac = Usac::create(scene.problem, scene.points1, scene.points2, params);
+    Correspondences points = usac->points();
+    const double unit = points.threshold / now;
+    points.threshold = unit * before;
+    const RunContext run(points, usac->components(), params);
+    const Context& context = run;
+    check->start(context);
+    points.threshold = unit * now;
+    State state;
+    Model model = toInternal(points, given);
+    Quality quality = context.rate(model);
+    EXPECT_TRUE(check->recover(context, state, 0, model, quality));
+    check->discount(context, model, quality);
+    return quality;
+}
+
+//! Half of the matches are those of points that are 12 pixels apart in image 2, but unrelated to
+//! their points in image 1. With a threshold of 6 pixels, they are one place; with a tenth of it,
+//! they are not.
+TEST(Usac_ChangedThreshold, placesAreSearchedAgain)
+{
+    RNG rng(3);
+    Scene scene = makeScene(HOMOGRAPHY);
+    scene.points1.clear();
+    scene.points2.clear();
+    for (int i = 0; i < 200; ++i)
+    {
+        scene.points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+        scene.points2.push_back(i % 2 ? uniformPoint(rng, 0., 640., 0., 480.)
+                                      : Point2d(320, 240) + uniformPoint(rng, -6., 6.));
+    }
+    const Matx33d shrinks(1e-3, 0, 320, 0, 1e-3, 240, 0, 0, 1);
+    const Quality wide = discounted(createCrowdedPlaces(), scene, shrinks, 6, 6),
+                  narrow = discounted(createCrowdedPlaces(), scene, shrinks, 0.6, 0.6);
+    EXPECT_LT(wide.inliers, 20);
+    EXPECT_EQ(wide.cost, discounted(createCrowdedPlaces(), scene, shrinks, 0.6, 6).cost);
+    EXPECT_EQ(narrow.cost, discounted(createCrowdedPlaces(), scene, shrinks, 6, 0.6).cost);
+}
+
+//! Matches share a point of image 2 only up to noise of two pixels. With a threshold of 4 pixels,
+//! samples of two of them must be rejected, also if the search has begun with a threshold that is
+//! too narrow to see that they share a point.
+TEST(Usac_ChangedThreshold, sharedPointsAreSearchedAgain)
+{
+    RNG rng(3);
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 200; ++i)
+    {
+        points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
+        points2.push_back(i % 2 ? uniformPoint(rng, 0., 640., 0., 480.)
+                                : Point2d(320, 240) + uniformPoint(rng, -2., 2.));
+    }
+    const Params params;
+    const Ptr<Usac> usac = Usac::create(FUNDAMENTAL, points1, points2, params);
+    Correspondences points = usac->points();
+    const double unit = points.threshold / params.threshold;
+    const RunContext run(points, usac->components(), params);
+    int sample[7], size = 0;
+    for (int i = 0; size < 2; ++i)
+        if (points.inputIndex[i] % 2 == 0)
+            sample[size++] = i;
+    for (int i = 0; size < 7; ++i)
+        if (points.inputIndex[i] % 2 == 1)
+            sample[size++] = i;
+    const Ptr<Degeneracy> check = createSharedPoints();
+    points.threshold = 0.01 * unit;
+    check->start(run);
+    EXPECT_TRUE(check->validSample(run, sample));
+    points.threshold = 4 * unit;
+    State state;
+    Model model;
+    Quality quality;
+    EXPECT_TRUE(check->recover(run, state, 0, model, quality));
+    EXPECT_FALSE(check->validSample(run, sample));
+}
+
+}  // namespace
+}  // namespace opencv_test
