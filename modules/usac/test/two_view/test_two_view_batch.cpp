@@ -186,6 +186,7 @@ TEST(Usac_TwoViewBatch, mistakes_are_named)
     params.threshold = 0;
     EXPECT_NE(String::npos,
               raisedBy([&] { estimateTwoViewGeometry(right, params); }).find("threshold"));
+    expectRefused("quality", right, Params::lmeds(), TwoViewRules());
     EXPECT_NE("",
               raisedBy([&] { estimateTwoViewGeometries({right}, Params(), TwoViewRules(), -1); }));
 }
