@@ -311,7 +311,7 @@ void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask,
     model.mask = mask;
     model.inliers = inliers;
     model.report = report;
-    if (sigma > 0)  // estimated by an earlier search of this pair
+    if (!(report.sigma > 0))  // 0: the noise was not estimated by this search
         model.report.sigma = sigma;
 }
 
