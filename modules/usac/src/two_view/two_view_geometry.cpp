@@ -133,7 +133,10 @@ TwoViewGeometry geometryOf(const TwoViewPair& pair, const Params& params, const 
     if (models.size() >= models.leastMatches())
         models.search();
     found.iterations = models.iterations;
-    found.report = models.refused;
+    if (models.cancelled)  // like the report of a pair that was not begun
+        found.report.stop = STOP_CANCELLED;
+    else
+        found.report = models.refused;
     const PairModel* const base = models.cancelled ? 0 : models.base();
     if (base)
         classify(pair, models, *base, found);

@@ -153,7 +153,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     //! watermark.
     CV_PROP_RW Mat rotations;
     //! Report on the search for the model of the mask or, if no model was accepted, for the
-    //! rejected model with the lowest Report::chance.
+    //! rejected model with the lowest Report::chance. If the estimation was canceled, only
+    //! Report::stop is set, to #STOP_CANCELLED.
     CV_PROP_RW Report report;
     //! Number of samples drawn, not counting the samples from which H was estimated among the
     //! inliers of E or F.
