@@ -212,7 +212,8 @@ void PairModels::searchFundamental()
     else if (isCalibrated)
     {
         given = options(LEAST_SAMPLES);
-        given.significance = std::pow(given.significance, ALONE);
+        // DBL_MIN if the power is 0 in double precision, because 0 would mean that it is not given
+        given.significance = std::max(std::pow(given.significance, ALONE), DBL_MIN);
     }
     else
         given = options(samples(OF_F.sampleSize));

@@ -134,5 +134,26 @@ TEST(Usac_PairModels, noise_of_an_F_that_replaces_E)
     EXPECT_GE(replaced, 5);
 }
 
+//! If E is rejected, Report::chance of F must be at most the square of Params::significance. The
+//! square of 1e-170 is 0 in double precision, but must not count as an unset significance.
+TEST(Usac_PairModels, significance_whose_square_is_zero)
+{
+    for (uint64 seed = 1; seed <= 5; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.inliers = 50;
+        options.outliers = 50;
+        const TwoViewPair pair = pairOf(makeScene(ESSENTIAL, options));
+        Params params = twoPixels();
+        EXPECT_EQ((int)TWO_VIEW_CALIBRATED, estimateTwoViewGeometry(pair, params).configuration);
+        params.significance = 1e-170;
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, params);
+        EXPECT_EQ((int)TWO_VIEW_DEGENERATE, found.configuration) << seed;
+        EXPECT_TRUE(found.F.empty()) << seed;
+        EXPECT_GT(found.report.chance, params.significance) << seed;
+    }
+}
+
 }  // namespace
 }  // namespace opencv_test
