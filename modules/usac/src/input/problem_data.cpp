@@ -377,7 +377,7 @@ bool ProblemData::wideThreshold() const
     double longest = 0;
     for (int k = first; k < view.columns(); ++k)
         longest = std::max(longest, (double)view.upper[k] - view.lower[k]);
-    return maskThreshold() >= WIDE * longest;
+    return view.size > 0 && maskThreshold() >= WIDE * longest;
 }
 
 int ProblemData::independentInliers(const uchar* mask, Arena& arena) const

@@ -79,7 +79,7 @@ public:
     void tell(const uchar* mask, bool independent, Arena& arena, Report& report) const;
 
 private:
-    //! True if the threshold of the mask is wide, see Report::wideThreshold.
+    //! True if the threshold of the mask is wide, see Report::wideThreshold; false without points.
     bool wideThreshold() const;
     //! Number of inliers, where inliers at nearly the same position in one of the arrays count
     //! once, see usacv20::independentInliers and Problem::commonUnit.

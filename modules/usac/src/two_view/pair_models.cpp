@@ -212,7 +212,8 @@ void PairModels::searchFundamental()
     else if (isCalibrated)
     {
         given = options(LEAST_SAMPLES);
-        given.significance = std::pow(given.significance, ALONE);
+        // DBL_MIN if the power is 0 in double precision, because 0 would mean that it is not given
+        given.significance = std::max(std::pow(given.significance, ALONE), DBL_MIN);
     }
     else
         given = options(samples(OF_F.sampleSize));
@@ -311,7 +312,7 @@ void PairModels::take(const ModelKind& kind, const Mat& matrix, const Mat& mask,
     model.mask = mask;
     model.inliers = inliers;
     model.report = report;
-    if (sigma > 0)  // estimated by an earlier search of this pair
+    if (!(report.sigma > 0))  // 0: the noise was not estimated by this search
         model.report.sigma = sigma;
 }
 

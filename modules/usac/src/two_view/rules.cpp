@@ -158,6 +158,10 @@ void TwoViewRules::check(const Params& params) const
         CV_Error_(Error::StsBadArg,
                   ("initialModel: none is expected, as E, F and H are estimated, not %d numbers",
                    (int)params.initialModel.size()));
+    if (params.quality == QUALITY_LMEDS)
+        CV_Error(Error::StsBadArg,
+                 "quality: QUALITY_LMEDS cannot be used for pairs, because it chooses a threshold "
+                 "for each model, but E, F and H are compared at one threshold");
 }
 
 double TwoViewRules::samples(const Params& params, int sampleSize, int matches) const

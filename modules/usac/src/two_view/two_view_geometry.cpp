@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "control/batch_tasks.hpp"
+#include "problems/essential/cameras.hpp"
 #include "problems/essential/motions.hpp"
 #include "two_view/pair_models.hpp"
 #include "two_view/watermark.hpp"
@@ -24,9 +25,7 @@ Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;
     models.directions(mask, first, second);
-    const double focal = (models.camera1(0, 0) + models.camera1(1, 1) + models.camera2(0, 0) +
-                          models.camera2(1, 1)) /
-                         4;
+    const double focal = meanFocalLength(models.camera1, models.camera2);
     const size_t step = (first.size() + MOST_FOR_SIDES - 1) / MOST_FOR_SIDES;
     Motion motions[4];
     motionsOf(E, motions);
@@ -134,7 +133,10 @@ TwoViewGeometry geometryOf(const TwoViewPair& pair, const Params& params, const 
     if (models.size() >= models.leastMatches())
         models.search();
     found.iterations = models.iterations;
-    found.report = models.refused;
+    if (models.cancelled)  // like the report of a pair that was not begun
+        found.report.stop = STOP_CANCELLED;
+    else
+        found.report = models.refused;
     const PairModel* const base = models.cancelled ? 0 : models.base();
     if (base)
         classify(pair, models, *base, found);

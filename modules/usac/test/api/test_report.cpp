@@ -117,6 +117,17 @@ TEST(UsacReport_Wide, half_of_the_longest_side)
     EXPECT_FALSE(report.wideThreshold);
 }
 
+//! If no point is finite, there is no extent with which the threshold could be compared.
+TEST(UsacReport_Wide, no_finite_points)
+{
+    const std::vector<Point2d> points(20, Point2d(NAN, NAN));
+    Mat mask;
+    Report report;
+    refineModel(HOMOGRAPHY, Matx33d::eye(), points, points, Params(), mask, report);
+    EXPECT_EQ(0, report.inliers);
+    EXPECT_FALSE(report.wideThreshold) << report.describe();
+}
+
 //! Matches of random points. With significance 1, a model must be returned, and the report must say
 //! that the model is no better than chance. With the default, the result must be empty.
 TEST(UsacReport_Chance, random_points)

@@ -107,5 +107,53 @@ TEST(Usac_PairModels, evidence_against_the_cameras)
     }
 }
 
+//! The focal lengths are wrong, so that F replaces E. The report must contain the noise of the
+//! inliers of F, as if F had been estimated alone with the threshold of the pair. E, which set this
+//! threshold, fits its inliers worse.
+TEST(Usac_PairModels, noise_of_an_F_that_replaces_E)
+{
+    int replaced = 0;
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        TwoViewPair pair = pairOf(twoViewScene(seed));
+        pair.cameraMatrix1.at<double>(0, 0) *= 1.5;
+        pair.cameraMatrix1.at<double>(1, 1) *= 1.5;
+        Params params = Params::automatic();
+        params.covariance = 1;
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, params);
+        if (found.configuration != TWO_VIEW_UNCALIBRATED)
+            continue;
+        params.thresholdType = THRESHOLD_GIVEN;
+        params.threshold = found.report.threshold;
+        Mat mask;
+        Report alone;
+        estimateFundamental(pair.points1, pair.points2, params, mask, alone);
+        EXPECT_NEAR(alone.sigma, found.report.sigma, 0.05 * alone.sigma) << seed;
+        ++replaced;
+    }
+    EXPECT_GE(replaced, 5);
+}
+
+//! If E is rejected, Report::chance of F must be at most the square of Params::significance. The
+//! square of 1e-170 is 0 in double precision, but must not count as an unset significance.
+TEST(Usac_PairModels, significance_whose_square_is_zero)
+{
+    for (uint64 seed = 1; seed <= 5; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.inliers = 50;
+        options.outliers = 50;
+        const TwoViewPair pair = pairOf(makeScene(ESSENTIAL, options));
+        Params params = twoPixels();
+        EXPECT_EQ((int)TWO_VIEW_CALIBRATED, estimateTwoViewGeometry(pair, params).configuration);
+        params.significance = 1e-170;
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, params);
+        EXPECT_EQ((int)TWO_VIEW_DEGENERATE, found.configuration) << seed;
+        EXPECT_TRUE(found.F.empty()) << seed;
+        EXPECT_GT(found.report.chance, params.significance) << seed;
+    }
+}
+
 }  // namespace
 }  // namespace opencv_test

@@ -100,6 +100,8 @@ TEST(Usac_TwoViewBatch, cancelled_at_any_time)
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
             EXPECT_EQ("canceled", found.reason);
+            EXPECT_EQ((int)STOP_CANCELLED, found.report.stop) << last;
+            EXPECT_EQ(0, found.report.iterations) << last;
             ++cancelled;
             continue;
         }
@@ -123,6 +125,7 @@ TEST(Usac_TwoViewBatch, cancelled)
         if (found.configuration == TWO_VIEW_UNDEFINED)
         {
             EXPECT_EQ("canceled", found.reason);
+            EXPECT_EQ((int)STOP_CANCELLED, found.report.stop);
             EXPECT_EQ(0, found.inliers);
             ++undefined;
         }
@@ -186,6 +189,7 @@ TEST(Usac_TwoViewBatch, mistakes_are_named)
     params.threshold = 0;
     EXPECT_NE(String::npos,
               raisedBy([&] { estimateTwoViewGeometry(right, params); }).find("threshold"));
+    expectRefused("quality", right, Params::lmeds(), TwoViewRules());
     EXPECT_NE("",
               raisedBy([&] { estimateTwoViewGeometries({right}, Params(), TwoViewRules(), -1); }));
 }

@@ -74,6 +74,29 @@ TEST(Usac_TwoViewGeometry, as_the_functions_of_one_problem)
     }
 }
 
+//! If the y axis of both cameras points upward, one focal length of each is negative. The motion
+//! must be the true one, mirrored like the axis.
+TEST(Usac_TwoViewGeometry, y_axis_upward)
+{
+    const Matx33d mirror(1, 0, 0, 0, -1, 0, 0, 0, 1);
+    for (int seed = 1; seed <= 20; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.outliers = 100;
+        options.motion = seed % 2 ? MOTION_GENERAL : MOTION_FORWARD;
+        const Scene scene = makeScene(ESSENTIAL, options);
+        TwoViewPair pair = pairOf(scene);
+        pair.cameraMatrix1.at<double>(1, 1) *= -1;
+        pair.cameraMatrix2.at<double>(1, 1) *= -1;
+        const TwoViewGeometry found = estimateTwoViewGeometry(pair, twoPixels());
+        ASSERT_EQ((int)TWO_VIEW_CALIBRATED, found.configuration) << seed;
+        EXPECT_LT(angleBetween(found.R, mirror * scene.R * mirror), 2 * DEGREE) << seed;
+        EXPECT_GT(Vec3d(found.t.ptr<double>()).dot(mirror * scene.t), std::cos(15 * DEGREE))
+            << seed;
+    }
+}
+
 //! The first model that is accepted must determine the threshold of all models of the pair.
 TEST(Usac_TwoViewGeometry, estimated_threshold)
 {

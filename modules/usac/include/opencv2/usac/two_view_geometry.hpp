@@ -78,7 +78,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;
     //! Like check(), but also checks `params`, which must have no `initialModel`, because E, F and
-    //! H are estimated.
+    //! H are estimated. `quality` must not be #QUALITY_LMEDS, which chooses a threshold for each
+    //! model, because E, F and H are compared at one threshold.
     CV_WRAP void check(const Params& params) const;
 };
 
@@ -152,7 +153,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     //! watermark.
     CV_PROP_RW Mat rotations;
     //! Report on the search for the model of the mask or, if no model was accepted, for the
-    //! rejected model with the lowest Report::chance.
+    //! rejected model with the lowest Report::chance. If the estimation was canceled, only
+    //! Report::stop is set, to #STOP_CANCELLED.
     CV_PROP_RW Report report;
     //! Number of samples drawn, not counting the samples from which H was estimated among the
     //! inliers of E or F.
@@ -172,10 +174,11 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 @param pair matches, cameras, image sizes
 @param params options of each search. `threshold` is the Sampson distance of E and F in undistorted
 pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
-to each search separately. `initialModel` must be empty. With sigmas, thresholds and errors are
-multiples of the sigma of each match (see Params::sigmas). With #THRESHOLD_ESTIMATED, the threshold
-of the pair is estimated until a model is accepted; from then on it is Report::threshold of this
-model (divided by 1.77, the ratio of the thresholds of H and E, if the model is H)
+to each search separately. `initialModel` must be empty, and `quality` must not be #QUALITY_LMEDS
+(see TwoViewRules::check). With sigmas, thresholds and errors are multiples of the sigma of each
+match (see Params::sigmas). With #THRESHOLD_ESTIMATED, the threshold of the pair is estimated until
+a model is accepted; from then on it is Report::threshold of this model (divided by 1.77, the ratio
+of the thresholds of H and E, if the model is H)
 @param rules rules by which models are accepted and the configuration is chosen
 @return the configuration with its models, inliers and pose.
 

@@ -26,6 +26,11 @@ void normalize(const Matx33d& K, const Distortion& distortion, double* x, double
 
 }  // namespace
 
+double meanFocalLength(const Matx33d& K1, const Matx33d& K2)
+{
+    return (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
+}
+
 Cameras::Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
                  InputArray distCoeffs2)
     : K1(readCamera(cameraMatrix1, "cameraMatrix1")),
@@ -38,7 +43,7 @@ double Cameras::toImagePlane(double* const* columns, int count) const
 {
     normalize(K1, distortion1, columns[X1], columns[Y1], count);
     normalize(K2, distortion2, columns[X2], columns[Y2], count);
-    return (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
+    return meanFocalLength(K1, K2);
 }
 
 }  // namespace usacv20

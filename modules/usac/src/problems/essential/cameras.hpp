@@ -10,6 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
+//! Mean focal length of two cameras in pixels. The focal lengths in camera matrices can be negative
+//! (an axis of the image has the opposite direction); their absolute values are averaged.
+double meanFocalLength(const Matx33d& K1, const Matx33d& K2);
+
 //! The cameras of two views, with distortion.
 class Cameras
 {

@@ -92,8 +92,8 @@ int densest(const int* change, const int* own, int& first, int& last)
     for (int k = 0, sum = 0; k < ARCS_BINS; ++k)
         votes[k] = sum += change[k];
     for (int i = 0; i < 2; ++i)
-        std::fill(votes + std::max(own[i] - NEAR, 0),
-                  votes + std::min(own[i] + NEAR + 1, ARCS_BINS), 0);
+        for (int k = own[i] - NEAR; k <= own[i] + NEAR; ++k)
+            votes[(k + ARCS_BINS) % ARCS_BINS] = 0;  // the line is closed
     int most = 0;
     for (int k = 0; k < ARCS_BINS; ++k)
         most = std::max(most, votes[k]);

@@ -263,6 +263,46 @@ TEST(Usac_PlaneParallax, repeatedPoints)
     EXPECT_EQ(0, parallax.fits());
 }
 
+//! Number of epipoles that are fitted if 200 matches share the point `common` of image 2 and only
+//! these matches vote. Their points in image 1 are random, like 600 other matches.
+int fitsOfSharingMatches(const cv::Point2d& common)
+{
+    const int SHARING = 200;
+    RNG rng(1);
+    std::vector<cv::Point2d> from(4 * SHARING), to(4 * SHARING, common);
+    for (size_t i = 0; i < from.size(); ++i)
+    {
+        from[i] = uniformPoint(rng, 0., 640., 0., 480.);
+        if (i >= SHARING)
+            to[i] = uniformPoint(rng, 0., 640., 0., 480.);
+    }
+    Params params;
+    params.threshold = 0.5;
+    const Ptr<Usac> usac = Usac::create(FUNDAMENTAL, from, to, params);
+    Arena arena;
+    const Context context(usac->points(), usac->components(), params, arena);
+    std::vector<int> sharing;
+    for (int i = 0; i < usac->points().size; ++i)
+        if (usac->points().inputIndex[i] < SHARING)
+            sharing.push_back(i);
+    PlaneParallax parallax;
+    parallax.setPlane(context, sharing.data(), SHARING, cv::Matx33d::eye());
+    Model model = crossMatrix(cv::Vec3d(0.3, -0.2, 1));
+    Quality quality = context.rate(model);
+    parallax.search(context, 1e-300, SHARING / 4, model, quality);
+    EXPECT_EQ(SHARING, parallax.lines());
+    return parallax.fits();
+}
+
+//! If matches share a point of image 2, an epipole at this point fits them whatever their points in
+//! image 1 are. It must not be fitted, also if the point is at an end of the range of bins of a
+//! match's line, which is closed. For many lines, this is a point near (500, 240).
+TEST(Usac_PlaneParallax, epipoleAtASharedPoint)
+{
+    for (int x = 480; x <= 520; x += 4)
+        EXPECT_EQ(0, fitsOfSharingMatches(cv::Point2d(x, 240))) << x;
+}
+
 //! With no point or a single one off the plane, the search must find nothing and leave the model as
 //! it is.
 TEST(Usac_PlaneParallax, fewPoints)

@@ -187,9 +187,10 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     require the camera matrix; None: no distortion
     params -- Params of each search. `threshold` is the Sampson distance of E and F in undistorted
     pixels; the threshold of H is derived from it. `significance` 0 means 1e-4 here. `initialModel`
-    must be empty. With sigmas, thresholds and errors are multiples of the sigma of each match. With
-    THRESHOLD_ESTIMATED, the threshold of the pair is report.threshold of the first accepted model
-    (divided by 1.77 if this model is H)
+    must be empty, and `quality` must not be QUALITY_LMEDS, which chooses a threshold for each model:
+    E, F and H are compared at one threshold. With sigmas, thresholds and errors are multiples of the
+    sigma of each match. With THRESHOLD_ESTIMATED, the threshold of the pair is report.threshold of
+    the first accepted model (divided by 1.77 if this model is H)
     rules -- TwoViewRules; None: the defaults
     imageSize1, imageSize2 -- (width, height) in pixels; None: watermarks are not detected
 
