@@ -18,6 +18,19 @@ constexpr double DOMINANT = 0.8;
 //! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr double ON_PLANE = 2;
 
+//! Standard deviation of a match from its numbers in Params::sigmas. Covariances are replaced by
+//! isotropic noise with the same determinant; the noise of both images adds up.
+double sigmaOf(const float* noise, int numbers)
+{
+    if (numbers == 1)
+        return noise[0];
+    double variance = 0;
+    for (int k = 0; k < numbers; k += 3)
+        variance += std::sqrt(
+            std::max((double)noise[k] * noise[k + 2] - (double)noise[k + 1] * noise[k + 1], 0.));
+    return std::sqrt(variance);
+}
+
 //! The essential matrix of two views and the motion derived from it.
 class TwoViews
 {
@@ -25,8 +38,9 @@ public:
     TwoViews(InputArray points1, InputArray points2, InputArray cameraMatrix1,
              InputArray distCoeffs1, InputArray cameraMatrix2, InputArray distCoeffs2,
              const Params& params_)
-        : params(params_), usac(Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1,
-                                             cameraMatrix2, distCoeffs1, distCoeffs2)),
+        : begun(getTickCount()), params(params_),
+          usac(Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                            distCoeffs1, distCoeffs2)),
           unit(usac->points().unit)
     {
         const Correspondences& p = usac->points();
@@ -60,8 +74,9 @@ public:
     }
 
     //! Finds the second motion that explains a dominant plane. @return number of inliers on the
-    //! plane; 0: no plane is dominant, or the plane's homography does not determine two motions
-    int otherOfPlane(const Solution& found, Solution& other)
+    //! plane; 0: no plane is dominant, the plane's homography does not determine two motions, or
+    //! the run was stopped
+    int otherOfPlane(Solution& found, Solution& other)
     {
         Matx33d H;
         Vec3d point;
@@ -139,10 +154,14 @@ private:
     //! Inlier threshold on the normalized image planes.
     double limit(const Solution& solution) const { return unit * solution.threshold; }
 
-    //! Finds the homography of the plane with the largest number of inliers, and the image of one
-    //! point of this plane in image 1. @return number of inliers on the plane; 0: none was found
-    int plane(const Solution& found, Matx33d& H, Vec3d& point) const
+    /** Finds the homography of the plane with the largest number of inliers, and the image of one
+    point of this plane in image 1. If the search for the plane is stopped, this is the stop reason
+    of the solution.
+    @return number of inliers on the plane; 0: none was found, or the run was stopped */
+    int plane(Solution& found, Matx33d& H, Vec3d& point) const
     {
+        if (found.report.stop == STOP_TIME || found.report.stop == STOP_CANCELLED)
+            return 0;
         const double pixels = 1 / unit;
         std::vector<Point2d> first, second;
         std::vector<int> rows;
@@ -153,13 +172,19 @@ private:
                 second.push_back(Point2d(x2[i][0], x2[i][1]) * pixels);
                 rows.push_back(i);
             }
-        Params options;
-        options.threshold = ON_PLANE * found.threshold;
-        options.seed = params.seed;
-        options.significance = 1;
+        const Params options = optionsOfPlane(found, rows);
+        if (params.maxTime > 0 && !(options.maxTime > 0))
+        {
+            found.report.stop = STOP_TIME;
+            return 0;
+        }
         Mat mask;
-        const Mat map = estimateHomography(first, second, options, mask);
-        if (map.empty())
+        Report report;
+        const Mat map = estimateHomography(first, second, options, mask, report);
+        const bool stopped = report.stop == STOP_TIME || report.stop == STOP_CANCELLED;
+        if (stopped)
+            found.report.stop = report.stop;
+        if (stopped || map.empty())
             return 0;
         const Matx33d scale(pixels, 0, 0, 0, pixels, 0, 0, 0, 1),
             inverse(1 / pixels, 0, 0, 0, 1 / pixels, 0, 0, 0, 1);
@@ -170,12 +195,31 @@ private:
         return countNonZero(mask);
     }
 
+    //! Options of the search for the plane among the inliers in the given rows: the time that is
+    //! left, and one sigma for each inlier, relative to the mean sigma, which is the unit of the
+    //! points there.
+    Params optionsOfPlane(const Solution& found, const std::vector<int>& rows) const
+    {
+        Params options;
+        options.threshold = ON_PLANE * found.threshold;
+        options.seed = params.seed;
+        options.significance = 1;
+        if (params.maxTime > 0)
+            options.maxTime = params.maxTime - (getTickCount() - begun) / getTickFrequency() * 1e3;
+        const int each = (int)(params.sigmas.size() / std::max<size_t>(x1.size(), 1));
+        for (size_t i = 0; i < rows.size() && each > 0; ++i)
+            options.sigmas.push_back((float)(sigmaOf(&params.sigmas[(size_t)each * rows[i]], each) /
+                                             usac->points().meanSigma));
+        return options;
+    }
+
     //! Distance of two essential matrices up to sign.
     static double difference(const Matx33d& a, const Matx33d& b)
     {
         return std::min(norm(a - b), norm(a + b));
     }
 
+    const int64 begun;  //!< time at which the run began, in ticks
     const Params params;
     const Ptr<Usac> usac;
     const double unit;          //!< see Correspondences::unit: about the size of a pixel on the

@@ -22,8 +22,9 @@ enum Stream {
     STREAM_FIT,           //!< samples from which a fit without a search (Usac::fit) starts
     STREAM_LEVERAGE,      //!< correction of models that points of high leverage distort: triples of
                           //!< points, to find a plane, and samples for new models
-    STREAM_CORE           //!< samples of those inliers that have neighbors in common in both
+    STREAM_CORE,          //!< samples of those inliers that have neighbors in common in both
                           //!< images, see neighborlyCore()
+    STREAM_WRONG          //!< wrong points of problems with one array, see countAgreement()
 };
 
 //! Stream number for Rng. Each purpose has 2^40 streams; `number` is the index of the stream among

@@ -141,9 +141,11 @@ Mat readDistortion(InputArray array, const char* name)
         CV_Error_(Error::StsBadArg,
                   ("%s: 4, 5, 8, 12 or 14 coefficients are expected, not %dx%d with %d channel(s)",
                    name, coefficients.rows, coefficients.cols, coefficients.channels()));
-    if (!checkRange(coefficients))
+    Mat numbers;
+    coefficients.convertTo(numbers, CV_64F);  // not all functions of OpenCV accept CV_16F
+    if (!checkRange(numbers))
         CV_Error_(Error::StsBadArg, ("%s: finite coefficients are expected", name));
-    return countNonZero(coefficients) ? coefficients : Mat();
+    return countNonZero(numbers) ? numbers : Mat();
 }
 
 }  // namespace usacv20

@@ -36,14 +36,6 @@ Mat readNumbers(InputArray given, int size, const char* name)
     return numbers;
 }
 
-const NonMinimalSolver& started(const Context& context, const Ptr<NonMinimalSolver>& imageFit)
-{
-    if (!imageFit)
-        return context.nonMinimalSolver();
-    imageFit->start(context);
-    return *imageFit;
-}
-
 }  // namespace
 
 GivenModels::GivenModels(const Context& context_, ProblemData& data_,
@@ -52,9 +44,12 @@ GivenModels::GivenModels(const Context& context_, ProblemData& data_,
       residual(imageResidual ? imageResidual : context_.components.residual),
       asSeen(!imageResidual.empty()),
       fitted(imageFit ? imageResidual : context_.components.residual),
-      points(imageFit ? data_.imagePoints() : context_.points), solver(started(context_, imageFit)),
+      points(imageFit ? data_.imagePoints() : context_.points), solver(imageFit),
       problem(*context_.points.problem), start(getTickCount()), indices(0), weights(0), count(0)
-{}
+{
+    if (imageFit)
+        imageFit->start(context);
+}
 
 Mat GivenModels::fit(InputArray weightOfEach, InputArray chosen, OutputArray mask, Report* report)
 {
@@ -79,7 +74,8 @@ Mat GivenModels::refine(InputArray model, InputArray chosen, OutputArray mask, R
     if (count < context.components.minimalSolver->sampleSize())
         state.report.stop = STOP_TOO_FEW_POINTS;
     else
-        state.report.stop = leastSquares(count, state.best) ? STOP_NO_SEARCH : STOP_NO_MODEL;
+        state.report.stop = leastSquares(count, state.best) && !degenerateSample() ? STOP_NO_SEARCH
+                                                                                   : STOP_NO_MODEL;
     setThreshold(state);
     return give(state, mask, report);
 }
@@ -148,8 +144,16 @@ double GivenModels::lossOf(PointSubset& part, const Model& model) const
 bool GivenModels::leastSquares(int size, Model& model) const
 {
     const int m = context.components.minimalSolver->sampleSize();
-    return solver.fit(points, indices, size, weights, model, MOST_STEPS) ||
+    const NonMinimalSolver& fitter = solver ? *solver : context.nonMinimalSolver();
+    return fitter.fit(points, indices, size, weights, model, MOST_STEPS) ||
            size == m;  // a minimal sample determines the model without a fit
+}
+
+bool GivenModels::degenerateSample() const
+{
+    const MinimalSolver& minimal = *context.components.minimalSolver;
+    Model models[MAX_MODELS];
+    return count == minimal.sampleSize() && minimal.solve(context.points, indices, models) == 0;
 }
 
 bool GivenModels::begin(Model& model) const

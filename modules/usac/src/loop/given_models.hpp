@@ -46,6 +46,8 @@ private:
     //! The loss: the sum of the (weighted) squared errors of the points in `part`.
     double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
+    //! True if the points that are used are a minimal sample that determines no model.
+    bool degenerateSample() const;
     //! Sets the threshold of the mask, if there is a model.
     void setThreshold(const State& state);
     //! Report::cost of a model.
@@ -57,7 +59,7 @@ private:
     const bool asSeen;             //!< true if `residual` is for the original image points
     const Ptr<Residual> fitted;    //!< residual that the fits minimize; its points are `points`
     const Correspondences points;  //!< the points, in the coordinates of `fitted`
-    const NonMinimalSolver& solver;
+    const Ptr<NonMinimalSolver> solver;  //!< empty: the solver of `context`
     const Problem& problem;
     const int64 start;
     int* indices;     //!< indices of the points that are used

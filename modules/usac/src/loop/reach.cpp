@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "control/watch.hpp"
 #include "optimization/significant_scale.hpp"
 #include "loop/reach.hpp"
 #include "significance/agreement.hpp"
@@ -20,6 +21,11 @@ is less than two thirds of the suitable threshold. It shrinks if the search thre
 5 fails: a wider threshold contains larger errors, so that the reach grows again and again. See
 doc/constants.md. */
 constexpr double REACH = 5;
+
+//! The noise is estimated for the first time after 1 / FIRST_LOOK of Params::maxIterations samples,
+//! or when the search ends earlier. With 4 or 1 instead of 2, the errors of models change by at
+//! most 2 %.
+constexpr int FIRST_LOOK = 2;
 
 /** Points of another motion, or of a second plane, can look like wide noise. But real wide noise
 has errors everywhere within the threshold. Therefore the reach does not grow if the errors within
@@ -62,6 +68,32 @@ double suitableReach(const Context& context, const State& state, double current)
         return current;
     const double sigmas = noiseOf(context, state.best) / context.points.threshold * current;
     return std::min(std::max(sigmas * REACH, context.params.reach), context.params.widestReach);
+}
+
+void searchWithReach(const Context& context, const State& state, ProblemData& data, Ransac& ransac)
+{
+    const auto setReach = [&](double reach) {
+        data.setReach(reach);
+        ransac.thresholdChanged();
+    };
+    for (int pause = context.params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
+    {
+        const bool ended = ransac.run(pause);
+        const double reach = suitableReach(context, state, data.reach());
+        if (context.watch && context.watch->stopped())
+            return;
+        if (reach > REACH_GROWS * data.reach())
+            setReach(reach);
+        else if (ended)
+            break;
+    }
+    for (double reach;
+         (reach = suitableReach(context, state, data.reach())) < REACH_SHRINKS * data.reach();)
+    {
+        setReach(reach);
+        if (!(state.bestQuality.cost <= DBL_MAX))  // a check has rejected the model
+            ransac.run();
+    }
 }
 
 }  // namespace usacv20

@@ -28,11 +28,6 @@ namespace {
 
 double milliseconds(int64 since) { return (getTickCount() - since) / getTickFrequency() * 1e3; }
 
-//! If the reach can grow (Params::widestReach), the noise is estimated for the first time after
-//! 1 / FIRST_LOOK of Params::maxIterations samples, or when the search ends earlier. With 4 or 1
-//! instead of 2, the errors of models change by at most 2 %.
-constexpr int FIRST_LOOK = 2;
-
 //! Used if Params::significance is 0. A model is rejected if its Report::chance exceeds LIMIT, but
 //! only if there are so many points that the chance of a model with the inlier ratio DECISIVE would
 //! not exceed LIMIT. With half or double these values, no correct model is rejected and no run
@@ -93,7 +88,7 @@ public:
         const bool enough = data.points().size >= parts.minimalSolver->sampleSize();
         Model guess;
         const bool guessed = automatic && enough && automatic->guess(context, data, guess);
-        parts.start(context);
+        start(context);
         if (parts.score != made.score)
             checkScore(*parts.score);
         if (enough)
@@ -103,7 +98,7 @@ public:
         created = 0;
         const Context all(data.points(), parts, params, arena, context.watch);
         if (data.points().size > data.searchPoints().size)
-            parts.start(all);
+            start(all);
         return finish(all, state, mask, report);
     }
 
@@ -111,21 +106,20 @@ public:
     {
         prepare();
         const Context context(data.points(), parts, params, arena);
-        parts.start(context);
-        return GivenModels(context, data, imageResidual, fitAsSeen())
-            .fit(weights, chosen, mask, report);
+        start(context);
+        return given(context).fit(weights, chosen, mask, report);
     }
 
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
     {
         prepare();
         const Context context(data.points(), parts, params, arena);
-        parts.start(context);
-        GivenModels given(context, data, imageResidual, fitAsSeen());
+        start(context);
+        GivenModels models = given(context);
         if (!chosen.empty())
-            return given.refine(model, chosen, mask, report);
+            return models.refine(model, chosen, mask, report);
         State state;
-        given.read(model, &state.best);
+        models.read(model, &state.best);
         state.report.stop = STOP_NO_SEARCH;
         if (automatic)
         {
@@ -137,14 +131,17 @@ public:
         polishAsSeen(context, state);
         if (report && params.covariance)
             tellCertainty(context, state.best, state.report);
-        return given.give(state, mask, report);
+        return models.give(state, mask, report);
     }
 
     Mat errors(InputArray model) CV_OVERRIDE
     {
         prepare();
         const Context context(data.points(), parts, params, arena);
-        return GivenModels(context, data, imageResidual, fitAsSeen()).errors(model);
+        parts.residual->start(context);
+        if (imageResidual)
+            imageResidual->start(context);
+        return given(context).errors(model);
     }
 
 private:
@@ -170,6 +167,13 @@ private:
         arena.clear();
     }
 
+    void start(const Context& context)
+    {
+        parts.start(context);
+        if (imageResidual)
+            imageResidual->start(context);
+    }
+
     //! @param guess initial model of the search; null: there is none
     void search(const Context& context, State& state, const Model* guess)
     {
@@ -180,7 +184,7 @@ private:
         if (guess)
             ransac.begin(*guess, automatic->uniformSamples());
         if (params.widestReach > params.reach && !automatic)
-            searchWithReach(context, state, ransac);
+            searchWithReach(context, state, data, ransac);
         else
             ransac.run();
         if (automatic)
@@ -202,40 +206,6 @@ private:
         if (!params.initialCovariance.empty())
             ModelCovariance::checkPrior(priorCovariance());
         ransac.begin(model);
-    }
-
-    /** Searches with a reach (see reach.hpp) that grows if the errors of the best model show wide
-    noise. The noise is estimated when the search ends, and once after half of
-    Params::maxIterations, because with a reach that is far too small, models have few inliers, and
-    no criterion ends the search. The noise is not estimated earlier, because the best model
-    might then still be a wrong model with larger errors, for example between two planes. At the end
-    the reach can also shrink again, because poor models show more noise than there is. */
-    void searchWithReach(const Context& context, State& state, Ransac& ransac)
-    {
-        for (int pause = params.maxIterations / FIRST_LOOK;; pause = INT_MAX)
-        {
-            const bool ended = ransac.run(pause);
-            const double reach = suitableReach(context, state, data.reach());
-            if (context.watch && context.watch->stopped())
-                return;
-            if (reach > REACH_GROWS * data.reach())
-                setReach(reach, ransac);
-            else if (ended)
-                break;
-        }
-        for (double reach;
-             (reach = suitableReach(context, state, data.reach())) < REACH_SHRINKS * data.reach();)
-        {
-            setReach(reach, ransac);
-            if (!(state.bestQuality.cost <= DBL_MAX))  // a check has rejected the model
-                ransac.run();
-        }
-    }
-
-    void setReach(double reach, Ransac& ransac)
-    {
-        data.setReach(reach);
-        ransac.thresholdChanged();
     }
 
     //! Tests whether a model with as many inliers could have been found in random matches, and sets
@@ -320,6 +290,11 @@ private:
     Ptr<NonMinimalSolver> fitAsSeen() const
     {
         return parts.nonMinimalSolver == made.nonMinimalSolver ? imageFit : Ptr<NonMinimalSolver>();
+    }
+
+    GivenModels given(const Context& context)
+    {
+        return GivenModels(context, data, imageResidual, fitAsSeen());
     }
 
     //! Params::initialCovariance as a matrix.

@@ -272,8 +272,11 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     {
         for (int c = 0; c < p.numbers(); ++c)
             datum[c] = p.exact[c][points.indices[k]];
-        parts.residual->linearize(model, datum, error, derivative);
-        result[k] = inverse.lazyProduct(Eigen::Map<const Row>(derivative)).squaredNorm();
+        const int components = parts.residual->linearize(model, datum, error, derivative);
+        result[k] = 0;
+        for (int c = 0; c < components; ++c)
+            result[k] += inverse.lazyProduct(Eigen::Map<const Row>(derivative + c * ENTRIES))
+                             .squaredNorm();
     }
     return true;
 }

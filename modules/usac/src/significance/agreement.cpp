@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "significance/agreement.hpp"
 #include "components/repetitions.hpp"
+#include "components/streams.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -14,24 +15,33 @@ namespace {
 //! Minimum number of wrong matches made with each point of array 1, if there are enough points.
 constexpr int PARTNERS = 4;
 
-//! First column of array 2; if there is only one array, its last column.
-int firstOfPartner(const Correspondences& p)
-{
-    return p.coordinates[1] ? p.coordinates[0] : p.columns() - 1;
-}
-
 //! True if a column belongs to array 2: a coordinate, or the noise of the points of array 2. The
 //! factors of the errors (one sigma for each match) are regarded as the noise of array 2.
 bool ofPartner(const Correspondences& p, int column)
 {
     const bool root1 = column >= p.columns() + 3;
-    return column >= firstOfPartner(p) && !root1;
+    return column >= p.coordinates[0] && !root1;
+}
+
+bool hasOneArray(const Correspondences& p) { return p.coordinates[1] == 0; }
+
+//! Replaces the coordinates of points with random ones in the box of a problem's only array.
+//! @param draw different numbers give different points
+//! @param rows `count` numbers for each coordinate
+template <typename T>
+void drawInBox(const Correspondences& p, int draw, int count, T* const* rows)
+{
+    Rng rng(0, streamOf(STREAM_WRONG, draw));
+    for (int k = 0; k < p.columns(); ++k)
+        for (int i = 0; i < count; ++i)
+            rows[k][i] = (T)(p.lower[k] + (p.upper[k] - p.lower[k]) * (rng.next() / 4294967296.));
 }
 
 /** Makes wrong matches, that is, pairs the point of each match in array 1 with the point of another
-match in array 2. T is float for built-in residuals, and double for a custom residual, which has no
-kernels. A custom residual may depend on the Correspondences of the run; therefore it gets the wrong
-matches as columns, not as other Correspondences. */
+match in array 2, or, if there is only one array, draws wrong points. T is float for built-in
+residuals, and double for a custom residual, which has no kernels. A custom residual may depend on
+the Correspondences of the run; therefore it gets the wrong matches as columns, not as other
+Correspondences. */
 template <typename T>
 class WrongPairs
 {
@@ -57,8 +67,8 @@ public:
     }
 
     //! Removes the matches that are marked in `repeated`, and appends a copy of array 2 to itself,
-    //! so that agreeing() finds a partner for the last points of array 1, too. If there is only one
-    //! array, its last column is used as array 2. @return number of matches left
+    //! so that agreeing() finds a partner for the last points of array 1, too.
+    //! @return number of matches left
     int drop(const uchar* repeated)
     {
         int kept = 0;
@@ -77,10 +87,20 @@ public:
     }
 
     //! Number of wrong matches within the threshold if each point i of array 1 is paired with point
-    //! i + `partner` of array 2. To be called after drop().
+    //! i + `partner` of array 2, or of random points that differ for each value of `partner`. To be
+    //! called after drop(). Random points replace the points.
     int agreeing(int partner)
     {
-        computeErrors(partner);
+        if (hasOneArray(points))
+        {
+            T* rows[MAX_COLUMNS];
+            for (int k = 0; k < columns; ++k)
+                rows[k] = row(k);
+            drawInBox(points, partner, size, rows);
+            computeErrors(0);
+        }
+        else
+            computeErrors(partner);
         const T* const errors = row(columns);
         int sum = 0;
         for (int i = 0; i < size; ++i)
@@ -130,7 +150,8 @@ Agreement count(WrongPairs<T>& wrongPairs, const Correspondences& p, int count, 
     std::fill(repeated, repeated + count, (uchar)0);
     Agreement found;
     found.inliers = wrongPairs.inliers(mask);
-    found.inliers -= markRepeated(p, 0, mask, count, threshold, repeated, arena);
+    const bool nearAPoint = hasOneArray(p) && p.problem->errorDimension() == p.coordinates[0];
+    found.inliers -= markRepeated(p, 0, mask, count, nearAPoint ? 0 : threshold, repeated, arena);
     found.points = wrongPairs.drop(repeated);
     found.pairs = found.agreeing = 0;
     const int partners = std::min(std::max<int>(PARTNERS, pairs / std::max(found.points, 1)),
@@ -162,22 +183,27 @@ int wrongErrors(const Residual& residual, const Model& model, const Corresponden
                 float* errors, Arena& arena)
 {
     Arena::Scope scope(arena);
-    const bool custom = !residual.kernels();
+    const bool custom = !residual.kernels(), one = hasOneArray(p);
     const int columns = p.numbers();
-    double* const exact = custom ? scope.take<double>(count) : 0;
+    double* const exact = custom || one ? scope.take<double>(count) : 0;
+    double* drawn[MAX_COLUMNS];
+    for (int k = 0; one && k < p.columns(); ++k)
+        drawn[k] = scope.take<double>(count);
     int done = 0;
     for (int partner = 1; partner <= WRONG_PARTNERS && partner < count; ++partner)
     {
         Correspondences view = p;
         const double* moved[MAX_COLUMNS];
         view.size = count - partner;
+        if (one)
+            drawInBox(p, partner, view.size, drawn);
         for (int k = 0; k < columns; ++k)
         {
-            const int offset = ofPartner(p, k) ? partner : 0;
+            const int offset = !one && ofPartner(p, k) ? partner : 0;
             view.column[k] += offset;
-            moved[k] = p.exact[k] + offset;
+            moved[k] = one && k < p.columns() ? drawn[k] : p.exact[k] + offset;
         }
-        if (custom)
+        if (custom || one)
         {
             residual.squaredErrors(model, moved, view.size, exact);
             std::copy(exact, exact + view.size, errors + done);

@@ -29,17 +29,23 @@ whatever the positions of the points and the model are (even if the model maps e
 single point, or has an epipole amid the points). Right matches do not distort this result, because
 their points are paired anew, too.
 
+If there is only one array, wrong points are drawn uniformly from the box that contains nearly all
+points. Pairing the coordinates of different points anew would not make wrong points: those of a
+horizontal plane, for example, would stay on this plane.
+
 Of several inliers in the same cell of a grid over an array (see #markRepeated), only one is
-counted. Each point of array 1 is paired with the points of at least 4 other matches: of as many as
-are needed to get about `pairs` wrong matches, or of all other matches if there are not so many.
-Takes O(count + pairs). */
+counted. If the inliers are near one point (there is one array, and errors have as many components
+as the points), only exact repetitions are counted once, because all inliers share a few cells. Each
+point of array 1 is paired with the points of at least 4 other matches: of as many as are needed to
+get about `pairs` wrong matches, or of all other matches if there are not so many. Takes O(count +
+pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);
 
 /** Computes the squared errors of wrong matches. Each wrong match is made of two of the first
-`count` matches: it has the point of one match in array 1 and the point of another match in array 2
-(if there is only one array: in its last column).
+`count` matches: it has the point of one match in array 1 and the point of another match in array 2.
+If there is only one array, wrong points are made as for countAgreement().
 @param errors output, at most #WRONG_PARTNERS squared errors per match
 @return number of errors written */
 int wrongErrors(const Residual& residual, const Model& model, const Correspondences& points,

@@ -241,6 +241,71 @@ TEST(Usac_RelativePose, reportDescribesTheReturnedMotion)
     EXPECT_GE(replaced, 10);
 }
 
+//! A scene of a plane with 5 % of the points off it.
+Scene nearlyPlanar(double noise)
+{
+    SceneOptions options;
+    options.noise = noise;
+    options.outliers = 60;
+    options.planeFraction = 0.95;
+    return makeScene(ESSENTIAL, options);
+}
+
+//! If the time is over after the search for E, no plane is searched, and a run that is stopped
+//! while the plane is searched says so.
+TEST(Usac_RelativePose, stopped)
+{
+    const Scene scene = nearlyPlanar(0.3);
+    Mat R, t;
+    RelativePose pose;
+    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
+                                     noArray(), Params(), R, t, noArray(), pose));
+    ASSERT_GT(pose.onPlane, 0);
+    Params params;
+    params.maxTime = 1e-3;
+    estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(),
+                         params, R, t, noArray(), pose);
+    EXPECT_EQ((int)STOP_TIME, pose.report.stop);
+    EXPECT_EQ(0, pose.onPlane);
+    EXPECT_TRUE(pose.otherR.empty());
+}
+
+//! Most matches are precise, so that points at most ten pixels off a plane are not on it; a few are
+//! much less precise. With one threshold for all, the scene would count as a plane.
+TEST(Usac_RelativePose, planeWithSigmas)
+{
+    for (int numbers : {1, 3, 6})
+    {
+        SceneOptions options;
+        options.noise = 0;
+        options.outliers = 0;
+        options.baseline = 0.05;
+        Scene scene = makeScene(ESSENTIAL, options);
+        RNG rng(3);
+        Params params;
+        params.threshold = 3;
+        for (int i = 0; i < scene.size(); ++i)
+        {
+            const double sigma = i % 4 ? 0.1 : 10;
+            scene.points2[i] += gaussianPoint(rng, sigma);
+            if (numbers == 1)
+                params.sigmas.push_back((float)sigma);
+            for (int k = 0; k < numbers / 3; ++k)
+            {
+                const float variance = k ? 0.f : (float)(sigma * sigma);
+                const float values[] = {variance, 0, variance};
+                params.sigmas.insert(params.sigmas.end(), values, values + 3);
+            }
+        }
+        Mat R, t, mask;
+        RelativePose pose;
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), params, R, t, mask, pose));
+        EXPECT_EQ(0, pose.onPlane) << numbers;
+        EXPECT_TRUE(pose.otherR.empty()) << numbers;
+    }
+}
+
 //! A match whose points are on their epipolar lines, but whose point of space would be behind a
 //! camera, must not be an inlier. Such matches are made from the points X = -4 x1, where x1 is a
 //! point of the normalized image plane of camera 1.

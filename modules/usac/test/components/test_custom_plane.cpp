@@ -261,6 +261,139 @@ TEST(Usac_CustomPlane, chanceOfRandomPoints)
     EXPECT_GE(report.chance, 1e-3);
 }
 
+//! Planes parallel to the axes, such as the ground: if wrong points were made of coordinates of
+//! different points, they would be on these planes, too, and the model would look like chance.
+TEST(Usac_CustomPlane, parallelToTheAxes)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (bool estimated : {false, true})
+        {
+            RNG rng(11);
+            std::vector<Point3d> points;
+            for (int i = 0; i < 3000; ++i)
+            {
+                Vec3d p = uniformVector(rng, -5., 5.);
+                if (i < 600)
+                    p[axis] = 2 + rng.gaussian(0.01);
+                points.push_back(Point3d(p));
+            }
+            Params params = estimated ? Params::automatic() : Params();
+            params.threshold = estimated ? 0.2 : 0.03;
+            Mat mask;
+            Report report;
+            const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
+                                  ->run(mask, &report);
+            ASSERT_EQ(Size(4, 1), plane.size()) << axis << " " << estimated;
+            EXPECT_LE(report.chance, 1e-6) << axis << " " << estimated;
+            EXPECT_NEAR(1, std::abs(plane.at<double>(axis)), 1e-4);
+            EXPECT_NEAR(600, report.inliers, 45);
+            if (estimated)
+            {
+                EXPECT_NEAR(0.01, report.sigma, 0.002);
+            }
+        }
+}
+
+//! The position of a point, which is one number: the mean of the inliers.
+class Location : public Problem
+{
+public:
+    class Distance : public Residual
+    {
+    public:
+        void squaredErrors(const Correspondences& p, const Model& model, int begin, int end,
+                           float* errors) const CV_OVERRIDE
+        {
+            for (int i = begin; i < end; ++i)
+                errors[i - begin] = (float)square(p.exact[0][i] - model.val[0]);
+        }
+        void squaredErrors(const Model& model, const double* const* c, int count,
+                           double* errors) const CV_OVERRIDE
+        {
+            for (int i = 0; i < count; ++i)
+                errors[i] = square(c[0][i] - model.val[0]);
+        }
+
+    private:
+        static double square(double x) { return x * x; }
+    };
+
+    class Point : public MinimalSolver
+    {
+    public:
+        int sampleSize() const CV_OVERRIDE { return 1; }
+        int solve(const Correspondences& p, const int* sample, Model* models) const CV_OVERRIDE
+        {
+            models[0] = Model(Matx<double, 1, 1>(p.exact[0][sample[0]]));
+            return 1;
+        }
+    };
+
+    class Mean : public NonMinimalSolver
+    {
+    public:
+        bool fit(const Correspondences& p, const int* indices, int count, const double* weights,
+                 Model& model, int) const CV_OVERRIDE
+        {
+            double sum = 0, all = 0;
+            for (int k = 0; k < count; ++k)
+            {
+                const double w = weights ? weights[k] : 1;
+                sum += w * p.exact[0][indices[k]];
+                all += w;
+            }
+            model = Model(Matx<double, 1, 1>(sum / all));
+            return all > 0;
+        }
+    };
+
+    String name() const CV_OVERRIDE { return "location"; }
+    int dimension() const CV_OVERRIDE { return 1; }
+    int errorDimension() const CV_OVERRIDE { return 1; }
+    int coordinates(int array) const CV_OVERRIDE { return array == 0 ? 1 : 0; }
+    SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(1, 1); }
+    int normalization(int) const CV_OVERRIDE { return SCALE_NONE; }
+    bool toInput(const Model& model, const Correspondences&, Model& result) const CV_OVERRIDE
+    {
+        result = model;
+        return true;
+    }
+    Ptr<Residual> createResidual(int) const CV_OVERRIDE { return makePtr<Distance>(); }
+    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return makePtr<Point>(); }
+    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>&) const CV_OVERRIDE
+    {
+        return makePtr<Mean>();
+    }
+};
+
+//! All inliers are near one point, and must nevertheless count as independent of each other. The
+//! densest place of uniform numbers must not look like a location.
+TEST(Usac_CustomPlane, locationOfNumbers)
+{
+    RNG rng(5);
+    for (bool exists : {true, false})
+    {
+        std::vector<double> numbers;
+        for (int i = 0; i < 1000; ++i)
+            numbers.push_back(exists && i < 300 ? 412 + rng.gaussian(0.5) : rng.uniform(0., 1000.));
+        Params params;
+        params.threshold = 1.5;
+        params.spatialWeight = 0;
+        params.significance = exists ? 0.01 : 1;
+        Report report;
+        const Mat found = Usac::create(makePtr<Location>(), numbers, noArray(), params)
+                              ->run(noArray(), &report);
+        ASSERT_FALSE(found.empty()) << exists;
+        if (exists)
+        {
+            EXPECT_NEAR(412, found.at<double>(0), 0.1);
+            EXPECT_LE(report.chance, 1e-6);
+        }
+        else
+            EXPECT_GE(report.chance, 1e-3);
+    }
+}
+
 TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
 {
     std::vector<Point3d> points = scene(100, 300, 0.01);

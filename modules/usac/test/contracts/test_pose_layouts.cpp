@@ -161,6 +161,20 @@ TEST(Usac_PoseLayouts, camera_and_lens_of_any_type)
     }
 }
 
+//! Coefficients of half precision are read as what they are.
+TEST(Usac_PoseLayouts, lens_of_half_precision)
+{
+    const PoseScene scene = sceneOf(5);
+    const Mat coefficients = (Mat_<float>(1, 5) << -0.25f, 0.125f, 0.f, 0.0078125f, 0.f);
+    Mat half, halfOfNoLens;
+    coefficients.convertTo(half, CV_16F);
+    Mat(1, 5, CV_32F, Scalar(0)).convertTo(halfOfNoLens, CV_16F);
+    const Mat expected = removeDistortion(scene.image, scene.K, coefficients);
+    EXPECT_TRUE(sameBits(expected, removeDistortion(scene.image, scene.K, half)));
+    EXPECT_TRUE(sameBits(removeDistortion(scene.image, scene.K, noArray()),
+                         removeDistortion(scene.image, scene.K, halfOfNoLens)));
+}
+
 TEST(Usac_PoseLayouts, input_is_unchanged_to_the_bit)
 {
     const PoseScene scene = sceneOf(5);

@@ -201,5 +201,69 @@ TEST(Usac_GivenModels, rejectedModelsLeaveNothing)
     EXPECT_GE(rejected, 10);
 }
 
+//! A minimal sample that determines no model gives none, although there is a model to begin with.
+TEST(Usac_GivenModels, refineOfADegenerateSample)
+{
+    const Scene scene = makeScene(AFFINITY, 50, 0);
+    std::vector<Point2d> points1 = scene.points1;
+    points1[1] = points1[0] + (points1[2] - points1[0]) * 0.5;
+    const Ptr<Usac> usac = Usac::create(AFFINITY, points1, scene.points2, Params());
+    const Mat model = usac->run();
+    ASSERT_FALSE(model.empty());
+    std::vector<int> chosen(scene.size(), 0);
+    std::fill(chosen.begin(), chosen.begin() + 3, 1);
+    Report report;
+    EXPECT_TRUE(usac->refine(model, chosen, noArray(), &report).empty());
+    EXPECT_EQ((int)STOP_NO_MODEL, report.stop);
+}
+
+//! Usac::errors needs no solver.
+TEST(Usac_GivenModels, errorsWithoutASolver)
+{
+    const Scene scene = makeScene(HOMOGRAPHY, 50, 0);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Mat before = usac->errors(Mat(scene.model));
+    usac->components().nonMinimalSolver.release();
+    EXPECT_EQ(0, cvtest::norm(before, usac->errors(Mat(scene.model)), NORM_INF));
+}
+
+//! A residual that keeps data of the points, as start() allows.
+class StartedResidual : public Residual
+{
+public:
+    explicit StartedResidual(const Ptr<Residual>& inner_) : size(0), inner(inner_) {}
+
+    void start(const Context& context) CV_OVERRIDE { size = context.points.size; }
+    void squaredErrors(const Correspondences& p, const Model& model, int begin, int end,
+                       float* errors) const CV_OVERRIDE
+    {
+        inner->squaredErrors(p, model, begin, end, errors);
+    }
+    void squaredErrors(const Model& model, const double* const* columns, int count,
+                       double* errors) const CV_OVERRIDE
+    {
+        inner->squaredErrors(model, columns, count, errors);
+    }
+
+    int size;
+
+private:
+    const Ptr<Residual> inner;
+};
+
+//! Usac::errors must start a replaced residual: before the first run, and with other points.
+TEST(Usac_GivenModels, errorsStartTheResidual)
+{
+    const Scene scene = makeScene(HOMOGRAPHY, 50, 0), larger = makeScene(HOMOGRAPHY, 70, 0);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    const Ptr<StartedResidual> residual = makePtr<StartedResidual>(usac->components().residual);
+    usac->components().residual = residual;
+    usac->errors(Mat(scene.model));
+    EXPECT_EQ(50, residual->size);
+    usac->setPoints(larger.points1, larger.points2);
+    usac->errors(Mat(scene.model));
+    EXPECT_EQ(70, residual->size);
+}
+
 }  // namespace
 }  // namespace opencv_test
