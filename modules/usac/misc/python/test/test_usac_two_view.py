@@ -155,6 +155,8 @@ class TwoViewTest(unittest.TestCase):
             usac.estimateTwoViewGeometry(a, b, imageSize1=640)
         with self.assertRaisesRegex(ERRORS, "initialModel"):
             usac.estimateTwoViewGeometry(a, b, params=usac.Params(initialModel=np.eye(3)))
+        with self.assertRaisesRegex(ERRORS, "quality"):
+            usac.estimateTwoViewGeometry(a, b, params=usac.Params.lmeds())
         with self.assertRaisesRegex(ERRORS, "initialModel"):  # the call itself must fail, not each pair
             usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b)], usac.Params(initialModel=np.eye(3)), returnExceptions=True)
         for wrong in (np.ones(len(a) - 1), np.zeros(len(a))):

@@ -72,7 +72,7 @@ def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, para
     not changed. Returns cameraMatrix2, distCoeffs1, params, mask."""
     if not isinstance(cameraMatrix2, Params):
         return cameraMatrix2, distCoeffs1, params, mask
-    if params is not None or distCoeffs2 is not None:
+    if params is not None or distCoeffs2 is not None or (mask is not None and distCoeffs1 is not None):
         raise fail("cameraMatrix2: a 3x3 matrix is expected, not a Params, beside other arguments")
     return None, None, cameraMatrix2, distCoeffs1 if mask is None else mask
 
