@@ -38,6 +38,14 @@ def inPlane(problem: int) -> Tuple[bool, bool]:
     return _IN_PLANE[ARGUMENTS[problem]]
 
 
+def pointsOf(problem: int, points1: Any, points2: Any, names: Tuple[str, ...] = NAMES
+             ) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+    """Converts the points of both arrays like _arguments.points(). `names` are the caller's names of
+    the arguments, for messages."""
+    plane1, plane2 = inPlane(problem)
+    return _arguments.points(points1, names[0], plane1), _arguments.points(points2, names[1], plane2)
+
+
 def problemOf(problem: Union[int, str]) -> int:
     """Returns the integer value of a ProblemType that is given as an enumerator, an integer or a
     name. Raises usacv20.error for anything else."""
@@ -57,10 +65,8 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
     arguments and of the mask, for messages."""
     options = optionsOf(params)
     _arguments.checkMask(mask, maskName)
-    plane1, plane2 = inPlane(problem)
     model, inliers, report = calling(
-        dict(zip(NAMES, names)), native.estimate, problem, _arguments.points(points1, names[0], plane1),
-        _arguments.points(points2, names[1], plane2), options,
+        dict(zip(NAMES, names)), native.estimate, problem, *pointsOf(problem, points1, points2, names), options,
         _arguments.optionalArray(cameraMatrix1, names[2]), _arguments.optionalArray(cameraMatrix2, names[3]),
         _arguments.optionalArray(distCoeffs1, names[4]), _arguments.optionalArray(distCoeffs2, names[5]))
     return model, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers), Report._of(report)
