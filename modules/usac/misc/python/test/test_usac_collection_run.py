@@ -168,6 +168,19 @@ class FunctionTest(RunCase):
             with self.assertRaisesRegex(CollectionError, said):
                 self.verify(**options)
 
+    def test_numbers(self) -> None:
+        self.verify(threshold=4.0)
+        with open(self.path, "rb") as file:
+            before = file.read()
+        for options, said in ((dict(chunk=0), "chunk: a positive number is expected"), (dict(chunk=-3), "chunk"),
+                              (dict(chunk=2.5), "chunk"), (dict(threads=-1), "threads: an integer of at least 0"),
+                              (dict(workers=-1), "workers"), (dict(chunk=0, output=self.path + ".copy"), "chunk")):
+            with self.assertRaisesRegex(CollectionError, said):
+                verify(self.path, threshold=4.0, **options)
+        with open(self.path, "rb") as file:
+            self.assertEqual(file.read(), before)
+        self.assertFalse(os.path.exists(self.path + ".copy"))
+
     def test_documented(self) -> None:
         text = inspect.getdoc(usacv20.collection.verify) or ""
         for name, parameter in inspect.signature(usacv20.collection.verify).parameters.items():

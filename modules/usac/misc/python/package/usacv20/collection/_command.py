@@ -12,7 +12,7 @@ import sys
 import typing
 from typing import Any, Dict, Optional
 
-from ._engine import CHUNK, Summary
+from ._engine import CHUNK, Summary, checkNumbers
 from ._output import say
 from ._pair import CollectionError
 from ._scores import ColumnScores, HlocScores
@@ -152,10 +152,10 @@ def _settings(options: argparse.Namespace) -> Dict[str, Any]:
 
 
 def _engine(options: argparse.Namespace) -> Dict[str, Any]:
-    if options.chunk < 1:
-        raise CollectionError("chunk: a positive number is expected")
-    return dict(threads=options.threads, chunk=options.chunk, workers=options.workers, scheduler=options.scheduler,
-                progress=options.progress)
+    engine = dict(threads=options.threads, chunk=options.chunk, workers=options.workers, scheduler=options.scheduler,
+                  progress=options.progress)
+    checkNumbers(**engine)
+    return engine
 
 
 def _exitCode(summary: Summary) -> int:

@@ -21,13 +21,24 @@ import typing
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Dict, List, Optional
 
-from ._pair import Configuration, Key, Sink, Source
+from .._arguments import isInteger
+from ._pair import CollectionError, Configuration, Key, Sink, Source
 from ._progress import Progress
 from ._work import Future, Outcome, Verify, Workers, process
 
 CHUNK = 64  # number of pairs in a chunk
 _PER_THREAD = 2  # number of chunks for each thread: one in progress, one waiting
 _POLL = 0.2  # seconds between two checks for Ctrl-C
+
+
+def checkNumbers(threads: Any = 0, chunk: Any = CHUNK, workers: Any = 0, **_: Any) -> None:
+    """Raises CollectionError if one of these arguments of run() is invalid. Other arguments are
+    ignored."""
+    if not isInteger(chunk) or chunk < 1:
+        raise CollectionError("chunk: a positive number is expected")
+    for name, value in (("threads", threads), ("workers", workers)):
+        if not isInteger(value) or value < 0:
+            raise CollectionError("{}: an integer of at least 0 is expected, not {!r}".format(name, value))
 
 
 class Summary:
@@ -205,7 +216,7 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
     verify -- function of (pairs, settings) that returns a result for each pair. It must be
     defined at the top level of a module, so that it can be pickled
     threads -- number of threads of this process; 0: one for each core
-    chunk -- number of pairs that are estimated and stored together
+    chunk -- number of pairs that are estimated and stored together; at least 1
     workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
     a running scheduler, tcp://HOST:PORT. If neither is given, threads of this process do the work
     progress -- whether a progress bar is shown: True, False or None, see Progress
@@ -213,6 +224,7 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
     Returns the summary. If Ctrl-C or SIGTERM interrupts the run, the chunks in progress are first
     finished and stored. The sink is not closed. An exception of a worker is raised after the results
     of the other workers are stored."""
+    checkNumbers(threads, chunk, workers)
     bar = Progress(len(source), progress)
     try:
         with _Interrupts() as interrupts:

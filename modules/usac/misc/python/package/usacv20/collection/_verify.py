@@ -15,7 +15,7 @@ from typing import Any, Callable, Dict, Optional, Union
 from .._enumerations import UsacV20Method
 from ._database import DatabaseSource
 from ._database_sink import DatabaseSink, lastRun
-from ._engine import CHUNK, Summary, run
+from ._engine import CHUNK, Summary, checkNumbers, run
 from ._geometry import verifyPairs
 from ._loops import contradicted
 from ._pair import CollectionError, Source
@@ -50,7 +50,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     threads -- number of threads of this process; 0: one for each core
     workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
     a running scheduler, tcp://HOST:PORT
-    chunk -- number of pairs that are estimated and stored together
+    chunk -- number of pairs that are estimated and stored together; at least 1
     progress -- True: shows a progress bar on stderr; False: no bar; None: a bar only if stderr is a
     terminal
     say -- function that is called with each line that the command prints
@@ -75,6 +75,7 @@ def _silent(line: str) -> None:
 def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float], pairs: Optional[str], resume: bool, scores: Any, loops: bool,
                    options: Dict[str, Any], say: Say, **engine: Any) -> Summary:
     """Does the same as `verify`, but reports an interruption in the summary."""
+    checkNumbers(**engine)
     with contextlib.closing(DatabaseSource(path, scores)) as source:
         _checkMatches(source)
         chosen: Any = source
