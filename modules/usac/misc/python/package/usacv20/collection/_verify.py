@@ -37,7 +37,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
 
     path -- path of the database. Of COLMAP's tables, only two_view_geometries is written
     output -- path of a copy that is made and written instead; with `resume` the copy can exist
-    already
+    already, and its images, keypoints and matches must be those of the database
     threshold -- maximum error of an inlier in pixels. None: estimated from a sample of the pairs
     or, with `resume`, equal to the threshold of the last run. With the method USACV20_AUTO each
     pair has its own threshold, and this value is the upper limit, 12 by default
@@ -86,6 +86,8 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
             if not len(chosen):
                 raise CollectionError("{}: none of its pairs has matches in the database: run a matcher first".format(pairs))
         target = output or path
+        if output and resume and os.path.exists(output):
+            _checkCopy(source, output)
         settings = settle(source, threshold, options, _stored(target) if resume else None, say)
         if output and not (resume and os.path.exists(output)):
             copyDatabase(path, output)
@@ -159,6 +161,20 @@ def _stored(path: str) -> Optional[Dict[str, Any]]:
     with explained(path), contextlib.closing(connect(path)) as connection:
         last = lastRun(connection)
     return last["settings"] if last else None
+
+
+def _checkCopy(source: DatabaseSource, path: str) -> None:
+    """Raises CollectionError if the copy that a run continues seems to have other images, keypoints or
+    matches than the database, for example because the database has grown since it was copied: the
+    pairs of the database would be verified, but the copy would be written."""
+    with contextlib.closing(DatabaseSource(path, source.scores)) as copy:
+        differing = [name for name, count in source.counts().items() if copy.counts()[name] != count]
+        if not differing and copy.fingerprint() != source.fingerprint():
+            differing = ["contents"]
+    if differing:
+        raise CollectionError("{}: --resume: the {} of this copy are not those of {}: name another file as output to begin anew, "
+                              "or verify the copy itself, without an output, to continue with its contents".format(
+                                  path, differing[0], source.path))
 
 
 def _checkMatches(source: DatabaseSource) -> None:
