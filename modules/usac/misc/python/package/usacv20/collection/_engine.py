@@ -49,7 +49,9 @@ class Summary:
         self.pairs = 0  # number of results stored by this run, including faults
         self.skipped = 0  # number of pairs stored by an earlier run
         self.refused = 0  # number of refused pairs: no model was accepted, or the pair contradicts other pairs
-        self.contradicted = 0  # number of pairs in the whole table that were refused because they contradict other pairs
+        # Number of pairs in the whole table that were refused because they contradict other pairs; with
+        # --pairs, only selected pairs can be refused.
+        self.contradicted = 0
         self.faults = 0  # number of pairs that cannot be read, or whose estimation raised an exception
         self.interrupted = False
         self.threshold = float("nan")  # pixels

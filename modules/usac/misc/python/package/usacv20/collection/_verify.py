@@ -93,7 +93,7 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
             copyDatabase(path, output)
         used = dict(settings.asDict(), scores=scores.describe() if scores else None, loops=loops)
         sink = DatabaseSink(target, used, resume, keep=pairs is not None)
-        summary = go(chosen, sink, settings, say, sink if loops else None, **engine)
+        summary = go(chosen, sink, settings, say, sink if loops else None, pairs is not None, **engine)
     summary.threshold = settings.threshold
     if sink.removed:
         say("{} rows that were in two_view_geometries are replaced".format(sink.removed))
@@ -126,16 +126,18 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)
 
 
-def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, **engine: Any) -> Summary:
+def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, some: bool = False,
+       **engine: Any) -> Summary:
     """Runs the estimation, closes the sink and returns the summary.
 
-    graph -- the sink, if pairs that contradict other pairs must be refused; otherwise None"""
+    graph -- the sink, if pairs that contradict other pairs must be refused; otherwise None
+    some -- True: only pairs of the source are refused, because rows of other pairs must not change"""
     finished = False
     try:
         summary = run(source, sink, settings, verifyPairs, **engine)
         finished = not summary.interrupted
         if finished and graph is not None:
-            _refuseContradicted(graph, summary)
+            _refuseContradicted(graph, summary, source if some else None)
     finally:
         sink.close(finished)
     say(summary.line())
@@ -143,9 +145,11 @@ def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[
     return summary
 
 
-def _refuseContradicted(graph: DatabaseSink, summary: Summary) -> None:
+def _refuseContradicted(graph: DatabaseSink, summary: Summary, only: Optional[Source]) -> None:
     start = time.perf_counter()
     wrong = contradicted(graph.edges())
+    if only is not None and wrong:
+        wrong = {key: wrong[key] for key in only.keys() if key in wrong}
     if wrong:
         summary.refused += graph.refuse({key: "the rotation differs by {:.0f} degrees from that along a path of pairs with more "
                                               "inliers".format(degrees)
