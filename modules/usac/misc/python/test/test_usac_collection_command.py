@@ -175,6 +175,14 @@ class CommandTest(unittest.TestCase):
         code, _, err = self.verify("--scores", self.hloc(other, right))
         self.assertEqual(code, 1)
         self.assertRegex(err, "has other matches of this pair than the database")
+        for number, wrong in enumerate((h5py.Empty("f4"), "text", np.array([b"a"] * 2600), 3)):
+            path, member = self.hloc(matches, right), "day-a.jpg/day-b.jpg/" + ("matches0", "matching_scores0")[number % 2]
+            with h5py.File(path, "a") as file:
+                del file[member]
+                file[member] = wrong
+            code, _, err = self.verify("--scores", path)
+            self.assertEqual(code, 1)
+            self.assertRegex(err, "^cannot be read: day/a.jpg - day/b.jpg: .*no arrays of numbers, or damaged\n$")
         for path in (self.file("missing.h5"), self.path):
             code, _, err = self.verify("--scores", path)
             self.assertEqual(code, 2)

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     _Matches = npt.NDArray[np.uint32]
 
 
+_UNREADABLE: Any = (OSError, KeyError, RuntimeError, TypeError, ValueError, MemoryError)  # exceptions of h5py and NumPy
+
+
 class HlocScores:
     """Scores in an HDF5 file of hloc. The file has a group for each pair; the name of the group
     consists of the names of both images, with - instead of /. In the group, `matches0` contains for
@@ -65,7 +68,11 @@ class HlocScores:
     def _read(self, group: Any, first: npt.NDArray[np.uint32], second: npt.NDArray[np.uint32], name: str) -> _Array:
         if "matches0" not in group or "matching_scores0" not in group:
             raise CollectionError("{}: matches0 and matching_scores0 are expected in {}".format(self.path, name))
-        partners, scores = np.asarray(group["matches0"]), np.asarray(group["matching_scores0"], np.float64)
+        try:
+            partners, scores = (np.asarray(group[member][:], np.float64) for member in ("matches0", "matching_scores0"))
+        except _UNREADABLE:
+            raise CollectionError("{}: matches0 and matching_scores0 in {} are no arrays of numbers, or damaged".format(
+                self.path, name)) from None
         if len(first) and (int(first.max()) >= min(len(partners), len(scores)) or np.any(partners[first] != second)):
             raise CollectionError("{} has other matches of this pair than the database".format(self.path))
         result: _Array = scores[first]
