@@ -303,6 +303,19 @@ class SourceTest(Files):
         self.npz("b.npz", points1=np.zeros((1, 2)))
         self.mistake("both .corr and .npz", self.folder)
 
+    def test_extensions_in_upper_case(self):
+        for seed, name in enumerate(("a.npz", "b.NPZ", "sub/c.Npz")):
+            self.npz("{}.npz".format(seed), **dict(zip(("points1", "points2", "scores"), matchesOf(seed)), K1=K1, K2=K2))
+            os.renames(self.path("{}.npz".format(seed)), self.path(name))
+        source = self.source(self.folder)
+        self.assertEqual(list(source.keys()), ["a", "b", "sub/c"])
+        for seed, pair in enumerate(source.load(["a", "b", "sub/c"])):
+            self.check(pair, seed)
+        self.fault(source.load(["d"])[0], "No such file")
+        self.write("b.npz", self.read("a.npz"))
+        if len(os.listdir(self.folder)) == 4:  # otherwise the file system regards both names as one
+            self.mistake("several files b.npz", self.folder)
+
     def test_without_h5py(self):
         with mock.patch.dict(sys.modules, {"h5py": None}):
             self.mistake("h5py is needed .*python3-h5py", self.write("a.h5", "x"))
