@@ -195,6 +195,8 @@ class CommandTest(unittest.TestCase):
                                 (["verify", self.path, "--threshold", "-1"], "threshold"),
                                 (["verify", self.path, "--confidence", "2", "--threshold", "2"], "confidence"),
                                 (["verify", self.path, "--chunk", "0", "--threshold", "2"], "chunk"),
+                                (["verify", self.path, "--threshold", "2", "--lower-is-better"], "--lower-is-better: goes with"),
+                                (["verify", self.path, "--scores", self.path, "--lower-is-better"], "--lower-is-better: goes with"),
                                 (["pairs", self.folder, "--output", self.file("a.parquet")], "parquet"),
                                 (["report", self.file("missing.db")], "missing.db")):
             code, _, err = self.run_main(*arguments)

@@ -164,6 +164,8 @@ def _exitCode(summary: Summary) -> int:
 
 def _verify(options: argparse.Namespace) -> int:
     scores: Any = None
+    if options.lower_is_better and not options.scores_column:
+        raise CollectionError("--lower-is-better: goes with --scores-column only; higher scores in a file of hloc are better")
     if options.scores:
         scores = HlocScores(options.scores)
     elif options.scores_column:
