@@ -88,10 +88,11 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
         target = output or path
         if output and resume and os.path.exists(output):
             _checkCopy(source, output)
-        settings = settle(source, threshold, options, _stored(target) if resume else None, say)
+        stored = _stored(target) if resume else None
+        settings = settle(source, threshold, options, stored, say)
         if output and not (resume and os.path.exists(output)):
             copyDatabase(path, output)
-        used = dict(settings.asDict(), scores=scores.describe() if scores else None, loops=loops)
+        used = dict(settings.asDict(), scores=scores.describe((stored or {}).get("scores")) if scores else None, loops=loops)
         sink = DatabaseSink(target, used, resume, keep=pairs is not None)
         summary = go(chosen, sink, settings, say, sink if loops else None, pairs is not None, **engine)
     summary.threshold = settings.threshold
