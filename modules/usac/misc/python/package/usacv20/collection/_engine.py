@@ -102,6 +102,10 @@ class _Threads:
         source, settings, verify = self._job
         return self._pool.submit(process, source, keys, verify, settings)
 
+    def drop(self, futures: typing.Sequence[Future]) -> None:
+        for future in futures:
+            future.cancel()  # has no effect on a future in progress
+
     def explain(self, error: BaseException) -> BaseException:
         return error
 
@@ -151,7 +155,7 @@ class _Run:
         while more or self.pending:
             if self.interrupts.asked or self.failure is not None:
                 more = False
-                self.cancel()
+                self.workers.drop([future for future in self.pending.values() if not future.done()])
             while more and len(self.pending) < self.workers.capacity() and not self.interrupts.asked:
                 chunk = next(chunks, None)
                 if chunk is None:
@@ -166,7 +170,7 @@ class _Run:
             raise self.failure
 
     def cancel(self) -> None:
-        """Cancels the chunks that no worker has started."""
+        """Cancels all chunks. The results of chunks in progress are lost if Dask's workers process them."""
         for future in self.pending.values():
             if not future.done():
                 future.cancel()
@@ -224,8 +228,8 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
     progress -- whether a progress bar is shown: True, False or None, see Progress
 
     Returns the summary. If Ctrl-C or SIGTERM interrupts the run, the chunks in progress are first
-    finished and stored. The sink is not closed. An exception of a worker is raised after the results
-    of the other workers are stored."""
+    finished and stored; a second signal ends the run at once. The sink is not closed. An exception of a
+    worker is raised after the results of the other workers are stored."""
     checkNumbers(threads, chunk, workers)
     bar = Progress(len(source), progress)
     try:
