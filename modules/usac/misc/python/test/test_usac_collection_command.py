@@ -8,6 +8,7 @@ scores of matches."""
 
 import contextlib
 import io
+import json
 import os
 import sqlite3
 import subprocess
@@ -165,6 +166,31 @@ class CommandTest(unittest.TestCase):
             self.found(2)
 
     @needsH5py
+    def test_resume_with_scores_of_hloc(self):
+        """A file of scores can be moved and can grow between two runs, but the scores must be those of
+        the run that is continued."""
+        matches, right = collection(self.path)
+        path = self.hloc(matches, right)
+        self.assertEqual(self.verify("--scores", path)[0], 0)
+        os.mkdir(self.file("other"))
+        moved = self.file("other/matches.h5")
+        os.rename(path, moved)
+        with h5py.File(moved, "a") as file:
+            file["a new.jpg/day-a.jpg/matches0"] = np.zeros(3, int)
+        code, out, err = self.verify("--scores", moved, "--resume")
+        self.assertEqual((code, err), (0, ""))
+        self.assertIn("2 were done before", out)
+        another = self.hloc(matches, {pair: ~marked for pair, marked in right.items()})
+        code, out, err = self.verify("--scores", another, "--resume")
+        self.assertEqual(code, 2)
+        self.assertRegex(err, "the settings are not those of the last run: scores is .*matches.h5.* and was .*matches.h5")
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            (text,), = connection.execute("SELECT settings FROM usacv20_runs WHERE run_id = 1").fetchall()
+            old = json.dumps(dict(json.loads(text), scores="matches.h5"), sort_keys=True)  # as earlier versions stored it
+            connection.execute("UPDATE usacv20_runs SET settings = ?", (old,))
+        self.assertIn("2 were done before", self.verify("--scores", moved, "--resume")[1])
+
+    @needsH5py
     def test_mistakes_of_hloc(self):
         matches, right = collection(self.path)
         path = self.hloc({(1, 2): matches[1, 2]}, right)
@@ -175,6 +201,14 @@ class CommandTest(unittest.TestCase):
         code, _, err = self.verify("--scores", self.hloc(other, right))
         self.assertEqual(code, 1)
         self.assertRegex(err, "has other matches of this pair than the database")
+        for number, wrong in enumerate((h5py.Empty("f4"), "text", np.array([b"a"] * 2600), 3)):
+            path, member = self.hloc(matches, right), "day-a.jpg/day-b.jpg/" + ("matches0", "matching_scores0")[number % 2]
+            with h5py.File(path, "a") as file:
+                del file[member]
+                file[member] = wrong
+            code, _, err = self.verify("--scores", path)
+            self.assertEqual(code, 1)
+            self.assertRegex(err, "^cannot be read: day/a.jpg - day/b.jpg: .*no arrays of numbers, or damaged\n$")
         for path in (self.file("missing.h5"), self.path):
             code, _, err = self.verify("--scores", path)
             self.assertEqual(code, 2)
@@ -187,6 +221,8 @@ class CommandTest(unittest.TestCase):
                                 (["verify", self.path, "--threshold", "-1"], "threshold"),
                                 (["verify", self.path, "--confidence", "2", "--threshold", "2"], "confidence"),
                                 (["verify", self.path, "--chunk", "0", "--threshold", "2"], "chunk"),
+                                (["verify", self.path, "--threshold", "2", "--lower-is-better"], "--lower-is-better: goes with"),
+                                (["verify", self.path, "--scores", self.path, "--lower-is-better"], "--lower-is-better: goes with"),
                                 (["pairs", self.folder, "--output", self.file("a.parquet")], "parquet"),
                                 (["report", self.file("missing.db")], "missing.db")):
             code, _, err = self.run_main(*arguments)

@@ -351,6 +351,27 @@ class DaskTest(ProcessCase):
         with self.assertRaisesRegex(RuntimeError, "a mistake in image"):
             self.run_engine(scheduler=self.address, verify=stand.fails)
 
+    def test_chunks_in_progress(self):
+        """After an interruption or an error of a worker, chunks that a worker has begun must be finished and
+        stored, and the others must be canceled."""
+        def stop(counted):
+            if counted.commits == 1:
+                os.kill(os.getpid(), signal.SIGTERM)
+
+        for verify, before in ((stand.logged, stop), (stand.loggedOrFails, None)):
+            path, log = self.fresh(), os.path.join(self.folder, verify.__name__ + ".txt")
+            call = dict(verify=verify, before=before, settings={"log": log, "sleep": 0.08}, chunk=5, scheduler=self.address)
+            if before is None:
+                with self.assertRaisesRegex(RuntimeError, "a mistake"):
+                    self.run_engine(path, **call)
+            else:
+                self.assertTrue(self.run_engine(path, **call)[0].interrupted)
+            with open(log) as file:
+                begun = {int(line) for line in file}
+            stored = {row[0] for row in self.table(path)["two_view_geometries"]}
+            self.assertLessEqual(begun, stored)
+            self.assertTrue(5 * len(begun) == len(stored) < PAIRS, (begun, len(stored)))
+
     def test_own_workers(self):
         """Ctrl-C in a terminal also reaches the Dask workers that the run has started. The run must
         nevertheless end without a traceback, and it must be possible to resume the run."""

@@ -15,7 +15,7 @@ from unittest import mock
 
 import numpy as np
 
-from usac_collection_lists import K1, K2, Files, matchesOf, needsH5py
+from usac_collection_lists import K1, K2, Files, h5py, matchesOf, needsH5py
 from usac_common import once, package
 
 try:
@@ -245,6 +245,24 @@ class Hdf5Test(Files):
             self.assertEqual((pair.second.width, pair.second.height, pair.second.focalKnown), (641, 481, False))
             source.close()
 
+    def test_faults(self):
+        """Datasets without an array of numbers must be faults of their pair only."""
+        a, b, s = matchesOf(0)
+        arrays = {"points1": a, "points2": b, "keypoints0": a, "keypoints1": b, "scores": s, "matches0": np.arange(12), "K": K1}
+        wrong = (h5py.Empty("f4"), h5py.Empty("i4"), "text", b"12", np.array([b"a"] * 12), np.dtype("f4"), 3)
+        for names in (("points1", "points2", "scores", "K"), ("keypoints0", "keypoints1", "matches0")):
+            for name in names:
+                groups = {"good/" + member: arrays[member] for member in names}
+                for i, value in enumerate(wrong):
+                    groups.update({"bad{}/{}".format(i, member): arrays[member] for member in names if member != name})
+                    groups["bad{}/{}".format(i, name)] = value
+                source = self.source(self.h5("all.h5", **groups))
+                for loaded in source.load(["bad{}".format(i) for i in range(len(wrong))]):
+                    with self.subTest(name=name, key=loaded.key):
+                        self.fault(loaded, name)
+                self.assertEqual(len(source.load(["good"])[0].matches), 12)
+                source.close()
+
     def test_hloc_faults(self):
         nothing = {"db-one.jpg/zz.jpg/matches0": np.zeros(12, int), "db-three.jpg/q_2.jpg/matches0": np.zeros(12, int),
                    "q_2.jpg/db-one.jpg/other": np.zeros(12, int), "db-one.jpg/q_2.jpg/matches1": [0]}
@@ -284,6 +302,19 @@ class SourceTest(Files):
         self.corr("a", 0)
         self.npz("b.npz", points1=np.zeros((1, 2)))
         self.mistake("both .corr and .npz", self.folder)
+
+    def test_extensions_in_upper_case(self):
+        for seed, name in enumerate(("a.npz", "b.NPZ", "sub/c.Npz")):
+            self.npz("{}.npz".format(seed), **dict(zip(("points1", "points2", "scores"), matchesOf(seed)), K1=K1, K2=K2))
+            os.renames(self.path("{}.npz".format(seed)), self.path(name))
+        source = self.source(self.folder)
+        self.assertEqual(list(source.keys()), ["a", "b", "sub/c"])
+        for seed, pair in enumerate(source.load(["a", "b", "sub/c"])):
+            self.check(pair, seed)
+        self.fault(source.load(["d"])[0], "No such file")
+        self.write("b.npz", self.read("a.npz"))
+        if len(os.listdir(self.folder)) == 4:  # otherwise the file system regards both names as one
+            self.mistake("several files b.npz", self.folder)
 
     def test_without_h5py(self):
         with mock.patch.dict(sys.modules, {"h5py": None}):

@@ -196,6 +196,23 @@ class CourtTest(unittest.TestCase):
         one, two = (dump(os.path.join(self.folder, name), RESULTS[0]) for name in ("one.db", "two.db"))
         self.assertEqual(one, two)
 
+    def test_pairs_that_are_not_selected(self):
+        """First the pairs without a common point are verified, then the others. The rows of the former must
+        not change, although the latter contradict them, until a run includes them."""
+        self.verified("whole.db")
+        names = os.path.join(self.folder, "parts.txt")
+        for overlap in (False, True):
+            with open(names, "w") as file:
+                file.writelines("{:03}.png {:03}.png\n".format(key // 2147483647, key % 2147483647)
+                                for key, common in self.street.common.items() if (common > 0) == overlap)
+            _, wrong = self.verified("parts.db", pairs=names, resume=overlap)
+            self.assertGreater(wrong, 5)
+            self.assertEqual(self.summary.contradicted, 0)
+        self.assertEqual(self.verified("parts.db", resume=True)[1], 0)
+        self.assertEqual(self.summary.contradicted, wrong)
+        one, parts = (dump(os.path.join(self.folder, name), RESULTS[0]) for name in ("whole.db", "parts.db"))
+        self.assertEqual(one, parts)
+
 
 if __name__ == "__main__":
     unittest.main()

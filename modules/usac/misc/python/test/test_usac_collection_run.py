@@ -91,6 +91,26 @@ class GrowthTest(RunCase):
         self.verify(output=at_once, threshold=threshold)
         self.assertEqual(after, dump(at_once, TABLE)[TABLE])
 
+    def test_copy_of_another_state(self) -> None:
+        """A run on a copy must not be resumed if the database has changed since the copy was made."""
+        copy = self.path + ".copy"
+        keys = [key for key, in rows(self.path, "SELECT pair_id FROM matches ORDER BY pair_id")]
+        self.verify(output=copy, threshold=4.0, chunk=7)
+        self.verify(output=copy, threshold=4.0, resume=True)
+        self.assertEqual((self.summary.pairs, self.summary.skipped), (0, PAIRS + LATER))
+        before = dump(copy, TABLE)
+        for statement, what in (("INSERT INTO images SELECT 99, 'new.png', 1{}".format(", NULL" * 7), "images"),
+                                ("UPDATE keypoints SET rows = rows - 1 WHERE image_id = 9", "keypoints"),
+                                ("DELETE FROM matches WHERE pair_id = {}".format(keys[100]), "matches"),
+                                ("UPDATE cameras SET prior_focal_length = 1 - prior_focal_length", "contents")):
+            shutil.copy(self.whole, self.path)
+            change(self.path, statement)
+            with self.assertRaisesRegex(CollectionError, r"\.copy: --resume: the {} of this copy.*another file".format(what)):
+                self.verify(output=copy, threshold=4.0, resume=True)
+        self.assertEqual(dump(copy, TABLE), before)
+        self.verify(copy, threshold=4.0, resume=True)
+        self.assertEqual(self.summary.skipped, PAIRS + LATER)
+
     def test_own_threshold_of_each_pair(self) -> None:
         self.verify(threshold=4.0)
         verified = self.summary.verified
@@ -167,6 +187,19 @@ class FunctionTest(RunCase):
                               (dict(threshold=-1.0), "threshold")):
             with self.assertRaisesRegex(CollectionError, said):
                 self.verify(**options)
+
+    def test_numbers(self) -> None:
+        self.verify(threshold=4.0)
+        with open(self.path, "rb") as file:
+            before = file.read()
+        for options, said in ((dict(chunk=0), "chunk: a positive number is expected"), (dict(chunk=-3), "chunk"),
+                              (dict(chunk=2.5), "chunk"), (dict(threads=-1), "threads: an integer of at least 0"),
+                              (dict(workers=-1), "workers"), (dict(chunk=0, output=self.path + ".copy"), "chunk")):
+            with self.assertRaisesRegex(CollectionError, said):
+                verify(self.path, threshold=4.0, **options)
+        with open(self.path, "rb") as file:
+            self.assertEqual(file.read(), before)
+        self.assertFalse(os.path.exists(self.path + ".copy"))
 
     def test_documented(self) -> None:
         text = inspect.getdoc(usacv20.collection.verify) or ""

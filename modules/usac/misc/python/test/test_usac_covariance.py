@@ -94,6 +94,17 @@ class CovarianceTest(unittest.TestCase):
             self.assertIn(name, str(raised.exception))
         self.assertRaises(usac.error, usac.Params(covariance=2).check)
 
+    def test_points(self):
+        H, _, report = self.estimate(covariance=1)
+        weights = np.array([[0.2], [0.5], [0.9], [1]])
+        for arguments, name in (((np.hstack([self.corners, weights]),), "points1.*confidence"),
+                                ((np.stack([self.corners] * 2),), "points1.*one list"),
+                                ((self.corners, np.hstack([self.corners, weights])), "points2.*confidence")):
+            with self.assertRaisesRegex(usac.error, name):
+                usac.pointCovariance("homography", H, report.covariance, *arguments)
+        space = np.hstack([self.corners, weights])  # points of space, not confidences
+        self.assertEqual(usac.pointCovariance("rigid_3d", np.eye(3, 4), np.eye(6), space).shape, (4, 3, 3))
+
 
 if __name__ == "__main__":
     unittest.main()

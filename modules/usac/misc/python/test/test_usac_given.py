@@ -69,6 +69,17 @@ class GivenTest(unittest.TestCase):
                            (lambda: usac.modelErrors(usac.ESSENTIAL, np.eye(3), scene.points1, scene.points2), "cameraMatrix1")):
             with self.assertRaisesRegex(usac.error, name):
                 call()
+        a, b = scene.points1, scene.points2
+        weights = np.linspace(0.2, 0.9, len(a))[:, None]
+        for name, wrong in (("confidence", np.hstack([a, weights])), ("one list", np.stack([a, a]))):
+            for call, named in ((lambda: usac.fitModel("homography", wrong, b), "points1"),
+                                (lambda: usac.refineModel("homography", np.eye(3), b, wrong), "points2"),
+                                (lambda: usac.modelErrors("homography", np.eye(3), wrong, b), "points1"),
+                                (lambda: usac.fitModel("absolute_pose", np.c_[a, a], wrong, cameraMatrix1=scene.K1), "points2")):
+                with self.assertRaisesRegex(usac.error, named + ".*" + name):
+                    call()
+        space = np.hstack([a / 640, weights])  # points of space, not confidences
+        np.testing.assert_allclose(usac.modelErrors("rigid_3d", np.eye(3, 4), space, space), 0, atol=1e-12)
         model, mask, report = usac.fitModel(usac.HOMOGRAPHY, scene.points1[:3], scene.points2[:3])
         self.assertEqual((model, mask.tolist(), report.stop), (None, [[0]] * 3, usac.STOP_TOO_FEW_POINTS))
 
@@ -134,6 +145,19 @@ class RelativePoseTest(unittest.TestCase):
                                 ((scene.points1, scene.points2, scene.K1, [1, 2]), "distCoeffs1")):
             with self.assertRaisesRegex(usac.error, name):
                 usac.estimateRelativePose(*arguments)
+
+    def test_points_and_masks(self):
+        scene = Scene(planar=False)
+        a, b = scene.points1, scene.points2
+        with self.assertRaisesRegex(usac.error, "points2.*confidence"):
+            usac.estimateRelativePose(a, np.hstack([b, np.linspace(0.2, 0.9, len(b))[:, None]]), scene.K1)
+        with self.assertRaisesRegex(usac.error, "points1.*one list"):
+            usac.estimateRelativePose(np.stack([a, a]), np.stack([b, b]), scene.K1)
+        with self.assertRaisesRegex(usac.error, "mask.*float64"):
+            usac.estimateRelativePose(a, b, scene.K1, mask=np.zeros((len(a), 1)))
+        own = np.zeros(len(a), bool)
+        self.assertIs(usac.estimateRelativePose(a, b, scene.K1, mask=own)[2], own)
+        np.testing.assert_array_equal(own, usac.estimateRelativePose(a, b, scene.K1)[2].ravel() != 0)
 
 
 if __name__ == "__main__":

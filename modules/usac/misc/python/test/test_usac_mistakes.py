@@ -81,6 +81,8 @@ class CallTest(MistakeCase):
         self.refused("Params", usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, p)
         self.refused("params", usac.estimateHomography, a, b, usac.USACV20)
         self.refused("cameraMatrix2", usac.estimateEssential, a, b, GENERAL.K1, p, None, None, p)
+        mask = np.zeros((len(a), 1), np.uint8)
+        self.refused("cameraMatrix2", usac.estimateEssential, a, b, GENERAL.K1, p, distCoeffs1=np.zeros(5), mask=mask)
 
     def test_shape_of_a_call(self):
         a, b, K, p = GENERAL.points1, GENERAL.points2, GENERAL.K1, usac.Params()

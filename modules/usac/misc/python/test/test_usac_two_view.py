@@ -155,11 +155,18 @@ class TwoViewTest(unittest.TestCase):
             usac.estimateTwoViewGeometry(a, b, imageSize1=640)
         with self.assertRaisesRegex(ERRORS, "initialModel"):
             usac.estimateTwoViewGeometry(a, b, params=usac.Params(initialModel=np.eye(3)))
+        with self.assertRaisesRegex(ERRORS, "quality"):
+            usac.estimateTwoViewGeometry(a, b, params=usac.Params.lmeds())
         with self.assertRaisesRegex(ERRORS, "initialModel"):  # the call itself must fail, not each pair
             usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b)], usac.Params(initialModel=np.eye(3)), returnExceptions=True)
         for wrong in (np.ones(len(a) - 1), np.zeros(len(a))):
             with self.assertRaisesRegex(ERRORS, "sigmas"):
                 usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b, sigmas=wrong)])
+        confident = np.hstack([a, np.linspace(0.2, 0.9, len(a))[:, None]])
+        for wrong, named in ((dict(taken1=confident), r"pairs\[0\]\.taken1.*confidence"),
+                             (dict(taken2=np.stack([b, b])), r"pairs\[0\]\.taken2.*one list")):
+            with self.assertRaisesRegex(ERRORS, named):
+                usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b, **wrong)])
         pairs = [usac.TwoViewPair(a, b), usac.TwoViewPair(a, b[1:]), usac.TwoViewPair("no", b)]
         found = usac.estimateTwoViewGeometries(pairs, returnExceptions=True)
         self.assertIs(found[0].configuration, usac.TWO_VIEW_UNCALIBRATED)

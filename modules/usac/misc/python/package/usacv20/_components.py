@@ -17,7 +17,7 @@ from ._arguments import integer, optionalArray
 from ._backend import native
 from ._enumerations import ProblemType
 from ._errors import fail
-from ._estimate import inPlane
+from ._estimate import pointsOf
 from ._params import Params, optionsOf
 from ._report import Report
 
@@ -190,11 +190,6 @@ class Components:
         self._score = value
 
 
-def _points(problem: int, points1: Any, points2: Any) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
-    plane1, plane2 = inPlane(problem)
-    return _arguments.points(points1, "points1", plane1), _arguments.points(points2, "points2", plane2)
-
-
 class Usac:
     """One estimation with its points, options and components; created by Usac.create()."""
 
@@ -231,7 +226,7 @@ class Usac:
         number = integer(problem, "problem", None, 0, len(ProblemType) - 1)
         options = optionsOf(params)
         return cls(native.Usac(
-            number, *_points(number, points1, points2), options,
+            number, *pointsOf(number, points1, points2), options,
             optionalArray(cameraMatrix1, "cameraMatrix1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
             optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2")), number, params)
 
@@ -276,7 +271,7 @@ class Usac:
         points1, points2 -- as in create()
         scores -- N new Params.scores; None: the previous scores, if any, are kept, and their number
         must be N"""
-        given = _points(self._problem, points1, points2)
+        given = pointsOf(self._problem, points1, points2)
         if scores is None:
             self._usac.setPoints(*given)
         else:

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 
-from ._arguments import array, optionalArray
+from ._arguments import array, optionalArray, points
 from ._backend import native
-from ._estimate import problemOf
+from ._estimate import inPlane, problemOf
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -83,8 +83,11 @@ def pointCovariance(problem: Union[int, str], model: npt.ArrayLike, covariance: 
     (without distortion) or moved, with k = 2 in images and k = 3 in space. F and E: N x 1 x 1, the
     variance of the signed distance of the point of image 2 from its epipolar line. The entries are
     NaN where the result is not finite."""
-    found: Any = native.pointCovariance(problemOf(problem), array(model, "model"), array(covariance, "covariance"),
-                                        array(points1, "points1"), optionalArray(points2, "points2"),
+    number = problemOf(problem)
+    plane1, plane2 = inPlane(number)
+    found: Any = native.pointCovariance(number, array(model, "model"), array(covariance, "covariance"),
+                                        points(points1, "points1", plane1),
+                                        None if points2 is None else points(points2, "points2", plane2),
                                         optionalArray(cameraMatrix1, "cameraMatrix1"),
                                         optionalArray(cameraMatrix2, "cameraMatrix2"))
     if found is None:

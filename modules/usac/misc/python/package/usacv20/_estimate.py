@@ -38,6 +38,14 @@ def inPlane(problem: int) -> Tuple[bool, bool]:
     return _IN_PLANE[ARGUMENTS[problem]]
 
 
+def pointsOf(problem: int, points1: Any, points2: Any, names: Tuple[str, ...] = NAMES
+             ) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+    """Converts the points of both arrays like _arguments.points(). `names` are the caller's names of
+    the arguments, for messages."""
+    plane1, plane2 = inPlane(problem)
+    return _arguments.points(points1, names[0], plane1), _arguments.points(points2, names[1], plane2)
+
+
 def problemOf(problem: Union[int, str]) -> int:
     """Returns the integer value of a ProblemType that is given as an enumerator, an integer or a
     name. Raises usacv20.error for anything else."""
@@ -57,10 +65,8 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
     arguments and of the mask, for messages."""
     options = optionsOf(params)
     _arguments.checkMask(mask, maskName)
-    plane1, plane2 = inPlane(problem)
     model, inliers, report = calling(
-        dict(zip(NAMES, names)), native.estimate, problem, _arguments.points(points1, names[0], plane1),
-        _arguments.points(points2, names[1], plane2), options,
+        dict(zip(NAMES, names)), native.estimate, problem, *pointsOf(problem, points1, points2, names), options,
         _arguments.optionalArray(cameraMatrix1, names[2]), _arguments.optionalArray(cameraMatrix2, names[3]),
         _arguments.optionalArray(distCoeffs1, names[4]), _arguments.optionalArray(distCoeffs2, names[5]))
     return model, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers), Report._of(report)
@@ -72,7 +78,7 @@ def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, para
     not changed. Returns cameraMatrix2, distCoeffs1, params, mask."""
     if not isinstance(cameraMatrix2, Params):
         return cameraMatrix2, distCoeffs1, params, mask
-    if params is not None or distCoeffs2 is not None:
+    if params is not None or distCoeffs2 is not None or (mask is not None and distCoeffs1 is not None):
         raise fail("cameraMatrix2: a 3x3 matrix is expected, not a Params, beside other arguments")
     return None, None, cameraMatrix2, distCoeffs1 if mask is None else mask
 

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
 
-from ._arguments import array, optionalArray
+from ._arguments import array, optionalArray, shown
 from ._backend import native
-from ._estimate import NO_POINTS, problemOf
+from ._errors import fail
+from ._estimate import NO_POINTS, pointsOf, problemOf
 from ._params import Params, optionsOf
 from ._report import Report
 
@@ -24,10 +25,21 @@ if TYPE_CHECKING:
 
     _Optional = Optional[npt.ArrayLike]
 
+_MOST_ENTRIES = 12  # number of entries of the largest model
+
 
 def _cameras(cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any) -> Tuple[Any, Any, Any, Any]:
     return (optionalArray(cameraMatrix1, "cameraMatrix1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
             optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2"))
+
+
+def _model(value: Any) -> npt.NDArray[Any]:
+    """Converts a model like array(). Called before the points are read, so that the message is about
+    the model if the caller has passed points in its place."""
+    given = array(value, "model")
+    if given.size > _MOST_ENTRIES:
+        raise fail("model: a matrix of at most {} numbers is expected, not {}".format(_MOST_ENTRIES, shown(given)))
+    return given
 
 
 def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
@@ -55,7 +67,8 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
     Returns (model, mask, report) like the function estimate* of the problem. report.stop is
     STOP_NO_SEARCH, or gives the reason why there is no model. The fit is not robust: outliers are
     not detected and affect it fully."""
-    return _result(native.fitModel(problemOf(problem), array(points1, "points1"), array(points2, "points2"), optionsOf(params),
+    number = problemOf(problem)
+    return _result(native.fitModel(number, *pointsOf(number, points1, points2), optionsOf(params),
                                    optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
@@ -71,8 +84,9 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     as at the end of an estimation (params.polishing), which selects the inliers itself
 
     The other arguments and the results are those of fitModel."""
-    return _result(native.refineModel(problemOf(problem), array(model, "model"), array(points1, "points1"),
-                                      array(points2, "points2"), optionsOf(params), optionalArray(chosen, "chosen"),
+    number = problemOf(problem)
+    return _result(native.refineModel(number, _model(model), *pointsOf(number, points1, points2), optionsOf(params),
+                                      optionalArray(chosen, "chosen"),
                                       *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
 
@@ -89,6 +103,7 @@ def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     squared, in the unit of params.threshold (pixels; 3-D motions: the unit of points2). The error
     is infinite or NaN for points that are not finite, outside the field of view of a lens, or
     (absolute pose) behind the camera."""
-    found = native.modelErrors(problemOf(problem), array(model, "model"), array(points1, "points1"), array(points2, "points2"),
-                               optionsOf(params), *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
+    number = problemOf(problem)
+    found = native.modelErrors(number, _model(model), *pointsOf(number, points1, points2), optionsOf(params),
+                               *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
     return np.empty((0, 1)) if found is None else found

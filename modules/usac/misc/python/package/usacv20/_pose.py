@@ -91,8 +91,9 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     cameraMatrix -- 3x3 camera matrix K
     distCoeffs -- 4, 5, 8, 12 or 14 distortion coefficients; None: no distortion
     rvec, tvec -- arrays of 3 float64 that receive rotation vector and translation, or None
-    useExtrinsicGuess -- True: rvec and tvec hold an initial pose, which is scored and optimized before the first sample;
-        default False
+    useExtrinsicGuess -- True: rvec and tvec hold an initial pose, which is scored and optimized before the first sample. They
+        can then also be lists, arrays of other types or read-only arrays; these are not written to, and the pose is returned
+        in new arrays. Default False
     iterationsCount -- maximum number of samples; default 100
     reprojectionError -- inlier threshold in pixels of the original (distorted) image; default 8
     confidence -- confidence of the search, see Params.confidence; default 0.99

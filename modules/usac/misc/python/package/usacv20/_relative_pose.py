@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Optional, Tuple
 import numpy as np
 
 from . import _arguments
-from ._arguments import array, optionalArray
+from ._arguments import array, optionalArray, points
 from ._backend import native
 from ._estimate import NO_POINTS
 from ._params import Params, optionsOf
@@ -52,7 +52,7 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and camera 2,
     as for cv2.undistortPoints; None: no distortion
     params -- Params; `threshold` is the Sampson distance in pixels
-    mask -- Nx1 array of uint8 that receives the mask, or None
+    mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (R, t, mask, pose):
     R, t -- a rotation, 3x3, and a vector of unit length, 3x1. If there is no model, both are None,
@@ -64,9 +64,9 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
     is returned, so that the points off the plane decide; the other motion is in pose.otherR and
     pose.otherT"""
     options = optionsOf(params)
-    _arguments.checkOutput(mask, "mask")
+    _arguments.checkMask(mask, "mask")
     R, t, inliers, report, essential, behind, onPlane, otherR, otherT, otherInliers = native.estimateRelativePose(
-        array(points1, "points1"), array(points2, "points2"), array(cameraMatrix1, "cameraMatrix1"),
+        points(points1, "points1"), points(points2, "points2"), array(cameraMatrix1, "cameraMatrix1"),
         optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
         optionalArray(distCoeffs2, "distCoeffs2"), options)
     return (R, t, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers),

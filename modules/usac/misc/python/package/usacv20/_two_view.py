@@ -153,11 +153,12 @@ def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
     """Returns the converted fields of a pair in the order that the compiled part expects."""
     scores, sigmas = (None if given is None else np.ravel(_arguments.array(given, prefix + name)).astype(np.float32)
                       for given, name in ((pair.scores, "scores"), (pair.sigmas, "sigmas")))
+    taken = (None if given is None else _arguments.points(given, prefix + name)
+             for given, name in ((pair.taken1, "taken1"), (pair.taken2, "taken2")))
     return (*(_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS),
             *(_arguments.optionalArray(getattr(pair, name), prefix + name) for name in _ARRAYS),
             _size(pair.imageSize1, prefix + "imageSize1"), _size(pair.imageSize2, prefix + "imageSize2"),
-            _arguments.optionalArray(pair.taken1, prefix + "taken1"), _arguments.optionalArray(pair.taken2, prefix + "taken2"), scores,
-            sigmas)
+            *taken, scores, sigmas)
 
 
 def _rules(rules: Optional[TwoViewRules]) -> Any:

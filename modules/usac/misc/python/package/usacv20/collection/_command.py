@@ -12,7 +12,7 @@ import sys
 import typing
 from typing import Any, Dict, Optional
 
-from ._engine import CHUNK, Summary
+from ._engine import CHUNK, Summary, checkNumbers
 from ._output import say
 from ._pair import CollectionError
 from ._scores import ColumnScores, HlocScores
@@ -152,10 +152,10 @@ def _settings(options: argparse.Namespace) -> Dict[str, Any]:
 
 
 def _engine(options: argparse.Namespace) -> Dict[str, Any]:
-    if options.chunk < 1:
-        raise CollectionError("chunk: a positive number is expected")
-    return dict(threads=options.threads, chunk=options.chunk, workers=options.workers, scheduler=options.scheduler,
-                progress=options.progress)
+    engine = dict(threads=options.threads, chunk=options.chunk, workers=options.workers, scheduler=options.scheduler,
+                  progress=options.progress)
+    checkNumbers(**engine)
+    return engine
 
 
 def _exitCode(summary: Summary) -> int:
@@ -164,6 +164,8 @@ def _exitCode(summary: Summary) -> int:
 
 def _verify(options: argparse.Namespace) -> int:
     scores: Any = None
+    if options.lower_is_better and not options.scores_column:
+        raise CollectionError("--lower-is-better: goes with --scores-column only; higher scores in a file of hloc are better")
     if options.scores:
         scores = HlocScores(options.scores)
     elif options.scores_column:

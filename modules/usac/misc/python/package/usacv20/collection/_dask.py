@@ -12,7 +12,7 @@ import pickle
 import time
 import typing
 import warnings
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Dict, Optional
 
 from ._optional import need
 from ._pair import CollectionError, Key, Source
@@ -22,6 +22,7 @@ _PER_THREAD = 2  # number of chunks for each thread: one in progress, one waitin
 _RETRIES = 1  # maximum number of repetitions of a task that raised an exception; Dask also repeats the tasks of a dead worker
 _CONNECT = 10.0  # maximum number of seconds to connect to a scheduler
 _JOIN = 60.0  # maximum number of seconds to wait for the first worker
+_IDLE = 1.0  # seconds that no worker has a task until it is canceled
 _COUNT = 5.0  # minimum number of seconds between two counts of the workers' threads
 
 
@@ -46,6 +47,7 @@ class Cluster:
         self._cluster: Any = None
         self._client: Any = None
         self._counted, self._threads = 0.0, 0
+        self._idle: Dict[str, float] = {}  # by key of a task: when drop() first found that no worker had the task
         try:
             if workers:
                 self._cluster = localCluster(distributed, workers)
@@ -109,6 +111,20 @@ class Cluster:
             future: Future = self._client.submit(processRemotely, self._packed, self._expected, list(keys), items, reading,
                                                  self._verify, self._settings, pure=False, retries=_RETRIES)
         return future
+
+    def drop(self, futures: typing.Sequence[Any]) -> None:
+        """Cancels the tasks that no worker has. Dask would also drop the results of tasks in progress, so
+        a task is canceled only if it has not been with a worker for _IDLE seconds: tasks that were just
+        submitted or have just ended are not with a worker either."""
+        try:
+            begun = {key for keys in self._client.processing().values() for key in keys}
+        except OSError:  # the scheduler does not answer
+            begun = set()
+        now = time.monotonic()
+        self._idle = {future.key: self._idle.get(future.key, now) for future in futures if future.key not in begun}
+        for future in futures:
+            if now - self._idle.get(future.key, now) >= _IDLE:
+                future.cancel()
 
     def explain(self, error: BaseException) -> BaseException:
         if type(error).__name__ == "KilledWorker":

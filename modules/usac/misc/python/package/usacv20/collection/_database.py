@@ -173,6 +173,14 @@ class DatabaseSource:
                 self._count = int(self.connection().execute("SELECT count(*) FROM matches").fetchone()[0])
         return self._count
 
+    def counts(self) -> Dict[str, Any]:
+        """Returns the number of rows of each input table and, for keypoints and matches, their total
+        number."""
+        with explained(self.path):
+            return {table: self.connection().execute("SELECT count(*), {} FROM {}".format(total, table)).fetchone()
+                    for table, total in (("cameras", "0"), ("images", "0"), ("keypoints", "total(rows)"),
+                                         ("matches", "total(rows)"))}
+
     def fingerprint(self) -> str:
         """Returns a fingerprint of the first and the last rows of the input tables, and of the scores
         of the first pair. The fingerprint does not change when results are written."""

@@ -21,13 +21,24 @@ import typing
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Dict, List, Optional
 
-from ._pair import Configuration, Key, Sink, Source
+from .._arguments import isInteger
+from ._pair import CollectionError, Configuration, Key, Sink, Source
 from ._progress import Progress
 from ._work import Future, Outcome, Verify, Workers, process
 
 CHUNK = 64  # number of pairs in a chunk
 _PER_THREAD = 2  # number of chunks for each thread: one in progress, one waiting
 _POLL = 0.2  # seconds between two checks for Ctrl-C
+
+
+def checkNumbers(threads: Any = 0, chunk: Any = CHUNK, workers: Any = 0, **_: Any) -> None:
+    """Raises CollectionError if one of these arguments of run() is invalid. Other arguments are
+    ignored."""
+    if not isInteger(chunk) or chunk < 1:
+        raise CollectionError("chunk: a positive number is expected")
+    for name, value in (("threads", threads), ("workers", workers)):
+        if not isInteger(value) or value < 0:
+            raise CollectionError("{}: an integer of at least 0 is expected, not {!r}".format(name, value))
 
 
 class Summary:
@@ -38,7 +49,9 @@ class Summary:
         self.pairs = 0  # number of results stored by this run, including faults
         self.skipped = 0  # number of pairs stored by an earlier run
         self.refused = 0  # number of refused pairs: no model was accepted, or the pair contradicts other pairs
-        self.contradicted = 0  # number of pairs in the whole table that were refused because they contradict other pairs
+        # Number of pairs in the whole table that were refused because they contradict other pairs; with
+        # --pairs, only selected pairs can be refused.
+        self.contradicted = 0
         self.faults = 0  # number of pairs that cannot be read, or whose estimation raised an exception
         self.interrupted = False
         self.threshold = float("nan")  # pixels
@@ -89,6 +102,10 @@ class _Threads:
         source, settings, verify = self._job
         return self._pool.submit(process, source, keys, verify, settings)
 
+    def drop(self, futures: typing.Sequence[Future]) -> None:
+        for future in futures:
+            future.cancel()  # has no effect on a future in progress
+
     def explain(self, error: BaseException) -> BaseException:
         return error
 
@@ -138,7 +155,7 @@ class _Run:
         while more or self.pending:
             if self.interrupts.asked or self.failure is not None:
                 more = False
-                self.cancel()
+                self.workers.drop([future for future in self.pending.values() if not future.done()])
             while more and len(self.pending) < self.workers.capacity() and not self.interrupts.asked:
                 chunk = next(chunks, None)
                 if chunk is None:
@@ -153,7 +170,7 @@ class _Run:
             raise self.failure
 
     def cancel(self) -> None:
-        """Cancels the chunks that no worker has started."""
+        """Cancels all chunks. The results of chunks in progress are lost if Dask's workers process them."""
         for future in self.pending.values():
             if not future.done():
                 future.cancel()
@@ -205,14 +222,15 @@ def run(source: Source, sink: Sink, settings: Any, verify: Verify, threads: int 
     verify -- function of (pairs, settings) that returns a result for each pair. It must be
     defined at the top level of a module, so that it can be pickled
     threads -- number of threads of this process; 0: one for each core
-    chunk -- number of pairs that are estimated and stored together
+    chunk -- number of pairs that are estimated and stored together; at least 1
     workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
     a running scheduler, tcp://HOST:PORT. If neither is given, threads of this process do the work
     progress -- whether a progress bar is shown: True, False or None, see Progress
 
     Returns the summary. If Ctrl-C or SIGTERM interrupts the run, the chunks in progress are first
-    finished and stored. The sink is not closed. An exception of a worker is raised after the results
-    of the other workers are stored."""
+    finished and stored; a second signal ends the run at once. The sink is not closed. An exception of a
+    worker is raised after the results of the other workers are stored."""
+    checkNumbers(threads, chunk, workers)
     bar = Progress(len(source), progress)
     try:
         with _Interrupts() as interrupts:

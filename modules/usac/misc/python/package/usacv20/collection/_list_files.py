@@ -103,9 +103,11 @@ def _ofBoth(get: _Get, stem: str, each: Callable[[Any, str], Any]) -> Tuple[Any,
     return each(arrays[0], names[0]), each(arrays[1], names[1])
 
 
-def _rows(matches: _Array, name: str, points: List[_Points], names: Tuple[str, str]) -> npt.NDArray[np.int64]:
+def _rows(matches: Any, name: str, points: List[_Points], names: Tuple[str, str]) -> npt.NDArray[np.int64]:
     """Returns M x 2 indices of keypoints. `matches` either has this form, or contains for each
     keypoint of image 1 the index of its match in image 2 (negative: no match)."""
+    if not isinstance(matches, np.ndarray):  # an empty or textual dataset of HDF5
+        fail("{}: no array of numbers".format(name))
     if matches.size and matches.dtype.kind not in "iu":
         fail("{}: whole numbers are expected".format(name))
     rows = matches.astype(np.int64)
@@ -166,9 +168,7 @@ def pairOfArrays(key: Key, read: _Get, names: Tuple[str, str]) -> Pair:
         sizes = _ofBoth(get, stem, _size) if sizes[0] is None else sizes
     count, given = len(points[0]), next((n for n in MATCHES if found[0].startswith("keypoints") and get(n) is not None), None)
     if given is not None:
-        matches = get(given)
-        assert matches is not None
-        rows = _rows(matches, given, points, found)
+        rows = _rows(get(given), given, points, found)
         points = [points[side][rows[:, side]] for side in (0, 1)]
     else:
         if len(points[0]) != len(points[1]):

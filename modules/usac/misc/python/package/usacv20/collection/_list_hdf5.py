@@ -122,6 +122,8 @@ class Groups:
                 return None if _isGroup(item) else cast("_Array", item[()])
             except _DAMAGED:
                 fail("{}: {}/{} is damaged".format(self._path, group.name, member))
+            except TypeError:  # a named type, or an array of a type that NumPy does not have
+                fail("{}: {}/{} is no array of numbers".format(self._path, group.name, member))
 
         return get
 

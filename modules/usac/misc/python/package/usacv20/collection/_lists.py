@@ -99,20 +99,29 @@ def _withDescription(path: str) -> List[str]:
 
 
 class Folder:
-    """A folder with a file for each pair, all with the same extension."""
+    """A folder with a file for each pair, all with the same extension in lower or upper case."""
 
     def __init__(self, path: str) -> None:
         self._path = path
-        self._extension = ""
+        self._extensions: List[str] = []  # spellings of the extension
         # All files are listed once, in any order, to find their extension, which all files must
         # share.
         for file in self._walk("", self._scanned):
             extension = os.path.splitext(file)[1]
-            self._extension = self._extension or extension
-            if extension.lower() != self._extension.lower():
-                fail("{}: has both {} and {} files".format(path, *sorted((extension, self._extension))))
-        if not self._extension:
+            if extension in self._extensions:
+                continue
+            if self._extensions and extension.lower() != self._extensions[0].lower():
+                fail("{}: has both {} and {} files".format(path, *sorted((extension, self._extensions[0]))))
+            self._extensions.append(extension)
+        if not self._extensions:
             fail("{}: no {} files".format(path, ", ".join(EXTENSIONS)))
+        if len(self._extensions) > 1:
+            names = set()
+            for name in self.names():
+                if name in names:
+                    fail("{}: has several files {}, whose extensions differ only in lower and upper case".format(
+                        path, name + self._extensions[0].lower()))
+                names.add(name)
 
     def _scanned(self, folder: str) -> typing.Iterator[str]:
         """Yields the files and subfolders of a folder; names of subfolders end in '/'. Links to
@@ -149,7 +158,8 @@ class Folder:
             yield from _withDescription(os.path.join(self._path, file))
 
     def load(self, name: str) -> Pair:
-        return _loadFile(name, os.path.join(self._path, name + self._extension))
+        paths = [os.path.join(self._path, name + extension) for extension in self._extensions]
+        return _loadFile(name, next((path for path in paths[1:] if os.path.exists(path)), paths[0]))
 
     def images(self, name: str) -> Optional[Tuple[str, str]]:
         return None

@@ -7,6 +7,7 @@ the table of matches."""
 
 from __future__ import annotations
 
+import hashlib
 import os
 import sqlite3
 import typing
@@ -22,6 +23,10 @@ if TYPE_CHECKING:
 
     _Array = npt.NDArray[np.float64]
     _Matches = npt.NDArray[np.uint32]
+
+
+_MEMBERS = ("matches0", "matching_scores0")
+_UNREADABLE: Any = (OSError, KeyError, RuntimeError, TypeError, ValueError, MemoryError)  # exceptions of h5py and NumPy
 
 
 class HlocScores:
@@ -40,9 +45,42 @@ class HlocScores:
     def __getstate__(self) -> Dict[str, Any]:
         return {"path": self.path, "_file": None}
 
-    def describe(self) -> str:
-        """Returns a description of the scores, which is stored with the settings of a run."""
-        return os.path.basename(self.path)
+    def describe(self, before: Any = None) -> Any:
+        """Returns a description of the scores, which is stored with the settings of a run: the name of
+        the file, and the name and a hash of a group. The description does not depend on the folder or
+        the size of the file, because the file can be moved and can grow between two runs.
+
+        before -- description that was stored by the run that is continued: its group is used, so that
+        the descriptions are equal if the scores in this group are equal. Runs of earlier versions
+        stored only the name of the file. None: no run is continued; the first group is used"""
+        file = os.path.basename(self.path)
+        if before == file:
+            return file
+        group = before.get("group") if isinstance(before, dict) else None
+        if not isinstance(group, str):
+            group = self._firstGroup()
+        return {"file": file, "group": group, "hash": self._hash(group)}
+
+    def _firstGroup(self) -> str:
+        """Returns the name of the first group that contains arrays; an empty string if there are no
+        groups."""
+        name, group = "", self._open()
+        while True:
+            member = next(iter(group), None)
+            child = None if member is None else group.get(member)
+            if not hasattr(child, "keys"):
+                return name.lstrip("/")
+            name, group = "{}/{}".format(name, member), child
+
+    def _hash(self, group: str) -> Optional[str]:
+        """Returns a hash of the arrays in a group; None if it has no arrays that can be read."""
+        digest = hashlib.sha256()
+        try:
+            for member in _MEMBERS:
+                digest.update(np.asarray(self._open()[group][member][:]).tobytes())
+        except _UNREADABLE:
+            return None
+        return digest.hexdigest()[:16]
 
     def _open(self) -> Any:
         if self._file is None:
@@ -63,9 +101,13 @@ class HlocScores:
         raise CollectionError("{} has no scores of this pair".format(self.path))
 
     def _read(self, group: Any, first: npt.NDArray[np.uint32], second: npt.NDArray[np.uint32], name: str) -> _Array:
-        if "matches0" not in group or "matching_scores0" not in group:
+        if any(member not in group for member in _MEMBERS):
             raise CollectionError("{}: matches0 and matching_scores0 are expected in {}".format(self.path, name))
-        partners, scores = np.asarray(group["matches0"]), np.asarray(group["matching_scores0"], np.float64)
+        try:
+            partners, scores = (np.asarray(group[member][:], np.float64) for member in _MEMBERS)
+        except _UNREADABLE:
+            raise CollectionError("{}: matches0 and matching_scores0 in {} are no arrays of numbers, or damaged".format(
+                self.path, name)) from None
         if len(first) and (int(first.max()) >= min(len(partners), len(scores)) or np.any(partners[first] != second)):
             raise CollectionError("{} has other matches of this pair than the database".format(self.path))
         result: _Array = scores[first]
@@ -90,8 +132,9 @@ class ColumnScores:
         self.column = column
         self.higherIsBetter = higherIsBetter
 
-    def describe(self) -> str:
-        """Returns a description of the scores, which is stored with the settings of a run."""
+    def describe(self, before: Any = None) -> Any:
+        """Returns a description of the scores, which is stored with the settings of a run. `before` is
+        not used."""
         return "matches.{}, {} is better".format(self.column, "higher" if self.higherIsBetter else "lower")
 
     def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:

@@ -15,7 +15,7 @@ from typing import Any, Callable, Dict, Optional, Union
 from .._enumerations import UsacV20Method
 from ._database import DatabaseSource
 from ._database_sink import DatabaseSink, lastRun
-from ._engine import CHUNK, Summary, run
+from ._engine import CHUNK, Summary, checkNumbers, run
 from ._geometry import verifyPairs
 from ._loops import contradicted
 from ._pair import CollectionError, Source
@@ -37,7 +37,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
 
     path -- path of the database. Of COLMAP's tables, only two_view_geometries is written
     output -- path of a copy that is made and written instead; with `resume` the copy can exist
-    already
+    already, and its images, keypoints and matches must be those of the database
     threshold -- maximum error of an inlier in pixels. None: estimated from a sample of the pairs
     or, with `resume`, equal to the threshold of the last run. With the method USACV20_AUTO each
     pair has its own threshold, and this value is the upper limit, 12 by default
@@ -50,7 +50,7 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     threads -- number of threads of this process; 0: one for each core
     workers, scheduler -- for Dask: number of processes to start on this machine, or the address of
     a running scheduler, tcp://HOST:PORT
-    chunk -- number of pairs that are estimated and stored together
+    chunk -- number of pairs that are estimated and stored together; at least 1
     progress -- True: shows a progress bar on stderr; False: no bar; None: a bar only if stderr is a
     terminal
     say -- function that is called with each line that the command prints
@@ -75,6 +75,7 @@ def _silent(line: str) -> None:
 def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float], pairs: Optional[str], resume: bool, scores: Any, loops: bool,
                    options: Dict[str, Any], say: Say, **engine: Any) -> Summary:
     """Does the same as `verify`, but reports an interruption in the summary."""
+    checkNumbers(**engine)
     with contextlib.closing(DatabaseSource(path, scores)) as source:
         _checkMatches(source)
         chosen: Any = source
@@ -85,12 +86,15 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
             if not len(chosen):
                 raise CollectionError("{}: none of its pairs has matches in the database: run a matcher first".format(pairs))
         target = output or path
-        settings = settle(source, threshold, options, _stored(target) if resume else None, say)
+        if output and resume and os.path.exists(output):
+            _checkCopy(source, output)
+        stored = _stored(target) if resume else None
+        settings = settle(source, threshold, options, stored, say)
         if output and not (resume and os.path.exists(output)):
             copyDatabase(path, output)
-        used = dict(settings.asDict(), scores=scores.describe() if scores else None, loops=loops)
+        used = dict(settings.asDict(), scores=scores.describe((stored or {}).get("scores")) if scores else None, loops=loops)
         sink = DatabaseSink(target, used, resume, keep=pairs is not None)
-        summary = go(chosen, sink, settings, say, sink if loops else None, **engine)
+        summary = go(chosen, sink, settings, say, sink if loops else None, pairs is not None, **engine)
     summary.threshold = settings.threshold
     if sink.removed:
         say("{} rows that were in two_view_geometries are replaced".format(sink.removed))
@@ -123,16 +127,18 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)
 
 
-def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, **engine: Any) -> Summary:
+def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, some: bool = False,
+       **engine: Any) -> Summary:
     """Runs the estimation, closes the sink and returns the summary.
 
-    graph -- the sink, if pairs that contradict other pairs must be refused; otherwise None"""
+    graph -- the sink, if pairs that contradict other pairs must be refused; otherwise None
+    some -- True: only pairs of the source are refused, because rows of other pairs must not change"""
     finished = False
     try:
         summary = run(source, sink, settings, verifyPairs, **engine)
         finished = not summary.interrupted
         if finished and graph is not None:
-            _refuseContradicted(graph, summary)
+            _refuseContradicted(graph, summary, source if some else None)
     finally:
         sink.close(finished)
     say(summary.line())
@@ -140,9 +146,11 @@ def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[
     return summary
 
 
-def _refuseContradicted(graph: DatabaseSink, summary: Summary) -> None:
+def _refuseContradicted(graph: DatabaseSink, summary: Summary, only: Optional[Source]) -> None:
     start = time.perf_counter()
     wrong = contradicted(graph.edges())
+    if only is not None and wrong:
+        wrong = {key: wrong[key] for key in only.keys() if key in wrong}
     if wrong:
         summary.refused += graph.refuse({key: "the rotation differs by {:.0f} degrees from that along a path of pairs with more "
                                               "inliers".format(degrees)
@@ -158,6 +166,20 @@ def _stored(path: str) -> Optional[Dict[str, Any]]:
     with explained(path), contextlib.closing(connect(path)) as connection:
         last = lastRun(connection)
     return last["settings"] if last else None
+
+
+def _checkCopy(source: DatabaseSource, path: str) -> None:
+    """Raises CollectionError if the copy that a run continues seems to have other images, keypoints or
+    matches than the database, for example because the database has grown since it was copied: the
+    pairs of the database would be verified, but the copy would be written."""
+    with contextlib.closing(DatabaseSource(path, source.scores)) as copy:
+        differing = [name for name, count in source.counts().items() if copy.counts()[name] != count]
+        if not differing and copy.fingerprint() != source.fingerprint():
+            differing = ["contents"]
+    if differing:
+        raise CollectionError("{}: --resume: the {} of this copy are not those of {}: name another file as output to begin anew, "
+                              "or verify the copy itself, without an output, to continue with its contents".format(
+                                  path, differing[0], source.path))
 
 
 def _checkMatches(source: DatabaseSource) -> None:

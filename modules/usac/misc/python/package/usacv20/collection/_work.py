@@ -43,6 +43,10 @@ class Workers(typing.Protocol):
 
     def submit(self, keys: typing.Sequence[Key]) -> Future: ...
 
+    def drop(self, futures: typing.Sequence[Future]) -> None:
+        """Cancels those of the unfinished futures that no worker has begun. It is called repeatedly until
+        all futures are finished or canceled."""
+
     def explain(self, error: BaseException) -> BaseException:
         """Returns the exception to raise in place of an exception of a future."""
 
