@@ -166,9 +166,9 @@ private:
             inliers[i] = errors[i] <= limit;  // NaN is not an inlier
     }
 
-    //! Computes `orderedNeeded` for a new best model, if its inliers confirm the order. A model that
-    //! was the best one before any sample followed the order is not considered: then more wrong
-    //! models would be returned (see doc/measurements/constants_tables.md, choices between
+    //! Computes `orderedNeeded` for a new best model, if its inliers confirm the order. A model
+    //! that was the best one before any sample followed the order is not considered: then more
+    //! wrong models would be returned (see doc/measurements/constants_tables.md, choices between
     //! variants), although calls would be faster.
     void look(const Context& context, const State& state)
     {
