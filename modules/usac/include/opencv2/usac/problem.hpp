@@ -156,7 +156,8 @@ public:
 //! How points are normalized for the search, see Problem::normalization.
 enum Normalization {
     SCALE_NONE,    //!< no normalization: the constraints of the model hold in the original
-                   //!< coordinates only
+                   //!< coordinates only. The module's least-squares fits then need an origin amid
+                   //!< the points: if it is 100 extents of the points away, they hardly converge
     SCALE_COMMON,  //!< each array is centered, and both are scaled by the same factor, which then
                    //!< also multiplies all errors
     SCALE_EACH,    //!< each array is centered and scaled separately
