@@ -84,8 +84,9 @@ public:
         const int last = normal.size() - 1;
         const Eigen::Map<const Eigen::VectorXd> entries(normal.val, normal.size()),
             unscaled(here.val, here.size());
-        if (!(normal.val[last] == 1 && here.val[last] != 1))
-            return basis * (entries.dot(unscaled) < 0 ? -1. : 1.);
+        const double scale = entries.dot(unscaled) / unscaled.squaredNorm();
+        if (std::abs(std::abs(scale) - 1) < 1e-9)  // then both formulas agree for maps
+            return basis * (scale < 0 ? -1. : 1.);
         return (basis - entries * basis.row(last)) / here.val[last];
     }
 

@@ -19,7 +19,8 @@ constexpr double DOMINANT = 0.8;
 constexpr double ON_PLANE = 2;
 
 //! Standard deviation of a match from its numbers in Params::sigmas. Covariances are replaced by
-//! isotropic noise with the same determinant; the noise of both images adds up.
+//! isotropic noise with the same determinant, and the noise of both images with its mean, as in
+//! Correspondences::meanSigma.
 double sigmaOf(const float* noise, int numbers)
 {
     if (numbers == 1)
@@ -28,7 +29,7 @@ double sigmaOf(const float* noise, int numbers)
     for (int k = 0; k < numbers; k += 3)
         variance += std::sqrt(
             std::max((double)noise[k] * noise[k + 2] - (double)noise[k + 1] * noise[k + 1], 0.));
-    return std::sqrt(variance);
+    return std::sqrt(variance / 2);
 }
 
 //! The essential matrix of two views and the motion derived from it.
@@ -208,8 +209,11 @@ private:
             options.maxTime = params.maxTime - (getTickCount() - begun) / getTickFrequency() * 1e3;
         const int each = (int)(params.sigmas.size() / std::max<size_t>(x1.size(), 1));
         for (size_t i = 0; i < rows.size() && each > 0; ++i)
-            options.sigmas.push_back((float)(sigmaOf(&params.sigmas[(size_t)each * rows[i]], each) /
-                                             usac->points().meanSigma));
+        {
+            const double sigma = sigmaOf(&params.sigmas[(size_t)each * rows[i]], each) /
+                                 usac->points().meanSigma;
+            options.sigmas.push_back((float)std::min(std::max(sigma, 1e-6), 1e6));
+        }
         return options;
     }
 

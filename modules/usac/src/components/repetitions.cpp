@@ -93,9 +93,16 @@ int markRepeated(const double* const* columns, int dimensions, const int* order,
     return sum;
 }
 
+bool inliersAreNearAPoint(const Problem& problem)
+{
+    return problem.coordinates(1) == 0 && problem.errorDimension() == problem.coordinates(0);
+}
+
 int markRepeated(const Correspondences& p, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena)
 {
+    if (inliersAreNearAPoint(*p.problem))
+        threshold = 0;
     const double threshold1 = p.problem->commonUnit()
                                   ? threshold * p.frame[0].scale / p.frame[1].scale
                                   : 0;

@@ -35,9 +35,16 @@ int independentInliers(const double* const* columns, const int* coordinates, con
 @return number of marked points, including points that were marked before the call */
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);
-//! The same for both arrays: marks inliers that repeat an earlier inlier in one of the arrays. The
+
+//! True if the inliers of a model are near one point, because there is one array, and errors have
+//! as many components as the points. All inliers then share a few cells, although they are
+//! independent, so that only equal points count as repetitions.
+bool inliersAreNearAPoint(const Problem& problem);
+
+//! markRepeated() for both arrays: marks inliers that repeat an earlier inlier in one of the arrays. The
 //! side of the cells is `threshold`, in the coordinates of the last array (converted for the first
-//! array), but 0 in the first array if its unit differs, see Problem::commonUnit.
+//! array), but 0 in the first array if its unit differs (see Problem::commonUnit), and 0 if
+//! inliersAreNearAPoint().
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 

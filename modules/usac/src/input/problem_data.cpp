@@ -382,9 +382,9 @@ bool ProblemData::wideThreshold() const
 
 int ProblemData::independentInliers(const uchar* mask, Arena& arena) const
 {
+    const double side = inliersAreNearAPoint(*view.problem) ? 0 : inputThreshold;
     return usacv20::independentInliers(input, view.coordinates, mask, view.inputSize,
-                                       view.problem->commonUnit() ? inputThreshold : 0,
-                                       inputThreshold, arena);
+                                       view.problem->commonUnit() ? side : 0, side, arena);
 }
 
 void ProblemData::tell(const uchar* mask, bool independent, Arena& arena, Report& report) const

@@ -74,8 +74,7 @@ Mat GivenModels::refine(InputArray model, InputArray chosen, OutputArray mask, R
     if (count < context.components.minimalSolver->sampleSize())
         state.report.stop = STOP_TOO_FEW_POINTS;
     else
-        state.report.stop = leastSquares(count, state.best) && !degenerateSample() ? STOP_NO_SEARCH
-                                                                                   : STOP_NO_MODEL;
+        state.report.stop = leastSquares(count, state.best) ? STOP_NO_SEARCH : STOP_NO_MODEL;
     setThreshold(state);
     return give(state, mask, report);
 }
@@ -145,15 +144,11 @@ bool GivenModels::leastSquares(int size, Model& model) const
 {
     const int m = context.components.minimalSolver->sampleSize();
     const NonMinimalSolver& fitter = solver ? *solver : context.nonMinimalSolver();
-    return fitter.fit(points, indices, size, weights, model, MOST_STEPS) ||
-           size == m;  // a minimal sample determines the model without a fit
-}
-
-bool GivenModels::degenerateSample() const
-{
-    const MinimalSolver& minimal = *context.components.minimalSolver;
     Model models[MAX_MODELS];
-    return count == minimal.sampleSize() && minimal.solve(context.points, indices, models) == 0;
+    // a minimal sample that is not degenerate determines the model without a fit
+    return fitter.fit(points, indices, size, weights, model, MOST_STEPS) ||
+           (size == m &&
+            context.components.minimalSolver->solve(context.points, indices, models) > 0);
 }
 
 bool GivenModels::begin(Model& model) const
@@ -218,7 +213,9 @@ double GivenModels::costOf(const Model& model) const
 {
     Components parts = context.components;
     parts.residual = fitted;
-    return Context(points, parts, context.params, context.arena).rate(model).cost /
+    Correspondences now = points;
+    now.threshold = context.points.threshold;  // it can have been estimated meanwhile
+    return Context(now, parts, context.params, context.arena).rate(model).cost /
            std::max(points.size, 1);
 }
 

@@ -46,8 +46,6 @@ private:
     //! The loss: the sum of the (weighted) squared errors of the points in `part`.
     double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
-    //! True if the points that are used are a minimal sample that determines no model.
-    bool degenerateSample() const;
     //! Sets the threshold of the mask, if there is a model.
     void setThreshold(const State& state);
     //! Report::cost of a model.

@@ -150,8 +150,7 @@ Agreement count(WrongPairs<T>& wrongPairs, const Correspondences& p, int count, 
     std::fill(repeated, repeated + count, (uchar)0);
     Agreement found;
     found.inliers = wrongPairs.inliers(mask);
-    const bool nearAPoint = hasOneArray(p) && p.problem->errorDimension() == p.coordinates[0];
-    found.inliers -= markRepeated(p, 0, mask, count, nearAPoint ? 0 : threshold, repeated, arena);
+    found.inliers -= markRepeated(p, 0, mask, count, threshold, repeated, arena);
     found.points = wrongPairs.drop(repeated);
     found.pairs = found.agreeing = 0;
     const int partners = std::min(std::max<int>(PARTNERS, pairs / std::max(found.points, 1)),

@@ -34,11 +34,9 @@ points. Pairing the coordinates of different points anew would not make wrong po
 horizontal plane, for example, would stay on this plane.
 
 Of several inliers in the same cell of a grid over an array (see #markRepeated), only one is
-counted. If the inliers are near one point (there is one array, and errors have as many components
-as the points), only exact repetitions are counted once, because all inliers share a few cells. Each
-point of array 1 is paired with the points of at least 4 other matches: of as many as are needed to
-get about `pairs` wrong matches, or of all other matches if there are not so many. Takes O(count +
-pairs). */
+counted. Each point of array 1 is paired with the points of at least 4 other matches: of as many as
+are needed to get about `pairs` wrong matches, or of all other matches if there are not so many.
+Takes O(count + pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);

@@ -306,6 +306,36 @@ TEST(Usac_RelativePose, planeWithSigmas)
     }
 }
 
+//! One number, three and six numbers for the same noise of each match must give the same plane,
+//! also with sigmas at the limits of what is accepted.
+TEST(Usac_RelativePose, planeWithEqualNoiseInAllForms)
+{
+    const Scene scene = nearlyPlanar(0.3);
+    std::vector<int> planes;
+    for (int numbers : {0, 1, 6})
+    {
+        Params params;
+        for (int i = 0; i < scene.size() && numbers > 0; ++i)
+            for (int k = 0; k < numbers; ++k)
+                params.sigmas.push_back(k % 3 == 1 ? 0.f : 1.f);
+        Mat R, t;
+        RelativePose pose;
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), params, R, t, noArray(), pose));
+        planes.push_back(pose.onPlane);
+    }
+    EXPECT_GT(planes[0], 0);
+    EXPECT_EQ(planes[0], planes[1]);
+    EXPECT_NEAR(planes[0], planes[2], 1);
+    Params params;
+    for (int i = 0; i < scene.size(); ++i)
+        params.sigmas.push_back(i % 2 ? 1e-6f : 3.f);
+    Mat R, t;
+    RelativePose pose;
+    EXPECT_NO_THROW(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), params, R, t, noArray(), pose));
+}
+
 //! A match whose points are on their epipolar lines, but whose point of space would be behind a
 //! camera, must not be an inlier. Such matches are made from the points X = -4 x1, where x1 is a
 //! point of the normalized image plane of camera 1.

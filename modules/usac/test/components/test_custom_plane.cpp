@@ -388,6 +388,7 @@ TEST(Usac_CustomPlane, locationOfNumbers)
         {
             EXPECT_NEAR(412, found.at<double>(0), 0.1);
             EXPECT_LE(report.chance, 1e-6);
+            EXPECT_EQ(report.inliers, report.independentInliers);
         }
         else
             EXPECT_GE(report.chance, 1e-3);

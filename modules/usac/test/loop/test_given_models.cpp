@@ -134,12 +134,18 @@ struct Distorted
 //! makes the errors of the search differ from those of the mask.
 TEST(Usac_GivenModels, costIsThatOfTheMask)
 {
-    const Distorted distorted((Params()));
-    Report found, refined;
-    const Mat pose = distorted.usac->run(noArray(), &found);
-    distorted.usac->refine(pose, noArray(), noArray(), &refined);
-    EXPECT_EQ(found.inliers, refined.inliers);
-    EXPECT_NEAR(found.cost, refined.cost, 1e-3 * found.cost);
+    for (const Params& preset : {Params(), Params::automatic()})
+    {
+        Params params = preset;
+        params.threshold = preset.thresholdType == THRESHOLD_GIVEN ? 1.5 : 12;
+        const Distorted distorted(params);
+        Report found, refined;
+        const Mat pose = distorted.usac->run(noArray(), &found);
+        distorted.usac->refine(pose, noArray(), noArray(), &refined);
+        EXPECT_NEAR(found.threshold, refined.threshold, 0.02 * found.threshold);
+        EXPECT_NEAR(found.inliers, refined.inliers, 2);
+        EXPECT_NEAR(found.cost, refined.cost, 0.02 * found.cost);
+    }
 }
 
 //! A solver of the caller does not support the original image points: it must nevertheless be used

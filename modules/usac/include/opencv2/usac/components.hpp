@@ -163,9 +163,9 @@ public:
     virtual ~Component();
     /** @brief Begins a run. Called before the run uses the component (except for constants such as
     MinimalSolver::sampleSize), even if there are too few points for a model. Called again in the
-    same run if the points change: of more than 32768 points, the search uses only a random part,
-    and polishing uses all; #THRESHOLD_ESTIMATED first uses 512 points. Correspondences::threshold
-    can change without another call.
+    same run if the points change (of more than 32768, the search uses a random part, and polishing
+    all; #THRESHOLD_ESTIMATED first uses 512), and for sampler, verifier and criteria if samples are
+    forgotten (State::forgotten). Correspondences::threshold can change without another call.
 
     A component that stores data about a run (for example its points or learned values) resets them
     here: the same object is used for the next run, whose points and number of points can differ.

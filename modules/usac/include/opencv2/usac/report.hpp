@@ -78,7 +78,8 @@ struct CV_EXPORTS_W_SIMPLE Report
     CV_PROP_RW double inlierRatio;
     //! Number of inliers without repetitions: in each array, inliers in the same cell of a grid
     //! count once; the smaller of the two arrays' numbers is stored. The side of the cells is the
-    //! threshold; in an array with another unit (object points), only equal points count once. 0
+    //! threshold; in an array with another unit (object points), or if all inliers are near one
+    //! point (custom problems with one array), only equal points count once. 0
     //! (not computed) if there are more than 50 000 inliers and no time is left (Params::maxTime,
     //! ProgressScope).
     CV_PROP_RW int independentInliers;

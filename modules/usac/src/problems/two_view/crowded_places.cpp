@@ -92,10 +92,10 @@ model is kept, but its score is no longer better than that of correct models. Th
 object keeps most of its quality, because this map does not shrink the object to one place.
 
 Matches from one place of array 1 to many points of array 2 need no check, because no map fits them.
-Places are searched for at the start and when the inlier threshold has changed. The larger distances
-that some scores use (Params::reach) are not suitable for this, because a small object would look
-like one place. The quality is not changed for scores
-that are not a sum over the points. */
+Places are searched for at the start, and by the first recover() after the inlier threshold has
+changed. The larger distances that some scores use (Params::reach) are not suitable for this,
+because a small object would look like one place. The quality is not changed for scores that are not
+a sum over the points. */
 class CrowdedPlaces : public Degeneracy
 {
 public:

@@ -173,7 +173,8 @@ def _checkCopy(source: DatabaseSource, path: str) -> None:
     matches than the database, for example because the database has grown since it was copied: the
     pairs of the database would be verified, but the copy would be written."""
     with contextlib.closing(DatabaseSource(path, source.scores)) as copy:
-        differing = [name for name, count in source.counts().items() if copy.counts()[name] != count]
+        theirs = copy.counts()
+        differing = [name for name, count in source.counts().items() if theirs[name] != count]
         if not differing and copy.fingerprint() != source.fingerprint():
             differing = ["contents"]
     if differing:
