@@ -41,10 +41,10 @@ int markRepeated(const double* const* columns, int dimensions, const int* order,
 //! independent, so that only equal points count as repetitions.
 bool inliersAreNearAPoint(const Problem& problem);
 
-//! markRepeated() for both arrays: marks inliers that repeat an earlier inlier in one of the arrays. The
-//! side of the cells is `threshold`, in the coordinates of the last array (converted for the first
-//! array), but 0 in the first array if its unit differs (see Problem::commonUnit), and 0 if
-//! inliersAreNearAPoint().
+//! markRepeated() for both arrays: marks inliers that repeat an earlier inlier in one of the
+//! arrays. The side of the cells is `threshold`, in the coordinates of the last array (converted
+//! for the first array), but 0 in the first array if its unit differs (see Problem::commonUnit),
+//! and 0 if inliersAreNearAPoint().
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 
