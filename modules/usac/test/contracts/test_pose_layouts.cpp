@@ -165,7 +165,7 @@ TEST(Usac_PoseLayouts, camera_and_lens_of_any_type)
 TEST(Usac_PoseLayouts, lens_of_half_precision)
 {
     const PoseScene scene = sceneOf(5);
-    const Mat coefficients = (Mat_<float>(1, 5) << -0.25f, 0.125f, 0.f, 0.0078125f, 0.f);
+    const Mat coefficients(Matx<float, 1, 5>(-0.25f, 0.125f, 0.f, 0.0078125f, 0.f));
     Mat half, halfOfNoLens;
     coefficients.convertTo(half, CV_16F);
     Mat(1, 5, CV_32F, Scalar(0)).convertTo(halfOfNoLens, CV_16F);
