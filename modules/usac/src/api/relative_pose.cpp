@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "input/match_noise.hpp"
 #include "problems/essential/motions.hpp"
 
 namespace cv {
@@ -17,20 +18,6 @@ constexpr double DOMINANT = 0.8;
 //! A match is on a plane if its error under the plane's homography is at most this many thresholds.
 //! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr double ON_PLANE = 2;
-
-//! Standard deviation of a match from its numbers in Params::sigmas. Covariances are replaced by
-//! isotropic noise with the same determinant, and the noise of both images with its mean, as in
-//! Correspondences::meanSigma.
-double sigmaOf(const float* noise, int numbers)
-{
-    if (numbers == 1)
-        return noise[0];
-    double variance = 0;
-    for (int k = 0; k < numbers; k += 3)
-        variance += std::sqrt(
-            std::max((double)noise[k] * noise[k + 2] - (double)noise[k + 1] * noise[k + 1], 0.));
-    return std::sqrt(variance / 2);
-}
 
 //! The essential matrix of two views and the motion derived from it.
 class TwoViews
@@ -198,7 +185,7 @@ private:
 
     //! Options of the search for the plane among the inliers in the given rows: the time that is
     //! left, and one sigma for each inlier, relative to the mean sigma, which is the unit of the
-    //! points there.
+    //! points there, within the limits of Params::sigmas.
     Params optionsOfPlane(const Solution& found, const std::vector<int>& rows) const
     {
         Params options;
@@ -207,13 +194,12 @@ private:
         options.significance = 1;
         if (params.maxTime > 0)
             options.maxTime = params.maxTime - (getTickCount() - begun) / getTickFrequency() * 1e3;
-        const int each = (int)(params.sigmas.size() / std::max<size_t>(x1.size(), 1));
-        for (size_t i = 0; i < rows.size() && each > 0; ++i)
-        {
-            const double sigma = sigmaOf(&params.sigmas[(size_t)each * rows[i]], each) /
-                                 usac->points().meanSigma;
-            options.sigmas.push_back((float)std::min(std::max(sigma, 1e-6), 1e6));
-        }
+        if (params.sigmas.empty())
+            return options;
+        const MatchNoise noise(*usac->points().problem, params.sigmas, (int)x1.size());
+        for (int row : rows)
+            options.sigmas.push_back(
+                (float)std::min(std::max(noise.sigma(row) / noise.mean(), 1e-6), 1e6));
         return options;
     }
 

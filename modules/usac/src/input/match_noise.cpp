@@ -61,6 +61,11 @@ MatchNoise::MatchNoise(const Problem& problem_, const std::vector<float>& sigmas
     unit = std::pow(sum / count, 1. / degrees);
 }
 
+double MatchNoise::sigma(int match) const
+{
+    return each == 1 ? sigmas[match] : std::sqrt(variance(match));
+}
+
 /** Variance of isotropic noise with which the error of a match would have about the same variance.
 S1 and S2 are the covariances of its points in images 1 and 2.
 

@@ -25,6 +25,9 @@ public:
 
     //! Correspondences::meanSigma.
     double mean() const { return unit; }
+    //! Standard deviation of a match; for covariances, that of isotropic noise with an error of
+    //! about the same variance.
+    double sigma(int match) const;
 
     /** @brief Computes the columns that describe the noise in the coordinates of the model.
     @param taken all columns of points as given, not yet converted by

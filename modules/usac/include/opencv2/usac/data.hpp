@@ -111,8 +111,8 @@ If there are Params::sigmas, more columns follow, which describe the noise of ea
 `meanSigma`; a residual must divide the error of a match by its standard deviation. For one sigma
 per match, there is one column: the factor by which the residual multiplies the error, `meanSigma`
 divided by the sigma. For covariances, there are three columns for the last array and, for two
-images, three more for the first one: p, q and s of the root L = [p 0; q s] of the covariance L L^T
-of the point, in the coordinates of the columns of its own array, divided by `unit`. */
+images, three more for the first one: the entries of the root L = [p 0; q s] of the covariance L L^T
+of the point, in the coordinates of its own array's columns; p, q and s are divided by `unit`. */
 struct Correspondences
 {
     //! No correspondences.
