@@ -13,8 +13,8 @@
 namespace opencv_test {
 namespace {
 
-//! After Ransac::forgetSamples(), a criterion for samples that follow the order must ask for as
-//! many of them as before, and the growing set of the sampler must be small again.
+//! After Ransac::forgetSamples(), samples that followed the order do not count any longer: a
+//! criterion must ask for new ones.
 TEST(Usac_ChangedThreshold, orderedSamplesAreDrawnAgain)
 {
     for (int termination : {TERMINATION_ORDER | TERMINATION_STANDARD, (int)TERMINATION_PROSAC})

@@ -32,7 +32,8 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     //! their rows of the mask are 0.
     CV_PROP_RW int behind;
     //! Number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none,
-    //! or if the camera has only rotated.
+    //! if the camera has only rotated, or if the run was stopped before the end of the search for
+    //! the plane (`report.stop` is then #STOP_TIME or #STOP_CANCELLED).
     CV_PROP_RW int onPlane;
     //! If there is a dominant plane: rotation of the second motion that is compatible with the
     //! homography of the plane, 3x3, CV_64F. Empty if there is no second motion.
