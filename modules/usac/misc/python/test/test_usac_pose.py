@@ -199,8 +199,8 @@ class BeginTest(unittest.TestCase):
         for array in locked:
             array.setflags(write=False)
         for given in (locked, (r.tolist(), tuple(t))):  # such a guess is only read
-            result = usac.solvePnPRansac(FEW.X, FEW.x, FEW.K, FEW.d, *given, True, 10, THRESHOLD, flags=usac.USACV20)
-            self.assertEqual(bits(result), expected)
+            found, rvec, tvec, inliers = usac.solvePnPRansac(FEW.X, FEW.x, FEW.K, FEW.d, *given, True, 10, THRESHOLD, flags=usac.USACV20)
+            self.assertEqual(bits((found, rvec.reshape(3, 1), tvec.reshape(3, 1), inliers)), expected)
         self.assertEqual(bits(locked), bits((r[:, None], t)))
         away = self.guess(r + 1, t)
         self.assertFalse(away[0] and FEW.error(away[1], away[2]) < 5)
