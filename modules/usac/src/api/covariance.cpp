@@ -45,7 +45,7 @@ class GivenModel
 public:
     GivenModel(ProblemType type, InputArray given)
         : problem(createProblem(type, Matx33d::eye(), noArray(), noArray(), noArray())),
-          rule(problem->createParameterization()), points()
+          rule(problem->createParameterization()), points(), isMap(type == HOMOGRAPHY)
     {
         const Mat matrix = given.getMat();
         Mat numbers;
@@ -79,14 +79,12 @@ public:
     {
         if (!problem->createResidual(RESIDUAL_STANDARD)->homogeneous())
             return basis;
-        // `normal` is equal to `here` up to sign, or, for a map, it is `here` divided by its last
-        // entry; the derivatives are then those of a quotient
         const int last = normal.size() - 1;
         const Eigen::Map<const Eigen::VectorXd> entries(normal.val, normal.size()),
             unscaled(here.val, here.size());
-        const double scale = entries.dot(unscaled) / unscaled.squaredNorm();
-        if (std::abs(std::abs(scale) - 1) < 1e-9)  // then both formulas agree for maps
-            return basis * (scale < 0 ? -1. : 1.);
+        if (!isMap || normal.val[last] != 1)  // then `normal` is equal to `here` up to sign
+            return basis * (entries.dot(unscaled) < 0 ? -1. : 1.);
+        // `normal` is `here` divided by its last entry: derivatives of a quotient
         return (basis - entries * basis.row(last)) / here.val[last];
     }
 
@@ -109,6 +107,7 @@ private:
     const Ptr<Problem> problem;
     const Ptr<Parameterization> rule;
     const Correspondences points;  //!< no points, and a frame that changes no coordinates
+    const bool isMap;              //!< the last entry of models is 1, unless it would be infinite
     Model normal, here;
     AnyParameterization::Basis basis;  //!< derivatives of `here`, see callerBasis()
 };

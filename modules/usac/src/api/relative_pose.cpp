@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "components/repetitions.hpp"
 #include "input/match_noise.hpp"
 #include "problems/essential/motions.hpp"
 
@@ -96,6 +97,23 @@ public:
             inlier = inlier && !hidden;
         }
         return behind;
+    }
+
+    //! Number of inliers of the final mask without repetitions, see Report::independentInliers.
+    //! Cells are squares on the normalized image planes.
+    int independentInliers(const Solution& solution) const
+    {
+        Arena arena;
+        const int rows = solution.mask.rows, coordinates[] = {2, 2};
+        double* columns[4];
+        for (int k = 0; k < 4; ++k)
+        {
+            columns[k] = arena.take<double>(rows);
+            for (int i = 0; i < rows; ++i)
+                columns[k][i] = k < 2 ? x1[i][k] : x2[i][k - 2];
+        }
+        return usacv20::independentInliers(columns, coordinates, solution.mask.ptr(), rows,
+                                           limit(solution), limit(solution), arena);
     }
 
 private:
@@ -224,7 +242,6 @@ Report reportOf(const Report& search, const Report& refinement)
 {
     Report report = search;
     report.sample.clear();
-    report.independentInliers = refinement.independentInliers;
     report.sigma = refinement.sigma;
     report.covariance = refinement.covariance;
     report.priorChance = refinement.priorChance;
@@ -256,8 +273,7 @@ bool estimateRelativePose(InputArray points1, InputArray points2, InputArray cam
         }
         pose.behind = views.hideBehind(best);
         best.report.inliers = countNonZero(best.mask);
-        best.report.independentInliers = std::min(best.report.independentInliers,
-                                                  best.report.inliers);
+        best.report.independentInliers = views.independentInliers(best);
         best.report.inlierRatio = (double)best.report.inliers / std::max(best.mask.rows, 1);
         pose.essential = best.essential;
         Mat(best.motion.R).copyTo(R);

@@ -194,6 +194,8 @@ bool Degeneracy::validSample(const Context&, const int*) const { return true; }
 bool Degeneracy::mayBeGood(const Context&, const int*) const { return false; }
 bool Degeneracy::validModel(const Context&, const int*, const Model&) const { return true; }
 bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) { return true; }
+void Degeneracy::thresholdChanged(const Context&) {}
+
 void Degeneracy::discount(const Context&, const Model&, Quality&) {}
 double Degeneracy::successProbability(const Context&, const State&, const Model&) { return 1; }
 

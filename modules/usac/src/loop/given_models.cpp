@@ -144,11 +144,28 @@ bool GivenModels::leastSquares(int size, Model& model) const
 {
     const int m = context.components.minimalSolver->sampleSize();
     const NonMinimalSolver& fitter = solver ? *solver : context.nonMinimalSolver();
-    Model models[MAX_MODELS];
-    // a minimal sample that is not degenerate determines the model without a fit
     return fitter.fit(points, indices, size, weights, model, MOST_STEPS) ||
-           (size == m &&
-            context.components.minimalSolver->solve(context.points, indices, models) > 0);
+           (size == m && solveExactly(model));
+}
+
+bool GivenModels::solveExactly(Model& model) const
+{
+    const MinimalSolver& minimal = *context.components.minimalSolver;
+    Arena::Scope scope(context.arena);
+    PointSubset part(points, minimal.sampleSize(), scope);
+    for (int k = 0; k < minimal.sampleSize(); ++k)
+        part.add(indices[k]);
+    Model models[MAX_MODELS];
+    double least = DBL_MAX;
+    for (int k = minimal.solve(context.points, indices, models) - 1; k >= 0; --k)
+    {
+        const double loss = lossOf(part, models[k]);
+        if (!(loss < least))
+            continue;
+        least = loss;
+        model = models[k];
+    }
+    return least < DBL_MAX;
 }
 
 bool GivenModels::begin(Model& model) const

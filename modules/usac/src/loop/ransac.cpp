@@ -165,6 +165,8 @@ void Ransac::thresholdChanged()
     alternatives.clear();
     explored = Model();
     state.sampleQuality = Quality();
+    for (int d = 0; d < checkCount; ++d)
+        checks[d]->thresholdChanged(context);
     Quality quality = context.rate(state.best);
     const bool valid = recover(0, state.best, quality);
     state.bestQuality = valid ? quality : Quality();  // Quality(): there is no best model
@@ -187,7 +189,6 @@ void Ransac::forgetSamples()
         parts.verifier->start(context);
     for (size_t t = 0; t < parts.terminations.size(); ++t)
         parts.terminations[t]->start(context);
-    explored = Model();
 }
 
 //! Batches grow, so that easy problems draw few superfluous samples and hard problems use all

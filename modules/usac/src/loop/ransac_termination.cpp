@@ -26,7 +26,7 @@ bool Ransac::terminate()
         ending = STOP_MAX_ITERATIONS;
     else if (samplesThatCount() >= required)
         ending = requiredReason;
-    else if (state.iteration >= requiredOfAll)
+    else if (state.remembered() >= requiredOfAll)
         ending = reasonOfAll;
     else if (state.iteration >= HOPELESS && !anyModel && !parts.terminations.empty())
         ending = STOP_NO_MODEL;

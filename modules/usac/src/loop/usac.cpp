@@ -122,12 +122,8 @@ public:
         models.read(model, &state.best);
         state.report.stop = STOP_NO_SEARCH;
         if (automatic)
-        {
             automatic->look(context, state.best);
-            state.report.sigma = automatic->settle(data);
-        }
-        else
-            data.setThreshold(parts.score->threshold(context, state.best));
+        settleThreshold(context, state);
         polishAsSeen(context, state);
         if (report && params.covariance)
             tellCertainty(context, state.best, state.report);
@@ -286,6 +282,18 @@ private:
                       state.best);
     }
 
+    //! Sets the threshold of the mask and of the steps after the search.
+    void settleThreshold(const Context& context, State& state)
+    {
+        const double before = context.points.threshold;
+        if (automatic)
+            state.report.sigma = automatic->settle(data);
+        else
+            data.setThreshold(parts.score->threshold(context, state.best));
+        for (size_t d = 0; d < parts.degeneracies.size() && context.points.threshold != before; ++d)
+            parts.degeneracies[d]->thresholdChanged(context);
+    }
+
     //! The solver for the original image points; empty if polishAsSeen() does not use them.
     Ptr<NonMinimalSolver> fitAsSeen() const
     {
@@ -372,10 +380,7 @@ private:
                       sampled;
         if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
         {
-            if (automatic)
-                learned.sigma = automatic->settle(data);
-            else
-                data.setThreshold(parts.score->threshold(context, state.best));
+            settleThreshold(context, state);
             learned.cost = polishAsSeen(context, state).cost / context.points.size;
             if (!params.initialCovariance.empty())
             {

@@ -126,9 +126,7 @@ public:
         const int wanted = state.wanted, before = enough;
         if (state.bestQuality.cost != cost)
             look(context, state);
-        state.wanted = state.iteration - std::max(state.forgotten, 0) < FIRST_ORDERED
-                           ? (int)SAMPLES_HALF
-                           : SAMPLES_MIXED;
+        state.wanted = state.remembered() < FIRST_ORDERED ? (int)SAMPLES_HALF : SAMPLES_MIXED;
         if (orderedNeeded < INT_MAX &&
             orderedNeeded - state.orderedSamples < uniformLeft(context, state))
         {
@@ -238,7 +236,7 @@ private:
             return;
         }
         state.unexplainedSamples = samples;
-        enough = state.iteration;
+        enough = state.remembered();
     }
 
     //! True if another motion with `other` inliers is ruled out, see otherMotionWouldShow(). `left`

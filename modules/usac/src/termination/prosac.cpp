@@ -128,8 +128,8 @@ private:
         if (samples == INT_MAX)
             return samples;
         const double all = every == 1
-                               ? (double)samples + std::max(state.forgotten, 0)
-                               : state.iteration +
+                               ? samples
+                               : state.remembered() +
                                      std::max(samples - state.orderedSamples, 0) * (double)every;
         return all < INT_MAX ? (int)all : INT_MAX;
     }

@@ -65,10 +65,9 @@ Quality discounted(const Ptr<Degeneracy>& check, const Scene& scene, const Matx3
     const Context& context = run;
     check->start(context);
     points.threshold = unit * now;
-    State state;
-    Model model = toInternal(points, given);
+    check->thresholdChanged(context);
+    const Model model = toInternal(points, given);
     Quality quality = context.rate(model);
-    EXPECT_TRUE(check->recover(context, state, 0, model, quality));
     check->discount(context, model, quality);
     return quality;
 }
@@ -126,11 +125,107 @@ TEST(Usac_ChangedThreshold, sharedPointsAreSearchedAgain)
     check->start(run);
     EXPECT_TRUE(check->validSample(run, sample));
     points.threshold = 4 * unit;
-    State state;
-    Model model;
-    Quality quality;
-    EXPECT_TRUE(check->recover(run, state, 0, model, quality));
+    check->thresholdChanged(run);
     EXPECT_FALSE(check->validSample(run, sample));
+}
+
+//! A sampler of a caller that draws uniform samples and counts the calls of start().
+class StartedSampler : public Sampler
+{
+public:
+    StartedSampler() : starts(0) {}
+    void start(const Context&) CV_OVERRIDE { ++starts; }
+    void sample(const Context& context, State& state, int* out) CV_OVERRIDE
+    {
+        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(),
+                           out);
+    }
+    int starts;
+};
+
+//! A criterion of a caller that asks for a number of samples, whatever the best model is.
+class Always : public Termination
+{
+public:
+    explicit Always(int samples_) : samples(samples_) {}
+    int iterations(const Context&, const State&) const CV_OVERRIDE { return samples; }
+
+private:
+    const int samples;
+};
+
+//! After Ransac::forgetSamples(), the sampler begins anew, and a criterion of a caller that asks
+//! for 40 samples gets 40 further ones.
+TEST(Usac_ChangedThreshold, forgottenSamplesDoNotCount)
+{
+    Params params;
+    const Ptr<Usac> usac = createUsac(makeScene(HOMOGRAPHY), params);
+    const Ptr<StartedSampler> sampler = makePtr<StartedSampler>();
+    usac->components().sampler = sampler;
+    usac->components().terminations.assign(1, makePtr<Always>(40));
+    const RunContext run(usac->points(), usac->components(), params);
+    const int starts = sampler->starts;
+    State state;
+    Ransac search(run, state);
+    search.run();
+    EXPECT_EQ(40, state.iteration);
+    search.forgetSamples();
+    EXPECT_EQ(starts + 1, sampler->starts);
+    search.thresholdChanged();
+    search.run();
+    EXPECT_EQ(80, state.iteration);
+}
+
+//! A check of a caller that compares the current threshold with the one it was told.
+class Informed : public Degeneracy
+{
+public:
+    Informed() : known(0), told(0), wrong(0) {}
+    void start(const Context& context) CV_OVERRIDE { known = context.points.threshold; }
+    void thresholdChanged(const Context& context) CV_OVERRIDE
+    {
+        known = context.points.threshold;
+        ++told;
+    }
+    bool recover(const Context& context, State&, const int*, Model&, Quality&) CV_OVERRIDE
+    {
+        wrong += context.points.threshold != known;
+        return true;
+    }
+    void discount(const Context& context, const Model&, Quality&) CV_OVERRIDE
+    {
+        wrong += context.points.threshold != known;
+    }
+    double known;
+    int told, wrong;
+};
+
+//! A check must be told of each new threshold before it is asked about a model: of the estimated
+//! threshold, of a larger reach, and of the threshold of polishing and of refinements. There are so
+//! few points that polishing tries other initial models, which the checks examine.
+TEST(Usac_ChangedThreshold, checksAreTold)
+{
+    for (int kind : {0, 1, 2})
+    {
+        SceneOptions options;
+        options.setSize(24, 0.7);
+        options.noise = kind == 1 ? 1 : 0.2;
+        const Scene scene = makeScene(HOMOGRAPHY, options);
+        Params params = kind == 2 ? Params::automatic() : Params();
+        params.threshold = kind == 1 ? 0.3 : 3;
+        params.widestReach = std::max(kind == 1 ? 8. : 0., params.reach);
+        params.quality = kind == 0 ? (int)QUALITY_LMEDS : params.quality;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        const Ptr<Informed> check = makePtr<Informed>();
+        usac->components().degeneracies.push_back(check);
+        Mat mask;
+        const Mat model = usac->run(mask);
+        ASSERT_FALSE(model.empty()) << kind;
+        EXPECT_GT(check->told, 0) << kind;
+        EXPECT_EQ(0, check->wrong) << kind;
+        EXPECT_FALSE(usac->refine(model, noArray(), mask).empty()) << kind;
+        EXPECT_EQ(0, check->wrong) << kind;
+    }
 }
 
 }  // namespace

@@ -26,10 +26,8 @@ public:
     //! `model`, an estimated F; 1e9 if it is empty.
     double error(const cv::Mat& model) const;
 
-    cv::Matx33d R, F;
-    cv::Vec3d t;
+    cv::Matx33d F;  //!< the true fundamental matrix
     std::vector<cv::Point2d> points1, points2;
-    std::vector<bool> truth;  //!< for each match, whether it is right
 
 private:
     std::vector<cv::Point2d> clean1, clean2;

@@ -296,6 +296,18 @@ double pixelError(const Scene& scene, const Matx33d& model, const Point2d& p1, c
     return std::abs(x2.dot(a)) / std::sqrt(a[0] * a[0] + a[1] * a[1] + b[0] * b[0] + b[1] * b[1]);
 }
 
+double angleBetween(const Mat& R, const Matx33d& truth)
+{
+    const Matx33d D = Matx33d(R.ptr<double>()) * truth.t();
+    return std::acos(std::max(-1., std::min(1., (cv::trace(D) - 1) / 2)));
+}
+
+double angleBetween(const Mat& t, const Vec3d& truth)
+{
+    return std::acos(
+        std::max(-1., std::min(1., Vec3d(t.ptr<double>()).dot(truth) / cv::norm(truth))));
+}
+
 double modelError(const Scene& scene, const Mat& model, ScenePart part)
 {
     if (model.rows < (isAffine(scene.problem) ? 2 : 3) || model.rows > 3 || model.cols != 3 ||

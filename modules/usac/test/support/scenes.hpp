@@ -158,6 +158,12 @@ inline cv::Matx33d squareModel(const cv::Mat& model)
     return M;
 }
 
+const double DEGREE = CV_PI / 180;
+//! Angle in radians of the rotation between a rotation matrix and the true one.
+double angleBetween(const cv::Mat& R, const cv::Matx33d& truth);
+//! Angle in radians between a unit vector and the true direction.
+double angleBetween(const cv::Mat& t, const cv::Vec3d& truth);
+
 //! Which true matches modelError() uses.
 enum ScenePart { TRUE_MATCHES, ON_PLANE, OFF_PLANE };
 

@@ -8,12 +8,6 @@
 
 namespace opencv_test {
 
-double angleBetween(const Mat& R, const Matx33d& truth)
-{
-    const Matx33d D = Matx33d(R.ptr<double>()) * truth.t();
-    return std::acos(std::max(-1., std::min(1., (cv::trace(D) - 1) / 2)));
-}
-
 Params twoPixels()
 {
     Params params;

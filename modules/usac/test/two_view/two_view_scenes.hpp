@@ -12,11 +12,6 @@
 
 namespace opencv_test {
 
-const double DEGREE = CV_PI / 180;
-
-//! Angle of the rotation between a rotation matrix and the true one, in radians.
-double angleBetween(const cv::Mat& R, const cv::Matx33d& truth);
-
 //! Options with a threshold of 2 pixels, a confidence of 0.999 and at most 10000 samples.
 cv::usacv20::Params twoPixels();
 

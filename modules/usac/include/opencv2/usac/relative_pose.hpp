@@ -19,10 +19,10 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
 {
     CV_WRAP RelativePose();
 
-    //! Report on the search for the essential matrix. Its `inliers` counts only inliers in front of
-    //! both cameras, like the mask. If the returned motion is not that of the model found, but the
-    //! second motion that explains a dominant plane, then `sigma`, `covariance`, `cost` and
-    //! `independentInliers` belong to the second motion (with an estimated threshold: to its own
+    //! Report on the search for the essential matrix. Its `inliers` and `independentInliers` count
+    //! only inliers in front of both cameras, like the mask. If the returned motion is not that of
+    //! the model found, but the second motion that explains a dominant plane, then `sigma`,
+    //! `covariance` and `cost` belong to the second motion (with an estimated threshold: to its own
     //! threshold), `sample` is empty, and `priorChance` is 0.
     CV_PROP_RW Report report;
     //! The essential matrix [t]x R, 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there

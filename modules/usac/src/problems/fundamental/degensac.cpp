@@ -63,17 +63,18 @@ class Degensac : public Degeneracy
 public:
     Degensac()
         : fitter(createHomographyFit(createResidualOf<TransferError>())), known(Matx33d::zeros()),
-          knownThreshold(0), knownPoints(0), onPlane(0), offPlane(0), errors(0), onCount(0),
-          offCount(0), parallax(0)
+          knownPoints(0), onPlane(0), offPlane(0), errors(0), onCount(0), offCount(0), parallax(0)
     {}
 
     void start(const Context& context) CV_OVERRIDE
     {
         fitter->start(context);
-        knownThreshold = 0;
+        knownPoints = 0;
         errors = 0;
         parallax = 0;
     }
+
+    void thresholdChanged(const Context&) CV_OVERRIDE { knownPoints = 0; }
 
     bool recover(const Context& context, State& state, const int* sample, Model& model,
                  Quality& quality) CV_OVERRIDE
@@ -84,7 +85,7 @@ public:
             return true;
         state.degenerate = true;
         const Quality before = quality;
-        if (knownThreshold == context.points.threshold && isKnown(context, H, sample))
+        if (knownPoints > 0 && isKnown(context, H, sample))
         {
             if (knownQuality.betterThan(quality))
             {
@@ -97,7 +98,6 @@ public:
         if (!fitPlane(context, std::max(DOMINANT * before.inliers, SEEN * context.points.size), H))
             return true;
         known = H;
-        knownThreshold = context.points.threshold;
         knownPoints = pointsOn(context, H);
         planeAndParallax(context, state, H, model, quality);
         knownModel = model;
@@ -230,11 +230,11 @@ private:
     }
 
     Ptr<NonMinimalSolver> fitter;
-    Matx33d known;          //!< homography of the known plane
-    double knownThreshold;  //!< threshold when the known plane was handled; 0: no known plane
-    int knownPoints;        //!< number of points on the known plane when it was handled
-    Model knownModel;       //!< the F found with the known plane
-    Quality knownQuality;   //!< score of knownModel; infinite cost: no better F was found
+    Matx33d known;         //!< homography of the known plane
+    int knownPoints;       //!< number of points on the known plane when it was handled; 0: no known
+                           //!< plane
+    Model knownModel;      //!< the F found with the known plane
+    Quality knownQuality;  //!< score of knownModel; infinite cost: no better F was found
     DominantPlane plane;
     int *onPlane, *offPlane;
     float* errors;  //!< squared errors of all points under the homography; null before the first

@@ -92,19 +92,19 @@ model is kept, but its score is no longer better than that of correct models. Th
 object keeps most of its quality, because this map does not shrink the object to one place.
 
 Matches from one place of array 1 to many points of array 2 need no check, because no map fits them.
-Places are searched for at the start, and by the first recover() after the inlier threshold has
-changed. The larger distances that some scores use (Params::reach) are not suitable for this,
+Places are searched for at the start, and again when the inlier threshold has changed. The larger
+distances that some scores use (Params::reach) are not suitable for this,
 because a small object would look like one place. The quality is not changed for scores that are not
 a sum over the points. */
 class CrowdedPlaces : public Degeneracy
 {
 public:
-    CrowdedPlaces() : threshold(0), places(0), farApart(0), placeOf(0), members(0) { ends[0] = 0; }
+    CrowdedPlaces() : places(0), farApart(0), placeOf(0), members(0) { ends[0] = 0; }
 
     void start(const Context& context) CV_OVERRIDE
     {
         const Correspondences& p = context.points;
-        threshold = context.inlierThreshold();
+        const double threshold = context.inlierThreshold();
         places = 0;
         if (p.size <= SEEN || p.coordinates[1] == 0)
             return;
@@ -142,12 +142,7 @@ public:
                !anyPair(sample, context.components.minimalSolver->sampleSize(), sharePlace);
     }
 
-    bool recover(const Context& context, State&, const int*, Model&, Quality&) CV_OVERRIDE
-    {
-        if (context.inlierThreshold() != threshold)
-            start(context);
-        return true;
-    }
+    void thresholdChanged(const Context& context) CV_OVERRIDE { start(context); }
 
     void discount(const Context& context, const Model& model, Quality& quality) CV_OVERRIDE
     {
@@ -223,7 +218,6 @@ private:
         ends[++places] = end;
     }
 
-    double threshold;  //!< inlier threshold with which the places were found
     int places;
     float farApart;             //!< points of array 1 at a larger squared distance are far apart
     uchar* placeOf;             //!< number of the place of each point, from 1 on; 0: no place

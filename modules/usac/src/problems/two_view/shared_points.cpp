@@ -91,7 +91,7 @@ changed for scores that are not a sum over the points. */
 class SharedPoints : public Degeneracy
 {
 public:
-    SharedPoints() : threshold(0), targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
+    SharedPoints() : targets(false) { sizes[0] = sizes[1] = FLT_MIN; }
 
     /** Estimates the extents of the points in both images in two ways: from the box
     Correspondences::lower, upper, which is robust against a few points far from the other points,
@@ -119,12 +119,7 @@ public:
         lookForTargets(p);
     }
 
-    bool recover(const Context& context, State&, const int*, Model&, Quality&) CV_OVERRIDE
-    {
-        if (context.points.threshold != threshold)
-            lookForTargets(context.points);
-        return true;
-    }
+    void thresholdChanged(const Context& context) CV_OVERRIDE { lookForTargets(context.points); }
 
     bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
     {
@@ -165,8 +160,7 @@ public:
 private:
     void lookForTargets(const Correspondences& p)
     {
-        threshold = p.threshold;
-        const TargetLimits limits(threshold, sizes);
+        const TargetLimits limits(p.threshold, sizes);
         int shared = 0;
         for (int i = 1; i < std::min<int>(p.size, FIRST_PAIRS); ++i)
             for (int k = 0; k < i; ++k)
@@ -174,9 +168,8 @@ private:
         targets = shared >= SHARED_PAIRS;
     }
 
-    double threshold;  //!< threshold with which `targets` was found
-    float sizes[2];    //!< extents of the points in the two images
-    bool targets;      //!< true if many matches share points
+    float sizes[2];  //!< extents of the points in the two images
+    bool targets;    //!< true if many matches share points
 };
 
 }  // namespace
