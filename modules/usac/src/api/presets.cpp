@@ -210,6 +210,20 @@ void useLmeds(Params& params)
     params.degeneracy = DEGENERACY_ORIENTATION;
 }
 
+//! `final_polisher` of the options, a PolishingMethod. Older versions of OpenCV have neither the
+//! field nor the type; the result is then that of the default, COV_POLISHER.
+template <class T>
+auto polisherOf(const T& options, int) -> decltype((int)options.final_polisher)
+{
+    return (int)options.final_polisher;
+}
+
+template <class T>
+int polisherOf(const T&, long)
+{
+    return 3;
+}
+
 }  // namespace
 
 Params Params::fromUsacParams(const cv::UsacParams& other)
@@ -255,6 +269,12 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
         break;
     case SCORE_METHOD_LMEDS: useLmeds(params); break;
     default: params.quality = QUALITY_MSAC;
+    }
+    switch (polisherOf(other, 0))
+    {
+    case 0: params.polishing = POLISHING_NONE; break;           // NONE_POLISHER
+    case 1: params.polishing = POLISHING_LEAST_SQUARES; break;  // LSQ_POLISHER
+    case 2: params.polishing = POLISHING_REWEIGHTED; break;     // MAGSAC
     }
     return params;
 }

@@ -165,6 +165,35 @@ TEST(Usac_Presets, from_the_parameters_of_calib3d)
     EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering) << "calib3d's PROSAC wants sorted points";
 }
 
+//! Sets `final_polisher`. @return false if this version of OpenCV has no such field
+template <class T>
+auto setPolisher(T& options, int value) -> decltype(options.final_polisher, true)
+{
+    options.final_polisher = (decltype(options.final_polisher))value;
+    return true;
+}
+
+template <class T>
+bool setPolisher(const T&, long)
+{
+    return false;
+}
+
+TEST(Usac_Presets, from_the_polisher_of_calib3d)
+{
+    const int expected[] = {POLISHING_NONE, POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED,
+                            POLISHING_ROBUST};
+    EXPECT_EQ((int)POLISHING_ROBUST, Params::fromUsacParams(cv::UsacParams()).polishing);
+    for (int value = 0; value < 4; ++value)
+    {
+        cv::UsacParams other;
+        const bool known = setPolisher(other, value);
+        const Params params = Params::fromUsacParams(other);
+        EXPECT_EQ(known ? expected[value] : (int)POLISHING_ROBUST, params.polishing);
+        EXPECT_NO_THROW(params.check());
+    }
+}
+
 TEST(Usac_Presets, from_each_value_of_the_parameters_of_calib3d)
 {
     const int samplers[] = {SAMPLER_UNIFORM, SAMPLER_P_NAPSAC, SAMPLER_NAPSAC, SAMPLER_PROSAC};

@@ -71,7 +71,8 @@ TEST(Usac_RelativePosePlane, nothing_but_a_plane)
         RelativePose pose;
         ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
                                          noArray(), noArray(), Params(), R, t, mask, pose));
-        bool found = angleBetween(R, scene.R) < 2 * DEGREE && angleBetween(t, scene.t) < 15 * DEGREE;
+        bool found = angleBetween(R, scene.R) < 2 * DEGREE &&
+                     angleBetween(t, scene.t) < 15 * DEGREE;
         if (!pose.otherR.empty())
             found = found || (angleBetween(pose.otherR, scene.R) < 2 * DEGREE &&
                               angleBetween(pose.otherT, scene.t) < 15 * DEGREE);
