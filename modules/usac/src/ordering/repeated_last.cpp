@@ -15,8 +15,9 @@ uint64 hashOf(const Correspondences& p, int i)
     uint64 h = 0;
     for (int k = 0; k < p.columns(); ++k)
     {
+        const float value = p.column[k][i] + 0.f;  // turns -0 into 0, because their bits differ
         unsigned bits;
-        std::memcpy(&bits, &p.column[k][i], sizeof(bits));
+        std::memcpy(&bits, &value, sizeof(bits));
         h = (h ^ (h >> 32) ^ bits) * 0xbf58476d1ce4e5b9ULL;
     }
     return h >> 32;

@@ -121,7 +121,8 @@ TEST(Usac_Priors, inputOrder)
     }
 }
 
-//! Matches that repeat an earlier one must come last, whether the order is by density or by scores.
+//! Matches that repeat an earlier one must come last, whether the order is by density, by scores or
+//! that of the input.
 TEST(Usac_Priors, repeatedMatchesAreLast)
 {
     SceneOptions options;
@@ -132,10 +133,13 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
         scene.points1.push_back(scene.points1[k < 30 ? 7 : k]);
         scene.points2.push_back(scene.points2[k < 30 ? 7 : k]);
     }
+    std::rotate(scene.points1.begin(), scene.points1.end() - 40, scene.points1.end());
+    std::rotate(scene.points2.begin(), scene.points2.end() - 40, scene.points2.end());
     Params params;
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 3; ++i)
     {
-        params.scores.assign(i == 0 ? 0 : size + 40, 0.5f);
+        params.scores.assign(i == 1 ? size + 40 : 0, 0.5f);
+        params.ordering = i == 2 ? (int)ORDERING_INPUT_ORDER : Params().ordering;
         const Ptr<Usac> usac = createUsac(scene, params);
         const Correspondences& p = usac->points();
         std::vector<int> order(p.size);
@@ -152,6 +156,20 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
         for (int k = 0; k < p.size; ++k)
             ASSERT_EQ(k, order[k]);
     }
+}
+
+TEST(Usac_Priors, signOfZero)
+{
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 8; ++i)
+    {
+        points1.push_back(Point2d(i % 2 ? 0. : -0., i < 6 ? 0 : i));
+        points2.push_back(Point2d(i % 3 ? 0. : -0., i < 6 ? 0 : i));
+    }
+    const OwnPoints points(HOMOGRAPHY, points1, points2);
+    std::vector<int> order = sortBy(createInputOrderOrdering(), points.view());
+    order.resize(3);
+    EXPECT_EQ(std::vector<int>({0, 6, 7}), order);
 }
 
 }  // namespace
