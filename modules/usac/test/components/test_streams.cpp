@@ -14,7 +14,7 @@ namespace {
 TEST(Usac_Streams, doNotMeet)
 {
     uint64 end = INT_MAX;
-    for (int stream = STREAM_ROTATION; stream <= STREAM_LEVERAGE; ++stream)
+    for (int stream = STREAM_ROTATION; stream <= STREAM_WRONG; ++stream)
     {
         EXPECT_GT(streamOf((Stream)stream), end) << stream;
         end = streamOf((Stream)stream, (uint64)2 * INT_MAX);

@@ -162,7 +162,7 @@ TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
                 EXPECT_EQ(merged == 1 ? 64 : 16, own.cells);
                 seen[merged - 1] += otherMotionWouldShow(own, pairsOf(scene, false, arena, merged),
                                                          100, 400);
-                missed += otherMotionWouldShow(own, pairsOf(other, false, arena, merged), 100, 400);
+                missed += otherMotionWouldShow(own, pairsOf(other, false, arena, merged), 100, 300);
             }
         }
         EXPECT_GE(seen[1], 30) << (int)problems[k];
