@@ -135,9 +135,12 @@ class SamplerTest(unittest.TestCase):
         inliers = PLANE.inliers.mean()
         self.assertGreater(inliers, 0.5)  # the termination counts all samples if more than half of the points are inliers
         self.assertEqual(usac_.run()[2].stop, counted.stop)
-        # Now few matches are right, and no sample counts. So only maxIterations can end the search.
-        usac_.setPoints(PLANE.points1, PLANE.points2[::-1])
-        self.assertEqual(usac_.run()[2].stop if usac_.run()[0] is not None else usac.STOP_MAX_ITERATIONS, usac.STOP_MAX_ITERATIONS)
+        # Now fewer than half of the matches are right, and no sample counts. So only maxIterations can end the search.
+        points2 = PLANE.points2.copy()
+        points2[::2] = points2[::2][::-1]
+        points2[1::4] = points2[1::4][::-1]
+        usac_.setPoints(PLANE.points1, points2)
+        self.assertEqual(usac_.run()[2].stop, usac.STOP_MAX_ITERATIONS)
 
     def test_wrong_samples(self):
         class Wrong(Uniform):

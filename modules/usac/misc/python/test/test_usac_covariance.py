@@ -105,6 +105,13 @@ class CovarianceTest(unittest.TestCase):
         space = np.hstack([self.corners, weights])  # points of space, not confidences
         self.assertEqual(usac.pointCovariance("rigid_3d", np.eye(3, 4), np.eye(6), space).shape, (4, 3, 3))
 
+    def test_no_points(self):
+        E = np.array([[0, 0, 0], [0, 0, -1], [0, 1, 0]]) / 2 ** 0.5
+        for problem, model, d, k in (("homography", np.eye(3), 8, 2), ("fundamental", E, 7, 1), ("rigid_3d", np.eye(3, 4), 6, 3)):
+            none = np.empty((0, 3 if k == 3 else 2))
+            found = usac.pointCovariance(problem, model, np.eye(d), none, none if k == 1 else None)
+            self.assertEqual(found.shape, (0, k, k))
+
 
 if __name__ == "__main__":
     unittest.main()

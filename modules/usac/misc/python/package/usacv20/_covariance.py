@@ -13,6 +13,7 @@ import numpy as np
 
 from ._arguments import array, optionalArray, points
 from ._backend import native
+from ._enumerations import ProblemType
 from ._estimate import inPlane, problemOf
 
 if TYPE_CHECKING:
@@ -90,8 +91,6 @@ def pointCovariance(problem: Union[int, str], model: npt.ArrayLike, covariance: 
                                         None if points2 is None else points(points2, "points2", plane2),
                                         optionalArray(cameraMatrix1, "cameraMatrix1"),
                                         optionalArray(cameraMatrix2, "cameraMatrix2"))
-    if found is None:
-        return np.empty((0, 1, 1))
-    size = round(found.shape[1] ** 0.5)
-    result: _Numbers = found.reshape(-1, size, size)
+    size = 1 if number in (ProblemType.FUNDAMENTAL, ProblemType.ESSENTIAL) else 2 if plane2 else 3
+    result: _Numbers = np.empty((0, size, size)) if found is None else found.reshape(-1, size, size)
     return result
