@@ -40,7 +40,7 @@ call enter() and leave(), and the thread that waits for them calls the other fun
 class CV_EXPORTS_W RunControl
 {
 public:
-    CV_WRAP RunControl() : stopped(false) {}
+    CV_WRAP RunControl() : stopped(false) { latest.cost = 1; }
 
     //! From now on, this object observes the runs of the calling thread, until that
     //! thread calls leave().
@@ -65,7 +65,8 @@ public:
     CV_WRAP void cancel() { stopped = true; }
     CV_WRAP bool cancelled() const { return stopped; }
 
-    //! The report of the run that has last reported its progress; an empty report if none has.
+    //! The report of the run that has last reported its progress; if none has, that of a run
+    //! without a model.
     CV_WRAP Report report() const
     {
         const std::lock_guard<std::mutex> lock(mutex);

@@ -27,30 +27,26 @@ void checkEntries(const std::vector<Ptr<T>>& parts, const char* name)
 
 }  // namespace
 
-//! Checks inlierPart(), and calls the score for points without error and for points with the
-//! largest possible error.
-void checkScore(const Score& score)
+void checkScore(const Score& score, int size)
 {
     if (!(score.inlierPart() > 0 && score.inlierPart() <= 1))
         CV_Error_(Error::StsOutOfRange,
                   ("components().score: inlierPart() is %g; above 0 and at most 1 is expected",
                    score.inlierPart()));
-    enum { COUNT = 16 };
+    const int count = score.wholeModel() ? size : std::min(size, 16);
     const float errors[] = {0, FLT_MAX};
-    for (int far = 0; far < 2; ++far)
+    for (int far = 0; far < 2 && count > 0; ++far)
     {
-        float values[COUNT];
-        std::fill(values, values + COUNT, errors[far]);
+        std::vector<float> values(count, errors[far]);
         Quality sum(0, 0);
-        score.accumulate(values, COUNT, 1, sum);
-        if (!(sum.cost >= 0 && sum.cost <= (int)COUNT * (1 + FLT_EPSILON)) ||
-            (!far && sum.inliers != COUNT))
+        score.accumulate(values.data(), count, 1, sum);
+        if (!(sum.cost >= 0 && sum.cost <= count * (1 + FLT_EPSILON)) ||
+            (!far && sum.inliers != count))
             CV_Error_(Error::StsOutOfRange,
                       ("components().score: %d points %s have the cost %g and %d inliers; a cost "
                        "from 0 to 1 per point is expected, "
                        "and points without error must be inliers",
-                       (int)COUNT, far ? "far from the model" : "without error", sum.cost,
-                       sum.inliers));
+                       count, far ? "far from the model" : "without error", sum.cost, sum.inliers));
     }
 }
 

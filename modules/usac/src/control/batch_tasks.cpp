@@ -58,7 +58,11 @@ bool BatchProgress::goesOn()
 void BatchProgress::askNowAndThen()
 {
     if ((getTickCount() - asked) / getTickFrequency() * 1e3 >= CALL_PERIOD)
-        ask(Report());
+    {
+        Report report;
+        report.cost = 1;  // there is no model
+        ask(report);
+    }
 }
 
 bool BatchProgress::ask(const Report& report)

@@ -9,13 +9,13 @@ namespace usacv20 {
 
 namespace {
 
-thread_local const ProgressScope* innermost = 0;
+thread_local ProgressScope* innermost = 0;
 
 }  // namespace
 
 ProgressScope::ProgressScope(const Progress& progress_) : ProgressScope(progress_, innermost) {}
 
-ProgressScope::ProgressScope(const Progress& progress_, const ProgressScope* outer_)
+ProgressScope::ProgressScope(const Progress& progress_, ProgressScope* outer_)
     : progress(progress_), outer(outer_), before(innermost)
 {
     if (!progress)
@@ -23,9 +23,24 @@ ProgressScope::ProgressScope(const Progress& progress_, const ProgressScope* out
     innermost = this;
 }
 
-ProgressScope::~ProgressScope() { innermost = before; }
+ProgressScope::~ProgressScope()
+{
+    if (innermost == this)
+    {
+        innermost = before;
+        return;
+    }
+    ProgressScope* inner = innermost;
+    while (inner && inner->before != this)
+        inner = inner->before;
+    if (!inner)
+        return;
+    inner->before = before;
+    if (inner->outer == this)
+        inner->outer = outer;
+}
 
-const ProgressScope* ProgressScope::current() { return innermost; }
+ProgressScope* ProgressScope::current() { return innermost; }
 
 bool ProgressScope::ask(const Report& report) const
 {

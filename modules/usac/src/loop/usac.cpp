@@ -90,7 +90,7 @@ public:
         const bool guessed = automatic && enough && automatic->guess(context, data, guess);
         start(context);
         if (parts.score != made.score)
-            checkScore(*parts.score);
+            checkScore(*parts.score, context.points.size);
         if (enough)
             search(context, state, guessed ? &guess : 0);
         else
@@ -120,6 +120,9 @@ public:
             return models.refine(model, chosen, mask, report);
         State state;
         models.read(model, &state.best);
+        state.report.stop = STOP_TOO_FEW_POINTS;
+        if (context.points.size < parts.minimalSolver->sampleSize())
+            return models.give(state, mask, report);
         state.report.stop = STOP_NO_SEARCH;
         if (automatic)
             automatic->look(context, state.best);

@@ -117,7 +117,7 @@ void classify(const TwoViewPair& pair, const PairModels& models, const PairModel
         found.R = Mat(motion.R).clone();
         found.t = Mat(motion.t).clone();
     }
-    if (models.H && models.mostlyOnPlane(base))
+    if (models.H && (&base == &models.H || models.mostlyOnPlane(base)))
         readPlane(models, base, models.calibrated() && (byEssential || &base == &models.H), found);
     if (isWatermark(pair, base.mask, PairModels::planarReach() * models.pixels()))
         found.configuration = TWO_VIEW_WATERMARK;

@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -225,6 +226,39 @@ TEST(Usac_Stop, scopes_are_asked_the_innermost_first)
     EXPECT_THROW(const ProgressScope empty(none), cv::Exception);
 }
 
+//! Scopes can end in any order. The functions of those that remain must still be called, the
+//! innermost first.
+TEST(Usac_Stop, scopesEndInAnyOrder)
+{
+    const Scene scene = hardScene(HOMOGRAPHY);
+    Params params = endless(HOMOGRAPHY);
+    params.maxTime = 30;
+    int order[] = {0, 1, 2};
+    do
+    {
+        std::string called;
+        std::unique_ptr<ProgressScope> scopes[3];
+        for (int k = 0; k < 3; ++k)
+            scopes[k].reset(new ProgressScope([&called, k](const Report&) {
+                called += (char)('0' + k);
+                return true;
+            }));
+        std::string expected = "210";
+        for (int left = 3; left >= 0; --left)
+        {
+            called.clear();
+            estimate(scene, params);
+            EXPECT_EQ(expected, called.substr(0, left)) << order[0] << order[1] << order[2];
+            EXPECT_EQ(expected.empty(), called.empty());
+            if (left == 0)
+                break;
+            const int ended = order[3 - left];
+            scopes[ended].reset();
+            expected.erase(expected.find((char)('0' + ended)), 1);
+        }
+    } while (std::next_permutation(order, order + 3));
+}
+
 //! After the progress function has canceled a run on a large scene, no further step that processes
 //! all points is allowed to begin. The run must therefore end within about a second.
 TEST(Usac_Stop, many_points)
@@ -295,7 +329,10 @@ TEST(Usac_Stop, batches_of_short_tasks)
     std::vector<Task> tasks(20000,
                             Task(HOMOGRAPHY, Mat(scene.points1), Mat(scene.points2), Params()));
     int asked = 0;
-    const ProgressScope scope([&](const Report&) { return ++asked < 3; });
+    const ProgressScope scope([&](const Report& report) {
+        EXPECT_EQ(report.inliers == 0, report.cost == 1) << "no model has the cost 1";
+        return ++asked < 3;
+    });
     const std::vector<Estimate> found = estimateBatch(tasks, 1);
     EXPECT_EQ(3, asked);
     EXPECT_FALSE(found.front().model.empty());

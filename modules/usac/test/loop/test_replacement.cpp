@@ -178,6 +178,40 @@ public:
     bool countsInliers() const CV_OVERRIDE { return true; }
 };
 
+//! A score of a caller that has a number for each point, so that it must get all points at once.
+class OwnNumbers : public Score
+{
+public:
+    OwnNumbers() : calls(0), wrong(0) {}
+    void start(const Context& context) CV_OVERRIDE { size = context.points.size; }
+    bool wholeModel() const CV_OVERRIDE { return true; }
+    void accumulate(float* squaredErrors, int count, float squaredThreshold,
+                    Quality& sum) const CV_OVERRIDE
+    {
+        ++calls;
+        wrong += count != size;
+        InliersOnly().accumulate(squaredErrors, count, squaredThreshold, sum);
+    }
+    int size;
+    mutable int calls, wrong;
+};
+
+//! If Score::wholeModel is true, each call must get all points, also before the search, when the
+//! score is checked.
+TEST(Usac_Replacement, scoreOfAllPoints)
+{
+    for (int size : {0, 3, 300})
+    {
+        const Scene scene = makeScene(HOMOGRAPHY, size, 0);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        const Ptr<OwnNumbers> score = makePtr<OwnNumbers>();
+        usac->components().score = score;
+        EXPECT_EQ(size < 4, usac->run().empty());
+        EXPECT_EQ(size > 0, score->calls > 0) << size;
+        EXPECT_EQ(0, score->wrong) << size;
+    }
+}
+
 //! How a run uses a score must depend on the score itself and not on Params::quality. The result
 //! must be that of QUALITY_INLIERS.
 TEST(Usac_Replacement, score)

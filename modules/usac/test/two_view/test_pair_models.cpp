@@ -155,5 +155,35 @@ TEST(Usac_PairModels, significance_whose_square_is_zero)
     }
 }
 
+//! If only H is accepted, the scene is planar or panoramic, whatever `planarRatio` is.
+TEST(Usac_TwoViewGeometry, onlyH)
+{
+    int only = 0;
+    for (int i = 0; i < 24; ++i)
+    {
+        SceneOptions options;
+        options.seed = 1 + i / 2;
+        options.inliers = 18;
+        options.outliers = 200;
+        options.planeFraction = 1;
+        options.baseline = 0.3;
+        Params params = twoPixels();
+        params.threshold = 4;
+        TwoViewRules rules;
+        rules.minInliers = 12;
+        rules.planarRatio = 1;
+        const TwoViewGeometry found = estimateTwoViewGeometry(
+            pairOf(makeScene(ESSENTIAL, options), i % 2 != 0), params, rules);
+        if (found.H.empty() || !found.E.empty() || !found.F.empty())
+            continue;
+        ++only;
+        EXPECT_TRUE(found.configuration == TWO_VIEW_PLANAR ||
+                    found.configuration == TWO_VIEW_PANORAMIC ||
+                    found.configuration == TWO_VIEW_PLANAR_OR_PANORAMIC)
+            << i << ": " << found.configuration;
+    }
+    EXPECT_GT(only, 0);
+}
+
 }  // namespace
 }  // namespace opencv_test

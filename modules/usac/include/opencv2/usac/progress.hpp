@@ -34,14 +34,14 @@ similar functions, #estimateBatch, and Usac::run.
 @endcode
 The function is called by the thread that began the estimation, even if other threads help
 (Params::threads, #estimateBatch), and not before 5 milliseconds have passed; #estimateBatch also
-calls it between two tasks, with a default-constructed Report. Between two calls there is at most
-one step over all points; such a step cannot be interrupted and takes up to 0.15 s for a million
-points, 0.4 s with a kd-tree (#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS). After the function has
-returned false, the estimation takes up to 0.1 s to return. If the function always returns true, the
-result is bit-identical to that without a ProgressScope. An exception from the function ends the run
-and is passed on to the caller; a Usac can be run again afterward. Scopes can be nested: their
-functions are called from the innermost outward until one returns false. Destroy them in reverse
-order, in the thread that created them. */
+calls it between two tasks, with the report of a run without a model. Between two calls there is at
+most one step over all points; such a step cannot be interrupted and takes up to 0.15 s for a
+million points, 0.4 s with a kd-tree (#NEIGHBORHOOD_KNN, #NEIGHBORHOOD_RADIUS). After the function
+has returned false, the estimation takes up to 0.1 s to return. If the function always returns true,
+the result is bit-identical to that without a ProgressScope. An exception from the function ends the
+run and is passed on to the caller; a Usac can be run again afterward. Scopes can be nested: their
+functions are called from the innermost outward until one returns false. They can be destroyed in
+any order, but only by the thread that created them, and not by their own functions. */
 class CV_EXPORTS ProgressScope
 {
 public:
@@ -52,17 +52,17 @@ public:
 private:
     friend class BatchProgress;
     friend class Watch;
-    //! @param outer scope whose function is called after `progress`; null: none
-    ProgressScope(const Progress& progress, const ProgressScope* outer);
+    ProgressScope(const Progress& progress, ProgressScope* outer);
     ProgressScope(const ProgressScope&);
     ProgressScope& operator=(const ProgressScope&);
 
     //! The innermost scope of this thread, or null if there is none.
-    static const ProgressScope* current();
+    static ProgressScope* current();
     bool ask(const Report& report) const;
 
     const Progress progress;
-    const ProgressScope *const outer, *const before;
+    ProgressScope* outer;   //!< scope whose function is called after `progress`; null: none
+    ProgressScope* before;  //!< scope that was the innermost one when this scope was created
 };
 
 //! @}

@@ -130,7 +130,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     //! @ref TwoViewConfiguration.
     CV_PROP_RW int configuration;
     //! N x 1, CV_8U, 1 for inliers of the accepted model (E, F or H); all 0 if no model was
-    //! accepted.
+    //! accepted; empty if a batch was canceled before the pair was looked at.
     CV_PROP_RW Mat mask;
     //! Number of inliers in the mask.
     CV_PROP_RW int inliers;

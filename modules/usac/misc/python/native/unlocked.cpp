@@ -3,6 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "unlocked.hpp"
+#include <atomic>
+#include <memory>
 #include <thread>
 
 namespace cv {
@@ -48,31 +50,71 @@ calls enter(), until this thread calls leave(). */
 class PythonProgress
 {
 public:
-    explicit PythonProgress(const py::object& function_) : function(function_) {}
+    explicit PythonProgress(const py::object& function)
+        : asked(std::make_shared<Asked>(function)), depth(0)
+    {}
+
+    //! If another thread destroys the object, which only happens if leave() was not called, the
+    //! scope cannot be removed from its thread. It then stays there without effect.
+    ~PythonProgress()
+    {
+        if (scope && thread != std::this_thread::get_id())
+        {
+            asked->left = true;
+            scope.release();
+        }
+    }
 
     void enter()
     {
         if (scope)
             CV_Error(Error::StsError, "progress: this object is already in use");
         thread = std::this_thread::get_id();
-        scope.reset(new ProgressScope([this](const Report& report) {
+        const std::shared_ptr<Asked> shared = asked;
+        scope.reset(new ProgressScope([shared](const Report& report) {
+            if (shared->left)
+                return true;
+            const Depth deeper;
             const py::gil_scoped_acquire locked;
-            return function(report).cast<bool>();
+            return shared->function(report).cast<bool>();
         }));
+        depth = Depth::current;
     }
 
     void leave()
     {
         if (scope && thread != std::this_thread::get_id())
             CV_Error(Error::StsError, "progress: it has to be left by the thread that entered it");
+        if (scope && depth != Depth::current)
+            CV_Error(Error::StsError, "progress: it cannot be left by a progress function that a "
+                                      "running estimation calls");
         scope.reset();
     }
 
 private:
-    const py::object function;
+    //! What the scope calls.
+    struct Asked
+    {
+        explicit Asked(const py::object& function_) : function(function_), left(false) {}
+        const py::object function;
+        std::atomic<bool> left;
+    };
+
+    //! Counts the progress functions that are running in this thread, one inside another.
+    struct Depth
+    {
+        Depth() { ++current; }
+        ~Depth() { --current; }
+        static thread_local int current;
+    };
+
+    const std::shared_ptr<Asked> asked;
     std::unique_ptr<ProgressScope> scope;
     std::thread::id thread;
+    int depth;  //!< Depth::current when the scope was made
 };
+
+thread_local int PythonProgress::Depth::current = 0;
 
 }  // namespace
 
