@@ -5,6 +5,7 @@
 
 """Tests of stopping a run: Params.maxTime, usacv20.progress, Ctrl-C."""
 
+import asyncio
 import os
 import re
 import signal
@@ -131,6 +132,69 @@ class StopTest(unittest.TestCase):
             pass
         with scope:  # the object must be usable again after the block
             pass
+
+    def test_left_in_any_order(self):
+        called = []
+
+        def scope(name):
+            return usac.progress(lambda report: called.append(name) or True)
+
+        def calls():
+            called.clear()
+            usac.estimateHomography(*hard(), usac.Params(maxTime=30, **ENDLESS))
+            return set(called)
+
+        first, second, third = (scope(k) for k in range(3))
+        for one in (first, second, third):
+            one.__enter__()
+        self.assertEqual(calls(), {0, 1, 2})
+        first.__exit__(None, None, None)
+        self.assertEqual(calls(), {1, 2})
+        third.__exit__(None, None, None)
+        self.assertEqual(calls(), {1})
+        second.__exit__(None, None, None)
+        self.assertEqual(calls(), set())
+
+    def test_two_tasks_of_asyncio(self):
+        async def task(name, begin, end):
+            await asyncio.sleep(begin)
+            with usac.progress(lambda report: called.append(name) or True):
+                await asyncio.sleep(end)
+
+        async def both():
+            await asyncio.gather(task("first", 0, 0.02), task("second", 0.01, 0.03))
+
+        called = []
+        asyncio.run(both())
+        usac.estimateHomography(*hard(), usac.Params(maxTime=30, **ENDLESS))
+        self.assertEqual(called, [])
+
+    @package
+    def test_not_left_by_its_own_function(self):
+        def leave(report):
+            scope.__exit__(None, None, None)
+
+        scope = usac.progress(leave)
+        with scope:
+            with self.assertRaisesRegex(ERRORS, "progress"):
+                usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
+
+        def nested(report):
+            with usac.progress(lambda report: True):  # a scope that the function itself has entered can end
+                usac.estimateHomography(*hard(), usac.Params(maxTime=20, **ENDLESS))
+            return False
+
+        with usac.progress(nested):
+            _, _, report = usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
+        self.assertEqual(report.stop, usac.STOP_CANCELLED)
+
+    def test_no_model_has_the_highest_cost(self):
+        points1, points2 = hard(60)
+        costs = []
+        with usac.progress(lambda report: costs.append((report.inliers == 0, report.cost)) or len(costs) < 4):
+            usac.estimateHomographies([points1] * 3000, [points1 * 2 + 3] * 3000, threads=1)
+        self.assertTrue(costs)
+        self.assertTrue(all(cost == 1 for none, cost in costs if none))
 
     def test_same_bits(self):
         points1, points2 = hard()
