@@ -247,7 +247,8 @@ returnExceptions -- what happens if an entry is wrong, for example if its lists 
 replaces the result of this entry. False: the exception of one such entry is raised and names the entry
 
 Returns a list with (model, mask, report) for each entry, in the same order. Except for the times in the report, each result is \
-bit-identical to that of {one}. The global interpreter lock is released during the call."""
+bit-identical to that of {one}. If usacv20.progress stops the call, the mask of an entry that was not begun has the shape (0, 1). \
+The global interpreter lock is released during the call."""
 
 
 def functions(problem, first):

@@ -61,7 +61,8 @@ def estimateHomographies(points1: _Lists, points2: _Lists, params: _ParamsOfEach
         exception replaces the result of this entry. False: the exception of one such entry is raised and names the entry
 
     Returns a list with (model, mask, report) for each entry, in the same order. Except for the times in the report, each
-    result is bit-identical to that of estimateHomography. The global interpreter lock is released during the call."""
+    result is bit-identical to that of estimateHomography. If usacv20.progress stops the call, the mask of an entry that was
+    not begun has the shape (0, 1). The global interpreter lock is released during the call."""
     return estimateMany(ProblemType.HOMOGRAPHY, points1, points2, params, threads, returnExceptions)
 
 

@@ -118,7 +118,7 @@ class TwoViewGeometry(typing.NamedTuple):
     determined. F and H refer to undistorted pixels."""
 
     configuration: TwoViewConfiguration
-    mask: npt.NDArray[np.uint8]  # N x 1, 1 for inliers of the accepted model: E, F or H
+    mask: npt.NDArray[np.uint8]  # N x 1, 1 for inliers of the accepted model: E, F or H; (0, 1) if the pair was not begun
     inliers: int  # number of inliers in the mask
     F: _Double  # 3x3, x2^T F x1 = 0 in pixels, unit Frobenius norm
     E: _Double  # 3x3, for normalized image planes, singular values (1, 1, 0)/sqrt(2); set if `mask` marks the inliers of E
