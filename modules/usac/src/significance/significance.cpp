@@ -13,7 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
 
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
 //! among them. While a test does not decide, the next test has MORE times as many points. The final

@@ -16,7 +16,7 @@ namespace {
 //! to the distorted point differs from the unit matrix by up to a third.
 const double LENS[] = {-0.25, 0.1, 0.002, -0.001, 0.02};
 
-//! The smaller standard deviation of a point in image 2, in pixels.
+//! The smaller of the two standard deviations of the noise of a point in an image, in pixels.
 constexpr double SMALL_NOISE = 0.2;
 
 //! A covariance with standard deviations `a` and `b` in two directions at right angles. `angle` is
