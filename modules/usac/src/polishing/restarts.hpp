@@ -67,10 +67,10 @@ private:
     bool look(const Model& model);
     //! Tries fits to the inliers that start from samples of inliers and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Tries fits to the inliers and one outlier at a time that start from samples with this
-    //! outlier. Does nothing if there are more than #NEXT outliers.
+    //! Fits the inliers together with one outlier at a time, starting from samples that contain
+    //! this outlier. Does nothing if there are more than #NEXT outliers.
     void restartOutside(Model& model, Quality& quality);
-    //! Tries fits to the inliers and one outlier at a time that start from the model.
+    //! Fits the inliers together with one outlier at a time, starting from the model.
     void extendInliers(Model& model, Quality& quality);
     //! Least squares over the first `size` members, which starts from the best models of a sample
     //! of these members. If `size` includes an outlier, the sample contains the outlier. `index`,

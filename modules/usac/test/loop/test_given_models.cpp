@@ -5,7 +5,9 @@
 #include "test_precomp.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 
-// Tests of Usac::fit and Usac::refine where points or solvers do not determine a model.
+// Tests of Usac::fit, Usac::refine and Usac::errors: points or solvers that do not determine a
+// model, the threshold and the cost that are reported, lenses, and replaced components. Also tests
+// that a report without a model has neither noise nor cost.
 
 namespace opencv_test {
 namespace {
