@@ -85,7 +85,8 @@ public:
         const Eigen::Map<const Eigen::VectorXd> entries(normal.val, normal.size()),
             unscaled(here.val, here.size());
         const double scale = entries.dot(unscaled) / unscaled.squaredNorm();
-        if (std::abs(std::abs(scale) - 1) < 1e-9)  // then both formulas agree for maps
+        // for an affine map, whose last entry is always 1, both formulas below agree
+        if (std::abs(std::abs(scale) - 1) < 1e-9)
             return basis * (scale < 0 ? -1. : 1.);
         return (basis - entries * basis.row(last)) / here.val[last];
     }
