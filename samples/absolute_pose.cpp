@@ -3,11 +3,11 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // Finds the pose of a camera from an image of a flat object and one or two scenes that contain the
-// object. Points of the object's image become points of space (Z = 0), and their matches in the
-// scene are the image points. cv::solvePnPRansac and usacv20::estimateAbsolutePose find the pose,
-// and the axes of the object are drawn into the scene. The pose in the first scene is the initial
-// model in the second. Without images, a synthetic board and two photographs of it are made, and
-// the true poses are known.
+// object. Points of the object's image become 3-D points (Z = 0), and their matches in the scene
+// are the image points. cv::solvePnPRansac and usacv20::estimateAbsolutePose find the pose, and the
+// axes of the object are drawn into the scene. The pose in the first scene is the initial model in
+// the second. Without images, a synthetic board and two photographs of it are made, and the true
+// poses are known.
 
 #include <opencv2/usac/geometry.hpp>
 #include "tools.hpp"
@@ -25,7 +25,7 @@ struct Scene
     cv::Mat image, truth;
 };
 
-//! Converts pixels of the object's image to points of space. The origin is the middle of the
+//! Converts pixels of the object's image to 3-D points. The origin is the middle of the
 //! object, X points to the right, Y up, Z to the viewer; the object is 1 wide.
 std::vector<cv::Point3f> placesInSpace(const std::vector<cv::Point2f>& pixels, cv::Size object)
 {

@@ -106,7 +106,7 @@ class Native(build_ext):
 
     def pybind11(self):
         """Returns the folder of the CMake files of pybind11 if it is installed for this Python,
-        otherwise an empty text."""
+        otherwise an empty string."""
         found = subprocess.run([sys.executable, "-m", "pybind11", "--cmakedir"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
         return found.stdout.decode().strip()
 

@@ -36,8 +36,8 @@ struct Summary
         meanWallRatio;  //!< the figures divided by those of the baseline
 };
 
-//! Summaries of all methods on one list. @param baseline index of the method by whose figures the
-//! ratios divide
+//! Summaries of all methods on one list. @param baseline index of the method whose figures are the
+//! denominators of the ratios
 std::vector<Summary> summarize(const ListResult& result, int baseline);
 
 /** Averages over lists for all methods, as in Table 2 of the USACv20 paper.

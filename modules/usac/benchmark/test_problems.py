@@ -78,7 +78,7 @@ class PlaneMapTest(ProgramTest):
             self.assertLess(distances[right].max(), 3e-4)
             self.assertGreater(np.median(np.delete(distances, right)), 20)
             self.assertLess(pair.scores[right].max(), np.delete(pair.scores, right).min(),
-                            "with --scores=1, all right matches must have better scores")
+                            "with --scores=1, each right match must have a better score than all wrong ones")
             self.assertLess(np.abs(pair.gt_points[:, :2] @ A[:, :2].T + A[:, 2] - pair.gt_points[:, 2:]).max(), 1e-9)
             similar = abs(A[0, 0] - A[1, 1]) + abs(A[0, 1] + A[1, 0])
             self.assertEqual(similar < 1e-9, letter != "A", A)

@@ -96,7 +96,7 @@ class SyntheticMotionTest(ProgramTest):
             self.assertLess(distances[motion.right].max(), 1e-3)
             self.assertGreater(np.median(np.delete(distances, motion.right)), 50)
             self.assertLess(motion.scores[motion.right].max(), np.delete(motion.scores, motion.right).min(),
-                            "with --scores=1, all right matches must have better scores")
+                            "with --scores=1, each right match must have a better score than all wrong ones")
             # The points fill a cube of side 200, for which size() is half of the side.
             self.assertAlmostEqual(motion.size() / (motion.scale * 100), 1, delta=0.15)
 

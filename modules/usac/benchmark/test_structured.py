@@ -106,7 +106,7 @@ class StructuredTest(FolderTest):
             self.assertIn("--motions: %s is unknown" % motion, self.run_program("--mode=accuracy", "--motions=" + motion).stderr)
         rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=baseline1,general", "--noises=0.2", "--ratios=1", "--runs=20")
         short, long = (float(row["median_pose"]) for row in rows if row["method"] == "USACV20")
-        self.assertGreater(short, 10 * long, "the error of the translation's direction must be much larger")
+        self.assertGreater(short, 10 * long, "the short baseline must make the error of the direction much larger")
 
     def test_counts_are_consistent(self):
         rows, _ = self.rows("--problems=H,E", "--methods=USACV20_FAST,cv:RANSAC", "--kinds=clustered,copies,second",

@@ -114,7 +114,7 @@ class SyntheticViewTest(ProgramTest):
             self.assertGreater(np.median(np.delete(errors, view.right)), 50)
             self.assertTrue(4 - 1e-5 < depths.min() < 5 and 8 < depths.max() < 9 + 1e-5, depths)
             self.assertLess(view.scores[view.right].max(), np.delete(view.scores, view.right).min(),
-                            "with --scores=1, all right matches must have better scores")
+                            "with --scores=1, each right match must have a better score than all wrong ones")
             self.assertTrue((view.points > 0).all() and (view.points < (640, 480)).all())
 
     def test_plane(self):

@@ -153,9 +153,9 @@ sys.exit(bad)'
 slow_tests='Usac_Scale.*:UsacScale.work_is_linear*:Usac_Confidence.*:Usac_Degensac.dominantPlanes:Usac_Degensac.generalScenes*'
 slow_tests=$slow_tests:Usac_Hostile.most_points_of_one_image_on_a_line:Usac_StopLate.*
 
-# Further tests that measure frequencies or means over many scenes. They are not run by an emulator,
-# which is about 30 times slower: the stored hashes show that the results are the same as on other
-# processors.
+# Further tests that measure frequencies or means over many scenes. They are not run with sanitizers
+# and assertions, because other tests reach the same code, and not by an emulator, which is about 30
+# times slower: the stored hashes show that the results are the same as on other processors.
 statistics='Usac_Significance.*:Usac_Agreeing.*:Usac_ConfirmedOrder.badScoresAreSeen:Usac_Leverage.small_baselines'
 statistics=$statistics:Usac_PlaneParallax.fewSearchFailures:Usac_Alternatives.scores_of_another_motion_do_not_mislead
 statistics=$statistics:Usac_PointCovariances.accuracy*:Usac_PointCovariances.significance*:Usac_RepeatedStructure.*

@@ -23,7 +23,8 @@
 #   coverage    lines and branches of src/ that the tests reach, and a list of lines that no test
 #               reaches
 #
-# "The tests" are all except slow_tests (common.sh) and those with the tag verylong.
+# "The tests" are all except slow_tests and statistics (common.sh; coverage includes the latter) and
+# those with the tag verylong.
 #
 # For each tool, the library is built with the unmodified OpenCV (libopencv-dev) and GoogleTest of the
 # system.
@@ -70,7 +71,7 @@ run_asan()
 {
     build_with asan opencv_test_usac g++ "$sanitizers" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -g1 $sanitizers" &&
     ASAN_OPTIONS="$leaks:detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1" \
-        UBSAN_OPTIONS=print_stacktrace=1 tests_of asan in_shards bin/opencv_test_usac --gtest_filter="-$slow_tests"
+        UBSAN_OPTIONS=print_stacktrace=1 tests_of asan in_shards bin/opencv_test_usac --gtest_filter="-$slow_tests:$statistics"
 }
 
 run_tsan()
@@ -82,7 +83,7 @@ run_tsan()
 run_assertions()
 {
     build_with assertions opencv_test_usac g++ -D_GLIBCXX_ASSERTIONS &&
-    tests_of assertions in_shards bin/opencv_test_usac --gtest_filter="-$slow_tests"
+    tests_of assertions in_shards bin/opencv_test_usac --gtest_filter="-$slow_tests:$statistics"
 }
 
 run_valgrind()

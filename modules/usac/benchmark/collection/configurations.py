@@ -11,15 +11,19 @@ their essential matrix; pairs with right ones should not, whatever wrong matches
     configurations.py --kinds repeated --motions general forward side short --threshold 4
 
 Images have 640 x 480 pixels, a focal length of 600 pixels, and noise of 0.4 pixels in each coordinate
-of both images. The first part of the right matches is on a plane, the others are at depths of 4 to 9,
-with the baseline between 0.5 and 1.2 (motion `general`). The kinds of pairs:
+of both images. Some of the right matches are on a tilted plane, which the optical axis of camera 1
+meets at depth 6; the others are at depths of 4 to 9. With the motion `general`, the camera rotates
+about this point of the plane by 0.05 to 0.3 radians and is also shifted by 0.5 to 1.2 (in the unit of
+the depths). The kinds of pairs:
 
 wrong     the focal length of both cameras is given too small or too large, by factors of 0.5 to 4; 60
-          to 300 right matches, up to 90 % on a plane, and half as many wrong ones: none, uniform, in
-          3 or in 10 clusters
-right     right focal lengths; 20 to 300 right matches, up to all on a plane, 0 to 300 wrong ones
-repeated  right focal lengths; as wrong matches, right ones whose second point is shifted by 10, 20 or
-          40 pixels to the left or right, as if it was matched with the next window of a facade
+          to 300 right matches, up to 90 % on a plane; no wrong matches, or half as many as right ones
+          (uniform, in 3 or in 10 clusters)
+right     right focal lengths; 20 to 300 right matches, up to all on a plane; 0 to 300 wrong matches
+          (uniform, in 3 or in 10 clusters)
+repeated  right focal lengths; the wrong matches are copies of right ones whose second point is shifted
+          by 10, 20 or 40 pixels to the left or right, as if it was matched with the next window of a
+          facade
 
 Columns: kind and motion, the number of pairs, and how many of them get each configuration; `changed`
 is the sum of UNCALIBRATED and PLANAR_OR_PANORAMIC, which have no essential matrix."""

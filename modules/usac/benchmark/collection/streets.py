@@ -16,7 +16,8 @@ neighbors of the descriptors that pass a ratio test of 0.8. So images without a 
 matches between different windows, and many of these matches agree with a motion that no camera has
 made. Scales and angles of keypoints follow from the surface, with noise as in photographs: between
 the two keypoints of a right match they differ with standard deviations of 0.13 octaves and 3.5
-degrees (the Gaussian part, measured with COLMAP's SIFT on eleven surveyed collections).
+degrees (those of the Gaussian part of the differences that were measured with COLMAP's SIFT on eleven
+surveyed collections).
 
 Columns, with sums over --seeds collections; only pairs with at least 15 matches count:
 layout         kind of the scene, see --layout

@@ -50,8 +50,8 @@ private:
     void compare(const KnownScene& scene, double error, const cv::usacv20::Params& params,
                  double widening);
 
-    int scenes, none, wrong, unknown;  //!< all; without a model; with a wrong model; with an
-                                       //!< undetermined covariance
+    int scenes, none, wrong, unknown;  //!< numbers of scenes: all; without a model; with a wrong
+                                       //!< model; with an undetermined covariance
     int determined, within, estimated;
     double sum, sigmas;
     int compared;

@@ -33,7 +33,8 @@ public:
 
     //! True if the error of a model is in pixels; otherwise it is in degrees.
     virtual bool inPixels() const { return true; }
-    //! True if the problem needs the camera matrix of image 1, or of image 2.
+    //! hasCamera1: true if the problem needs the camera matrix of image 1; hasCamera2: the same for
+    //! image 2.
     virtual bool hasCamera1() const { return false; }
     virtual bool hasCamera2() const { return false; }
     //! Reads the matches and the ground truth of a pair, see readImagePair(). Default: reads the

@@ -70,7 +70,7 @@ public:
     int64 tested() const { return count; }
 
 private:
-    enum { LARGEST_BLOCK = 256 };  //!< as in src/scoring/rate.cpp
+    enum { LARGEST_BLOCK = 256 };  //!< the same as BLOCK in src/scoring/rate.cpp
 
     const cv::Ptr<cv::usacv20::Verifier> verifier;
     mutable int before;

@@ -57,9 +57,9 @@ struct Cell
 @return false for any other name. */
 bool setMotion(const std::string& name, opencv_test::SceneOptions& options);
 
-/** Sets the kind of wrong matches or repetitions by name. Unless it says otherwise, a row describes
-all wrong matches. For shiftN, movingN and placeN, N is a number; the row describes wrong matches
-that are N percent of all matches, and the other wrong matches are generic:
+/** Sets the kind of wrong matches or repetitions by name. A row describes all wrong matches unless
+the row says otherwise. For shiftN, movingN and placeN, N is a number; the row describes wrong
+matches that are N percent of all matches, and the other wrong matches are generic:
 
     generic     anywhere in both images
     clustered   from a square of side 80 pixels in image 1 to one in image 2
@@ -72,7 +72,8 @@ that are N percent of all matches, and the other wrong matches are generic:
     copies      generic; every match, right or wrong, occurs five times
     second      true matches of another model, 90 % as many as right matches, in image 1 in a
                 square of side 160 pixels
-    partSecond  like second, but 70 % as many (at most all wrong matches); the others are generic
+    partSecond  like second, but only 70 % as many as right matches, or all wrong matches if there
+                are fewer; the other wrong matches are generic
     shiftN      shifted by the same vector of 30 to 100 pixels
     movingN     true matches of another plane that moves differently from the scene
     placeN      to one point of image 2, with Gaussian noise of 0.4 pixels

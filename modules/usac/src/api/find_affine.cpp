@@ -24,7 +24,7 @@ static const ArgumentName AFFINE_NAMES[] = {{"points1", "from"},
 static const ArgumentName ARRAYS_OF_PARAMS[] = {{"points1", "pts1"}, {"points2", "pts2"}};
 
 //! Converts a `size_t` argument of calib3d's functions to int. A number above INT_MAX raises
-//! a cv::Exception; so does a negative number, which its conversion to `size_t` has made huge.
+//! a cv::Exception; so does a negative number, because the conversion to `size_t` makes it huge.
 static int countOf(const char* name, size_t count)
 {
     if (count > (size_t)INT_MAX)

@@ -10,7 +10,8 @@ namespace cv {
 
 using usacv20::Params;
 
-//! Arguments to which calib3d's function gives other names. The arrays have the same names.
+//! Arguments to which calib3d's function gives other names than this module does. The names of the
+//! arrays do not differ.
 static const usacv20::ArgumentName POSE_NAMES[] = {{"threshold", "reprojectionError"},
                                                    {"maxIterations", "iterationsCount"}};
 

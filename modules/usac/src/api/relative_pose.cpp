@@ -118,9 +118,10 @@ public:
 
 private:
     //! Of the four motions of the essential matrix, selects the one with the most inliers in front
-    //! of both cameras, and computes the other members of the solution. An estimated threshold of a
-    //! refinement would differ from that of the search; the two motions of a plane are comparable
-    //! only with the same threshold.
+    //! of both cameras, and computes the other members of the solution.
+    //! @param threshold threshold of the search, also if `solution` is the result of a refinement:
+    //! a threshold estimated in the refinement could differ, and the two motions of a plane are
+    //! comparable only with the same threshold
     void read(Solution& solution, double threshold)
     {
         const Mat errors = usac->errors(solution.essential);
@@ -161,8 +162,8 @@ private:
     double limit(const Solution& solution) const { return unit * solution.threshold; }
 
     /** Finds the homography of the plane with the largest number of inliers, and the image of one
-    point of this plane in image 1. If the search for the plane is stopped, this is the stop reason
-    of the solution.
+    point of this plane in image 1. If the search for the plane is stopped, its stop reason becomes
+    the stop reason of `found`.
     @return number of inliers on the plane; 0: none was found, or the run was stopped */
     int plane(Solution& found, Matx33d& H, Vec3d& point) const
     {
@@ -201,9 +202,10 @@ private:
         return countNonZero(mask);
     }
 
-    //! Options of the search for the plane among the inliers in the given rows: the time that is
-    //! left, and one sigma for each inlier, relative to the mean sigma, which is the unit of the
-    //! points there, within the limits of Params::sigmas.
+    //! Options of the search for the plane among the inliers in the given rows: among others, the
+    //! time that is left and, if there are Params::sigmas, one sigma for each inlier. It is divided
+    //! by the mean sigma, because plane() passes points in units of the mean sigma, and clamped to
+    //! the limits of Params::sigmas.
     Params optionsOfPlane(const Solution& found, const std::vector<int>& rows) const
     {
         Params options;

@@ -27,8 +27,8 @@ public:
     int size() const { return n; }
     //! T'_n: number of samples after which the set grows to n + 1 points.
     double samples() const { return limit; }
-    //! T_n. The T'_n samples drawn so far contain, on average, at least as many all-inlier samples
-    //! as T_n uniform samples of the n best points.
+    //! T_n. The first T'_n samples contain, on average, at least as many all-inlier samples as T_n
+    //! uniform samples of the n best points.
     double uniformSamples() const { return expected; }
 
 private:

@@ -24,7 +24,8 @@ enum Stream {
                           //!< points, to find a plane, and samples for new models
     STREAM_CORE,          //!< samples of those inliers that have neighbors in common in both
                           //!< images, see neighborlyCore()
-    STREAM_WRONG          //!< wrong points of problems with one array, see countAgreement()
+    STREAM_WRONG          //!< artificial wrong points, drawn if a problem has only one array, see
+                          //!< countAgreement()
 };
 
 //! Stream number for Rng. Each purpose has 2^40 streams; `number` is the index of the stream among

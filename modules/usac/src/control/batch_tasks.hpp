@@ -30,12 +30,13 @@ public:
     //! True if the calling thread has a ProgressScope, so that its estimations can be canceled.
     static bool isWatched() { return ProgressScope::current() != 0; }
 
-    //! While an object of this class exists, its thread is registered as working for the batch.
+    //! While an object of this class exists, its thread counts as working for the batch, unless it
+    //! is the calling thread or there is no ProgressScope.
     class Worker
     {
     public:
         explicit Worker(BatchProgress& batch);
-        //! The calling thread waits here until all other registered threads are done, and calls the
+        //! The calling thread waits here until no other thread works for the batch, and calls the
         //! progress functions meanwhile.
         ~Worker();
 

@@ -21,8 +21,8 @@ constexpr double LOOK_PERIOD = 5;
 //! the actual time, a run can end too early, by at most the duration of such a step.
 constexpr double TEST = 2e-6;
 //! Milliseconds that polishing is allowed to take after a run was stopped; for a thousand points,
-//! it needs a third of a millisecond. With 10 000 points or more, a stopped run ends this much
-//! later.
+//! it needs a third of a millisecond. With 10 000 points or more, it takes all of this time, so
+//! that the run ends this much after it was stopped.
 constexpr double GRACE = 2;
 
 int64 ticks(double milliseconds)

@@ -13,8 +13,8 @@ namespace {
 //! Step of the central differences that approximate the derivative of the conversion of points, see
 //! stepAt(): at least STEP in the coordinates of the model (E: on the normalized image plane), and
 //! at least RELATIVE_STEP times the given coordinate, so that rounding errors of points far away
-//! are small. The derivative of a lens distortion changes by about the square of STEP. See
-//! doc/constants.md.
+//! are small. For a lens distortion, the error of this approximation is about the square of STEP.
+//! See doc/constants.md.
 constexpr double STEP = 1e-4, RELATIVE_STEP = 1e-6;
 
 //! Computes the triangular root L = [p 0; q s] of the covariance M M^T with M = [a b; c d], so that

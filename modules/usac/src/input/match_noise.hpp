@@ -16,8 +16,9 @@ first array. A covariance is given as its upper triangle xx, xy, yy. */
 class MatchNoise
 {
 public:
-    //! Correspondences::noise (0, 1, 3 or 6) for N = `count` matches and 0, N, 3 N or 6 N numbers.
-    //! Raises cv::Exception if the problem does not support as many covariances.
+    //! Correspondences::noise for N = `count` matches: 0 without sigmas, 1 for N sigmas. For 3 N or
+    //! 6 N numbers, it is 6 if both arrays are images, otherwise 3. Raises cv::Exception if the
+    //! problem does not support one or two covariances per match.
     static int columnsOf(const Problem& problem, const std::vector<float>& sigmas, int count);
 
     //! @param sigmas_ Params::sigmas, not empty
@@ -25,8 +26,8 @@ public:
 
     //! Correspondences::meanSigma.
     double mean() const { return unit; }
-    //! Standard deviation of a match; for covariances, that of isotropic noise with an error of
-    //! about the same variance.
+    //! Standard deviation of the noise of a match; if the match has covariances, that of isotropic
+    //! noise with which its error would have about the same variance.
     double sigma(int match) const;
 
     /** @brief Computes the columns that describe the noise in the coordinates of the model.

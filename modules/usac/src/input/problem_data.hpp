@@ -108,15 +108,15 @@ private:
                                 //!< noise of the matches; null: not stored
     const double* seenDoubles[MAX_COLUMNS];  //!< `seen`, shuffled and normalized, for imagePoints()
     const float* seenFloats[MAX_COLUMNS];
-    int described;  //!< number of matches that Params::sigmas describe, if there are any: that of
-                    //!< the points read before; 0: no points were read
+    int described;  //!< number of matches in the arrays read last, which Params::sigmas, if there
+                    //!< are any, describe; 0: no points were read
 
     ProblemData(const ProblemData&);
     ProblemData& operator=(const ProblemData&);
 };
 
-//! The model for the mask: the returned matrix with unchanged entries if Problem::ofOutput can
-//! convert this matrix, else `model`.
+//! The model for the mask, in the coordinates of Problem::toModelCoordinates: the returned matrix,
+//! converted by Problem::ofOutput, or `model` if the problem has no such conversion.
 inline Model modelOfMask(const Problem& problem, const Mat& returned, const Model& model)
 {
     const Model exact = problem.ofOutput(returned);

@@ -36,9 +36,10 @@ wrong, because the inliers of the right model have higher ranks:
 Therefore a model other than that of lowest cost is chosen on three conditions. Its gain is at least
 94 % (order) or 60 % (neighbors) of the gain of the model of lowest cost. At least half of its
 inliers are inliers of the model of lowest cost, too, but the two models do not have nearly the same
-inliers. And with its inliers, the log-likelihood of a ranking (orderLogLikelihood()) is higher by
-more than the difference of the gains plus the effect of chance. Misleading scores can do little
-harm, because they decide only if the gains are nearly equal. */
+inliers. And the log-likelihood of a ranking (orderLogLikelihood()) is higher with its inliers than
+with those of the model of lowest cost, by more than the difference of the gains plus the effect of
+chance. Misleading scores can do little harm, because they decide only if the gains are nearly
+equal. */
 class Alternatives
 {
 public:

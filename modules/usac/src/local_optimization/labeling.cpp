@@ -40,11 +40,11 @@ float Labeling::weight(float squaredError) const
     return weight > NEGLIGIBLE ? weight : 0;  // NaN gives 0
 }
 
-/* An edge (p, q) changes the cost of p as an inlier minus its cost as an outlier by -lambda a if q
-is an inlier, and by lambda (1 - a) if q is an outlier, with a = (K_p + K_q) / 2. The most that all
-edges of p can change is reached for K_q = 0 if all q are outliers, and for K_q = 1 if all are
-inliers. For most points, 1 - 2 K_p, the difference of the two costs without edges, is of larger
-magnitude than this change, so that the error alone tells the label. */
+/* Let D be the cost of p as an inlier minus its cost as an outlier. Without edges, D is 1 - 2 K_p.
+An edge (p, q) changes D by -lambda a if q is an inlier, and by lambda (1 - a) if q is an outlier,
+with a = (K_p + K_q) / 2. All edges of p together change D most if all q are outliers with K_q = 0,
+or if all q are inliers with K_q = 1. For most points, 1 - 2 K_p is of larger magnitude than even
+this change, so that the error alone tells the label. */
 void Labeling::labelByError(const Context& context, const Model& model, uchar* wanted)
 {
     context.components.residual->squaredErrors(context.points, model, 0, size, errors);

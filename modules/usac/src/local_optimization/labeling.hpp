@@ -58,7 +58,7 @@ private:
     //! Labels the nodes with a minimum cut.
     void labelByCut(Arena& arena, const Vec2i* edges, int count);
 
-    // The following members are valid only during cut(), except for the memory of `graph`.
+    // The members from here to `graph` are valid only during cut(); `graph` keeps its memory.
     float lambda;
     float factor;   //!< K_p = exp(factor error_p^2)
     float* errors;  //!< squared error of each point

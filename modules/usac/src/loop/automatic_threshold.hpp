@@ -54,7 +54,8 @@ public:
     bool guess(const Context& context, ProblemData& data, Model& model);
     //! Takes step 4. @param ransac the search, which has ended
     void adapt(const Context& context, ProblemData& data, const State& state, Ransac& ransac);
-    //! Replaces steps 1 to 4 if a model is given: estimates the noise of this model.
+    //! Replaces steps 1 to 4 for Usac::refine, which has a model and does not search: estimates the
+    //! noise of this model.
     void look(const Context& context, const Model& model);
     //! Takes step 5. @return standard deviation of the noise, in the unit of Params::threshold; 0:
     //! unknown

@@ -29,8 +29,8 @@ public:
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report);
     Mat errors(InputArray model) const;
 
-    //! Converts a model of the caller to the coordinates of `points`. Raises cv::Exception if it is
-    //! not a model of the problem.
+    //! Converts a model of the caller to the coordinates of Problem::toModelCoordinates. Raises
+    //! cv::Exception if it is not a model of the problem.
     //! @param forSearch output, the same model in the coordinates of the search; can be null
     Model read(InputArray given, Model* forSearch) const;
     //! Returns State::best in the form in which Usac::run returns models if Report::stop is

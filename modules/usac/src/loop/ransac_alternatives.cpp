@@ -43,7 +43,7 @@ void Ransac::chooseByRank()
 }
 
 //! Offers the result of neighborlyCore() as an alternative, unless it has a lower cost than the
-//! best model: it is then nearly the same model as the best one, which polishing makes as good.
+//! best model: the two are then nearly the same model, and polishing makes the best model as good.
 void Ransac::offerCore(const Model& core)
 {
     const Quality quality = discounted(core, context.rate(core));

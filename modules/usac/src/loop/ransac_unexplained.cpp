@@ -40,11 +40,13 @@ namespace {
 
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
-//! Without evidence of a rival, the number of samples of unexplained points is at most
-//! 1 / FIRST_PART of the number of all samples drawn so far, or LEAST_SAMPLES if this is more.
+//! Without evidence of a rival, the number of samples of unexplained points for one best model is
+//! at most 1 / FIRST_PART of the number of all samples drawn so far, or LEAST_SAMPLES if this is
+//! more.
 constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
-//! With evidence of a rival, the number of samples of unexplained points is at most 1 / MOST_PART
-//! of the number of other samples drawn so far, or LEAST_SAMPLES if this is more.
+//! With evidence of a rival, the number of samples of unexplained points for all best models so far
+//! is at most 1 / MOST_PART of the number of other samples drawn so far, but LEAST_SAMPLES are
+//! allowed for each best model.
 constexpr int MOST_PART = 3;
 //! A rival has at least this many inliers that the best model does not explain, as a fraction of
 //! the inliers of the best model. Models of random wrong matches reach fractions up to 0.06, models

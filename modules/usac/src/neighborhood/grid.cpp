@@ -16,7 +16,8 @@ namespace {
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
 //! Number of points whose cells are computed together.
 constexpr int BLOCK = 256;
-//! Maximum number of edges from a point to later points in its cell of the second layer.
+//! Maximum number of edges from a point to points of its cell of the second layer that come later
+//! in the list of points sorted by code.
 //! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr int CELL_LINKS = 3;
 

@@ -25,10 +25,10 @@ damping @cite more1978levenberg after a step that does not lower the cost.
 
 Minimizes the sum of (weighted) squared errors of a Residual, starting from a given model. The
 parameterization is minimal: it has dimension() parameters for the NUMBERS entries of a model, and
-the methods project(), plus(), model() and wellConditioned(); a fit fails if the last is false. As
-the fit starts from a model, it needs no linear estimate; it therefore works on planar scenes, where
-the eight-point method fails. A fit takes about 40 (H) or 100 (F, E) operations per point and
-iteration, and twice as many for the symmetric errors.
+the methods project(), plus(), model() and wellConditioned(). A fit fails if wellConditioned() is
+false for its result. As the fit starts from a model, it needs no linear estimate; it therefore
+works on planar scenes, where the eight-point method fails. A fit takes about 40 (H) or 100 (F, E)
+operations per point and iteration, and twice as many for the symmetric errors.
 
 The first step is not damped, because a polisher can request only one step in each call of fit().
 With damping, weakly determined parameters (the epipole under forward motion) would hardly change in

@@ -28,14 +28,15 @@ included again, at first only points of low leverage, as in a forward search
 two conditions:
 - The errors of the included points that are inliers of the original model decrease by more than
 chance explains.
-- The inliers that the fit loses are not evidence against the fit. Let p be the probability that a
-model has by chance at least as many inliers more than the fit. Then p must be at least 1 / n^2 for
-n outliers, because the best of all models through two outliers reaches such a p by chance. And the
-increase of the log-likelihood by the smaller errors must be at least -log(p).
+- The inliers that the fit loses are not evidence against the fit. If the fit has k inliers fewer
+than the original model, let p be the probability that a model has k or more additional inliers by
+chance. Then p must be at least 1 / n^2 for n outliers, because the best of all models through two
+outliers reaches such a p by chance. And the increase of the log-likelihood by the smaller errors
+must be at least -log(p).
 
 If most right matches are on a plane, the right matches off the plane have a high leverage, too. But
-these are more than the wrong matches that fit one epipole by chance. If most inliers are on a
-plane, the errors must decrease more, and E is not changed.
+there are more of them than of wrong matches that fit one epipole by chance. If most inliers are on
+a plane, the errors must decrease more, and E is not changed.
 
 The method is used only for errors with one component: with more components, a wrong match is rarely
 within the threshold by chance. To limit the time, the first fit uses at most #MOST inliers. Later

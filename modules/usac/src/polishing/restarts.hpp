@@ -11,11 +11,13 @@ namespace cv {
 namespace usacv20 {
 
 /** @brief Fits to the inliers of a polished model from other starting points, if the inliers are
-few or the threshold is wide.
+few or the threshold is wide (a point is an inlier of a wrong model with a probability of at least
+0.2).
 
-The sum of squared errors has local minima. A search that has rated thousands of models has found
-the best minimum. A search that ends after its first sample might have missed the best minimum, for
-example because there are only ten points, whose errors are below a wide threshold under any model.
+The sum of squared errors has local minima. A search that has rated thousands of models has usually
+found the best minimum. A search that ends after its first sample might have missed the best
+minimum, for example because there are only ten points, whose errors are below a wide threshold
+under any model.
 Orientation checks make this worse if they reject right models: for an H whose horizon lies between
 the points, they reject all samples except those with all points on one side of the horizon, which
 might all lead to one wrong minimum.
@@ -27,8 +29,10 @@ much lower: more models are rejected than accepted, so that one of the rejected 
 lower minimum by chance more often.
 
 A few inliers close to each other determine the model poorly far from them. Therefore the outliers
-with the smallest errors are tried, too: a fit to the inliers and one such outlier replaces the
-model if all of these points are inliers of the fit, with hardly larger errors. */
+with the smallest errors are tried, too. A fit to the inliers and one such outlier replaces the
+model if its loss over these points (lossOf()) is lower than that of the model and if its cost is
+not higher. If the fit starts from the model, the outlier must also increase the loss only a
+little. */
 class Restarts
 {
 public:
@@ -63,10 +67,10 @@ private:
     bool look(const Model& model);
     //! Tries fits to the inliers that start from samples of inliers and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Tries fits to the inliers and one outlier at a time that start from samples with this
-    //! outlier.
+    //! Fits the inliers together with one outlier at a time, starting from samples that contain
+    //! this outlier. Does nothing if there are more than #NEXT outliers.
     void restartOutside(Model& model, Quality& quality);
-    //! Tries fits to the inliers and one outlier at a time that start from the model.
+    //! Fits the inliers together with one outlier at a time, starting from the model.
     void extendInliers(Model& model, Quality& quality);
     //! Least squares over the first `size` members, which starts from the best models of a sample
     //! of these members. If `size` includes an outlier, the sample contains the outlier. `index`,

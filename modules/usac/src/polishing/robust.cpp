@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
 
 /** Support of the biweight (the error from which on its weight is 0) in standard deviations of the
 noise. With 5.3, the standard errors of fits are 1.6 % (F, E) or 2.3 % (H) larger than those of
@@ -32,9 +32,9 @@ constexpr int BLOCK = 256, LAST = 10;
 //! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
 //! point within the support, or if the scale changes by at least the fraction SAME_SCALE.
 constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
-//! The noise is estimated in the first step, in the middle step, in steps after which the loss has
-//! settled (see SETTLED), and in steps after which the loss has decreased by more than MARKED times
-//! the loss of the points within the support.
+//! The noise is estimated before the first step, before the middle step, after each step with which
+//! the loss has settled (see SETTLED), and after each step that has decreased the loss by more than
+//! MARKED times the loss of the points within the support.
 constexpr double MARKED = 0.1;
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,

@@ -21,7 +21,7 @@ repeated. A point i that is not in the sample is thus the next one with probabil
 is the sum of the weights of all points that are not in the sample. Samples that are uniform because
 of Params::orderedEvery can also contain points of weight 0. Other samples contain such points only
 if fewer than m points (m is the sample size) have a positive weight: each sample then consists of
-these points and of uniformly drawn points of weight 0.
+all points of positive weight and of uniformly drawn points of weight 0.
 
 The sampler uses Walker's alias method @cite walker1977efficient in the form of Vose @cite
 vose1991linear: the n points of positive weight have columns of equal probability. A column belongs

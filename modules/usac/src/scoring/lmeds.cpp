@@ -22,11 +22,11 @@ constexpr double DEVIATIONS = 2.5, SMALL_SETS = 5;
 the points must be inliers.
 
 The cost of a model is s / (s + extent) per point, where s is the square root of the median
-squared error and `extent` the size of the image (Problem::outlierExtent). For small s this is about
-the median error divided by the image size. Quality::inliers counts the points with errors up to the
-median, because the method assumes that half of the points are inliers. Points with errors up to a
-multiple of the median do not count: a wrong model has a large median, so that most points would be
-inliers, and the termination criterion would end the search too early.
+squared error and `extent` the extent of the points (Problem::outlierExtent). For small s this is
+about the median error divided by this extent. Quality::inliers counts the points with errors up to
+the median, because the method assumes that half of the points are inliers. The limit is not a
+multiple of the median: a wrong model has a large median, so that most points would be inliers, and
+the termination criterion would end the search too early.
 
 The threshold of the final inliers is q c (1 + 5 / (n - m)) s for n points and samples of m points.
 The factor c converts s to the standard deviation of Gaussian noise (1.4826 for F and E). The factor

@@ -11,10 +11,10 @@ namespace usacv20 {
 namespace {
 
 /** Score for a search without a known threshold (#THRESHOLD_ESTIMATED). The cost of a point with
-error e <= t is log(1 + e^2 / s^2) / log(1 + t^2 / s^2), where t is the threshold of the points,
-here an upper bound of the unknown threshold, and s is t / #FINEST; the cost of a point with a
-larger error is 1. No noise level between s and t is preferred: doubling an error in this range
-always increases the cost by about the same amount. The logarithm is read from the bits of the
+error e <= t is log(1 + e^2 / s^2) / log(1 + t^2 / s^2), where t is Correspondences::threshold, here
+an upper bound of the unknown threshold, and s is t / #FINEST; the cost of a point with a larger
+error is 1. No noise level between s and t is preferred: doubling an error in this range always
+increases the cost by about the same amount. The logarithm is read from the bits of the
 floating-point number, that is, it is interpolated linearly between powers of two; this changes the
 cost by at most 0.0055. */
 class LogarithmicScore : public Score

@@ -17,13 +17,14 @@ namespace {
 constexpr int SIZE = 1024;
 
 /** MAGSAC @cite barath2019magsac: the log-likelihood of the model, averaged over the noise level
-sigma, which is uniformly distributed in 0 .. sigma_max.
+sigma, which is uniformly distributed in 0 .. sigma_max, where k sigma_max is the threshold
+(k = thresholdInSigmas()).
 
-Given sigma, points with errors up to k sigma (k = thresholdInSigmas()) are inliers with Gaussian
-noise; the other points are outliers, uniformly distributed over the area of the points
-(Problem::outlierExtent). The log-likelihood of all points is a sum over the points, and so is its
-average. For n degrees of freedom, a point with error r contributes, relative to an outlier, the
-integral over sigma = r/k .. sigma_max of
+Given sigma, points with errors up to k sigma are inliers with Gaussian noise; the other points are
+outliers, uniformly distributed over the area of the points (Problem::outlierExtent). The
+log-likelihood of all points is a sum over the points, and so is its average. For n degrees of
+freedom, a point with error r contributes, relative to an outlier, the integral over
+sigma = r/k .. sigma_max of
 
     n log(extent / (sqrt(2 pi) sigma)) - r^2 / (2 sigma^2).
 

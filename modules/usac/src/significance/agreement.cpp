@@ -87,8 +87,9 @@ public:
     }
 
     //! Number of wrong matches within the threshold if each point i of array 1 is paired with point
-    //! i + `partner` of array 2, or of random points that differ for each value of `partner`. To be
-    //! called after drop(). Random points replace the points.
+    //! i + `partner` of array 2. If there is only one array: number of random points within the
+    //! threshold; these points differ for each value of `partner`, and they overwrite the points of
+    //! this object. To be called after drop().
     int agreeing(int partner)
     {
         if (hasOneArray(points))

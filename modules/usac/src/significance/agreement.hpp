@@ -16,7 +16,7 @@ struct Agreement
 {
     int points;    //!< number of matches, without inliers that repeat another inlier
     int inliers;   //!< number of these matches within the threshold
-    int pairs;     //!< number of wrong matches, each made of points of two different matches
+    int pairs;     //!< number of artificial wrong matches (or, with one array, points)
     int agreeing;  //!< number of the wrong matches within the threshold
 };
 

@@ -17,7 +17,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving and doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving and doubling most constants.
 
 //! The smallest threshold that can be estimated is the upper bound `widest` divided by FINEST; data
 //! without noise give this threshold.
@@ -57,7 +57,7 @@ public:
         float* const memory = scope.take<float>((size_t)WRONG_PARTNERS * size);
         wrong = memory;
         wrongCount = wrongErrors(residual, model, p, size, memory, context.arena);
-        // the smallest radius of SignificantScale, 0.31 units, is then about widest / FINEST
+        // the smallest radius of SignificantScale, 0.31 units, is then 1.2 widest / FINEST
         unit = 4 * widest / FINEST;
         Correspondences narrow = p;
         narrow.threshold = unit;

@@ -17,8 +17,8 @@ SignificantScale separates inliers from wrong matches: inliers are the points wi
 which their number is least likely by chance @cite moisan2004probabilistic. What happens by chance
 is measured with wrong matches made of the same points, see wrongErrors(). The model was fitted to
 the inliers or computed from some of them. Therefore the errors of the inliers are smaller than the
-noise by a factor of sqrt(1 - m / inliers), where m is the sample size, and sigma is corrected for
-this factor.
+noise by a factor of sqrt(1 - m / inliers), where m is the sample size; sigma and the threshold are
+corrected for this factor.
 
 All lengths are in the coordinates of the points, like Correspondences::threshold. */
 struct InlierNoise

@@ -32,8 +32,8 @@ constexpr int ROUNDS = 3;
 //! only 79 % (instead of 87 %) of the essential matrices in tests of forward motion with 30 % wrong
 //! matches are within their 95 % confidence region.
 constexpr double SIMILAR = 10, ALONE = 0.01;
-//! NOISE_SHARE: maximum fraction of the information on a parameter that may come from the noise (N,
-//! see ModelCovariance); above it, the covariance is not determined.
+//! NOISE_SHARE: maximum fraction of the information on a linear combination of the parameters that
+//! may come from the noise (N, see ModelCovariance); above it, the covariance is not determined.
 //! NOISE_POINTS: maximum number of points from which the information of the noise is computed.
 constexpr double NOISE_SHARE = 0.25;
 constexpr int NOISE_POINTS = 128;
@@ -276,7 +276,7 @@ void ModelCovariance::likelihoods(const double* levers, double* others, int othe
 }
 
 //! Computes the information N that comes from noise, see ModelCovariance. False if N is more than
-//! NOISE_SHARE of the total information on some parameter.
+//! NOISE_SHARE of the total information on some linear combination of the parameters.
 bool ModelCovariance::noiseInformation(Square& N)
 {
     N.setZero(dimension, dimension);

@@ -32,7 +32,7 @@ respect to the parameters. The covariance of the model is A^-1 B A^-1 @cite hube
   Wrong matches add no information to A, but they add to B the shift of the model that they cause.
 - N is the information that the noise of the points alone contributes to sum p J^T J, if the error
   is the distance from a curve (F, E): sigma^2 sum p (dJ/dx)^T dJ/dx. If N is at least a quarter of
-  this sum for some parameter, the covariance is not determined.
+  sum p J^T J for some linear combination of the parameters, the covariance is not determined.
 - As sigma is estimated from f degrees of freedom, s is multiplied by f / (f - 2): the errors of the
   parameters then have Student's distribution, and the result is the covariance of this
   distribution.

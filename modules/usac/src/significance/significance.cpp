@@ -13,12 +13,12 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
 
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
-//! among them. While a test does not decide, the next test has MORE times as many points. The final
-//! tests, of all points, make at least about PAIRS wrong matches, which give the inlier probability
-//! of a wrong match with a standard deviation of at most 0.01.
+//! among them. As long as no test decides, each test has MORE times as many points as the one
+//! before. The final tests, of all points, make about PAIRS wrong matches or more, which give the
+//! inlier probability of a wrong match with a standard deviation of at most 0.01.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
 //! Wider thresholds that are also tried, as multiples of the given threshold.
 constexpr double WIDE[] = {4, 16};

@@ -50,8 +50,8 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
     // expected number of pairs in common cells that are not two matches of the other motion
     const double chance = rest.expected * (1 - part * part);
-    // lower bound of the number of pairs of the other motion that share a cell: unevenly spread
-    // points share cells more often
+    // lower bound of the expected number of pairs of the other motion that share a cell: unevenly
+    // spread points share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
                         own.cells;  // pairs of each match; pairs with a common match vary together
@@ -165,9 +165,9 @@ private:
     }
 
     //! Computes `orderedNeeded` for a new best model, if its inliers confirm the order. A model
-    //! that was the best one before any sample followed the order is not considered: then more
-    //! wrong models would be returned (see doc/measurements/constants_tables.md, choices between
-    //! variants), although calls would be faster.
+    //! that was the best one before any sample followed the order is not considered: otherwise
+    //! calls would be faster, but more wrong models would be returned (see "Choices between
+    //! variants" in doc/measurements/constants_tables.md).
     void look(const Context& context, const State& state)
     {
         const Correspondences& p = context.points;

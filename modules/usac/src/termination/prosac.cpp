@@ -62,8 +62,8 @@ from the paper:
 - In the paper, the set stops growing at n*, and the n* that needs the fewest samples for maximality
 is chosen. Here the set keeps growing, because other criteria need samples of all points, and the
 smallest n* is chosen. Only the first T'_n* samples count, which come from the n* best points
-(except local and uniform samples of P-NAPSAC). Only for n* = N can more than T'_N samples be
-needed, and then all of them count.
+(except uniform samples and the local samples of P-NAPSAC). Only for n* = N can more than T'_N
+samples be needed, and then all of them count.
 - In the paper, each sample counts as much as a uniform sample. But the first samples must contain
 the newest point of a small set: whatever the order of the inliers is, the first T'_n* samples are
 worth only T_n* uniform samples. If each sample counted fully, two or three samples of the very best

@@ -29,10 +29,10 @@ Verifier::keptProbability(). For example, the T(d,d) test keeps a good model wit
 epsilon^d, where epsilon is the inlier ratio @cite matas2004randomized, so that more samples are
 needed. 1 for SPRT, which has its own criterion, and without a verifier. */
 double keptProbability(const Context& context, double inliers);
-/** Estimated number of copies of each match, including the match itself, which is assumed to be the
-same for all n matches; 1: no repetitions. The estimate follows from the number of samples that were
-rejected because they contain two copies of a match: each of the m (m - 1) / 2 pairs of matches in a
-sample is a pair of copies with a probability of (copies - 1) / (n - 1). */
+/** Estimated number of copies of each match, including the match itself; 1: no repetitions. This
+number is assumed to be the same for all n matches. The estimate follows from the number of samples
+that were rejected because they contain two copies of a match: each of the m (m - 1) / 2 pairs of
+matches in a sample is a pair of copies with a probability of (copies - 1) / (n - 1). */
 double copiesOf(const State& state, int n, int m);
 //! Probability that a sample leads to a good model with this number of inliers and that the
 //! verifier does not reject the model: goodSampleProbability() times keptProbability().

@@ -74,7 +74,7 @@ Points pointsOf(const Mat& given, const char* name, const Mat& camera, const Mat
     return points;
 }
 
-//! The elements that a mask marks; none if there are no elements.
+//! The elements of `all` that a mask marks. `all` may be empty; the result is then empty, too.
 template <class T>
 std::vector<T> chosen(const std::vector<T>& all, const Mat& mask)
 {

@@ -52,7 +52,8 @@ public:
     Matx33d fundamental(const Matx33d& essential) const;
     //! Computes the viewing directions, with z = 1, of the matches that are marked in a mask.
     void directions(const Mat& mask, std::vector<Vec3d>& first, std::vector<Vec3d>& second) const;
-    //! The mean threshold of the matches in pixels: Params::threshold times the mean sigma.
+    //! The mean threshold of the matches in pixels: Params::threshold, multiplied by the mean sigma
+    //! if there are sigmas.
     double pixels() const;
     //! Describes why there is no model.
     String reason() const;
@@ -60,7 +61,7 @@ public:
     //! if this rotation explains too few of the inliers of `explained`
     bool turn(const PairModel& explained, Matx33d& R) const;
     //! True if H explains so many of the inliers of a model that the pair is planar or panoramic.
-    //! @param inliers the model (E or F) with its inliers
+    //! @param inliers the model (E, F or H itself) with its inliers
     bool mostlyOnPlane(const PairModel& inliers) const
     {
         return H.inliers > rules.planarRatio * inliers.inliers;

@@ -126,8 +126,10 @@ void expectScatter(const Mat& covariance, const std::vector<Mat>& vectors)
                 << i << " " << k;
 }
 
-//! Also if the last entry is exactly 1, as that of a scaled homography, although a pose is not
-//! scaled: with many rotations, because they differ in rounding errors.
+//! For poses and 3-D motions, tangentOfModel must return the derivatives with respect to rotation,
+//! translation and (similarities) scale. A matrix whose last entry is exactly 1 must not be treated
+//! like a homography, whose scale is arbitrary. This is tested with many rotations, because the
+//! rounding errors depend on the rotation.
 TEST(Usac_Covariance, parameters_of_poses_and_motions)
 {
     const double h = 1e-6;
@@ -184,8 +186,8 @@ TEST(Usac_Covariance, parameters_of_maps_are_entries)
 }
 
 //! For F and E, tangentOfModel returns an orthonormal basis of the changes that keep the norm and
-//! the constraints. This basis must not depend on rounding errors or the scale of the model. Only
-//! if the model changes its sign can the basis change its sign, too.
+//! the constraints. This basis must not depend on rounding errors or the scale of the model. If the
+//! model changes its sign, the basis is allowed to change its sign, too.
 TEST(Usac_Covariance, basis_of_epipolar_models)
 {
     for (ProblemType problem : {FUNDAMENTAL, ESSENTIAL})
@@ -418,9 +420,9 @@ Mat covarianceWithPixels(const Scene& scene, ProblemType problem, double scale, 
     return pointCovariance(problem, model, report.covariance, first, second) / (scale * scale);
 }
 
-//! The covariance of F or H must be determined whatever the size of the images and the origin of
-//! the coordinates are, and must then agree with that of the original coordinates, although the
-//! entries of F and H differ by many orders of magnitude.
+//! Report::covariance of F and H must be finite for coordinates of any size and origin, although
+//! the entries of F and H then differ by many orders of magnitude. The covariances of points that
+//! follow from it must agree with those in the original coordinates.
 TEST(Usac_Covariance, any_size_and_origin_of_pixels)
 {
     for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL})

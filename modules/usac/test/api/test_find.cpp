@@ -50,7 +50,7 @@ Scene hardScene(ProblemType problem)
 {
     SceneOptions options;
     options.inliers = 10;
-    options.outliers = problem == SIMILARITY ? 80 : 16;  // two-point samples need more outliers
+    options.outliers = problem == SIMILARITY ? 80 : 16;  // makes all-inlier two-point samples rare
     options.seed = 2;
     return makeScene(problem, options);
 }

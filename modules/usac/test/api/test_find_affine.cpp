@@ -234,9 +234,9 @@ TEST_P(Usac_FindAffine, wrongArguments)
     EXPECT_NO_THROW(call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, INT_MAX));
 }
 
-//! Without polishing (refineIters 0) the model must differ, because it is not fitted once more. But
-//! it must be about as accurate, because local optimization has already fitted the model, and the
-//! threshold suits the noise.
+//! Without polishing (refineIters 0), the model must differ from the polished one, which is fitted
+//! once more. But the two must be about equally accurate, because local optimization has already
+//! fitted the model, and the threshold suits the noise.
 TEST_P(Usac_FindAffine, refineIters)
 {
     const Functions call = functionsOf(problem());

@@ -48,9 +48,9 @@ struct Answer
     std::string error;
 };
 
-//! For every flag, compares two answers: that of the form with an int, and that of the typed form
-//! (flags of this module) or of calib3d (OpenCV's flags). For E, the USAC flags of OpenCV are left
-//! out.
+//! For every flag, compares the answer of the overload whose flag is an int with another answer:
+//! for flags of this module, that of the overload whose flag is a UsacV20Method; for OpenCV's
+//! flags, that of calib3d. For E, the USAC flags of OpenCV are left out.
 template <class AtRunTime, class Typed, class Calib3d>
 void checkForm(const std::string& form, const AtRunTime& atRunTime, const Typed& typed,
                const Calib3d& calib3d)
@@ -196,7 +196,7 @@ TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
             ASSERT_EQ(Size(3, 3), models[i].size());
             for (size_t k = 0; k < others.size(); ++k)
                 EXPECT_FALSE(sameBits(others[k], models[i]))
-                    << "form " << i << " gives the same as others[" << k << "]";
+                    << "form " << i << " gives the same model as others[" << k << "]";
         }
     }
 }

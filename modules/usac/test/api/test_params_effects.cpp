@@ -190,7 +190,7 @@ TEST_P(UsacEffects, threads)
     EXPECT_EQ((size_t)1, allOfOne);
     if (isAffine(problem()))
     {
-        EXPECT_EQ((size_t)1, four) << "samples of affine maps are too fast to use threads";
+        EXPECT_EQ((size_t)1, four) << "samples of affine maps take too little time for threads";
         EXPECT_EQ((size_t)1, all);
     }
     else if (parallel)  // otherwise OpenCV was built without threads

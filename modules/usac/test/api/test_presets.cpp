@@ -97,7 +97,7 @@ TEST(Usac_Presets, locally_optimized)
     EXPECT_EQ(10, Params::loRansac().localSamples);
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_FLO_RANSAC, Params::floRansac().localOptimization);
     EXPECT_LT(Params::floRansac().localSamples, Params::loRansac().localSamples)
-        << "fewer repetitions";
+        << "FLO-RANSAC must draw fewer inner samples";
     EXPECT_EQ((int)QUALITY_MSAC, Params::floRansac().quality);
     const Params gc = Params::gcRansac();
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_GC_RANSAC, gc.localOptimization);

@@ -139,7 +139,7 @@ TEST(Usac_RelativePosePlane, reportDescribesTheReturnedMotion)
     EXPECT_GE(replaced, 10);
 }
 
-//! A scene of a plane with 5 % of the points off it.
+//! A scene in which 95 % of the true matches are on a plane.
 Scene nearlyPlanar(double noise)
 {
     SceneOptions options;
@@ -149,7 +149,8 @@ Scene nearlyPlanar(double noise)
     return makeScene(ESSENTIAL, options);
 }
 
-//! If the time is over after the search for E, no plane is searched.
+//! Without a time limit, the plane of the scene is found. If the time is over before the plane is
+//! searched for, the report must say so, and there must be no plane and no second motion.
 TEST(Usac_RelativePosePlane, stopped)
 {
     const Scene scene = nearlyPlanar(0.3);
@@ -196,8 +197,10 @@ TEST(Usac_RelativePosePlane, canceledInTheSearchForThePlane)
     EXPECT_GT(countNonZero(mask), scene.size() / 2);
 }
 
-//! Most matches are precise, so that points at most ten pixels off a plane are not on it; a few are
-//! much less precise. With one threshold for all, the scene would count as a plane.
+//! The baseline is so short that the parallax between near and far points is only a few pixels.
+//! Three quarters of the matches (sigma 0.1 pixels) are precise enough to show that the points are
+//! not on a plane; the others (sigma 10 pixels) are not. If one threshold, wide enough for the
+//! imprecise matches, were used for all of them, the scene would count as a plane.
 TEST(Usac_RelativePosePlane, planeWithSigmas)
 {
     for (int numbers : {1, 3, 6})
@@ -233,7 +236,9 @@ TEST(Usac_RelativePosePlane, planeWithSigmas)
 }
 
 //! No sigmas, equal sigmas and equal covariances of both images describe the same noise, and must
-//! give the same plane. Sigmas at the limits of what is accepted must raise no exception.
+//! give the same plane, with a difference of at most one inlier. Sigmas that include 1e-6, the
+//! smallest accepted value, must raise no exception, although this is even less if it is divided by
+//! the mean sigma, as in the search for the plane.
 TEST(Usac_RelativePosePlane, planeWithEqualNoiseInAllForms)
 {
     const Scene scene = nearlyPlanar(0.3);

@@ -247,8 +247,8 @@ TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
     }
 }
 
-//! Among 300 random points, some plane has several inliers by chance. Report::chance, the
-//! probability that this happens, must not be small.
+//! Among 300 random points, some plane has several inliers by chance. Report::chance, an upper
+//! bound of the probability that this happens, must not be small.
 TEST(Usac_CustomPlane, chanceOfRandomPoints)
 {
     Params params;
@@ -261,8 +261,9 @@ TEST(Usac_CustomPlane, chanceOfRandomPoints)
     EXPECT_GE(report.chance, 1e-3);
 }
 
-//! Planes parallel to the axes, such as the ground: if wrong points were made of coordinates of
-//! different points, they would be on these planes, too, and the model would look like chance.
+//! Planes perpendicular to an axis, as the ground is. Report::chance is computed from the errors of
+//! artificial wrong points. If these were made of coordinates of different points, they would be on
+//! the plane, too, and the plane would look like a result of chance.
 TEST(Usac_CustomPlane, parallelToTheAxes)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -294,7 +295,7 @@ TEST(Usac_CustomPlane, parallelToTheAxes)
         }
 }
 
-//! The position of a point, which is one number: the mean of the inliers.
+//! A problem whose points and model are single numbers. The model is the mean of the inliers.
 class Location : public Problem
 {
 public:
@@ -366,8 +367,8 @@ public:
     }
 };
 
-//! All inliers are near one point, and must nevertheless count as independent of each other. The
-//! densest place of uniform numbers must not look like a location.
+//! All inliers are near one number, and must nevertheless count as independent of each other. If
+//! all numbers are random, the place with most of them must look like a result of chance.
 TEST(Usac_CustomPlane, locationOfNumbers)
 {
     RNG rng(5);

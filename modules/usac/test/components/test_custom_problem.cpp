@@ -6,7 +6,7 @@
 #include "support/contracts.hpp"
 #include "../../../../samples/affine_problem.hpp"
 
-// Estimation of a problem that the module does not contain: the affine map of
+// Tests of a problem that is defined outside the module: the affine map of
 // samples/custom_problem.cpp.
 
 namespace opencv_test {

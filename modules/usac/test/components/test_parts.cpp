@@ -140,8 +140,8 @@ TEST(Usac_Parts, requiredOnesAreAskedFor)
     }
 }
 
-//! Polishing needs a non-minimal solver. A run without polishing and local optimization does not
-//! need one.
+//! Polishing needs a non-minimal solver. A run with neither polishing nor local optimization needs
+//! none.
 TEST(Usac_Parts, fitsNeedASolver)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

@@ -46,7 +46,7 @@ TEST(Usac_Repetitions, independentInliers)
     EXPECT_EQ(10, points.independent());
     for (int i = 0; i < 10; ++i)
         points.add(5 * i + 0.6, -3 * i + 0.4, 2 * i + 0.7, 7 * i + 0.6);
-    EXPECT_EQ(10, points.independent()) << "the same matches again";
+    EXPECT_EQ(10, points.independent()) << "more matches in the same cells";
     for (int i = 0; i < 10; ++i)
         points.add(100 + 5 * i, 3 * i, 3, 0.5);
     EXPECT_EQ(11, points.independent()) << "ten points that match one";

@@ -52,13 +52,13 @@ TEST(Usac_NonRandomness, chanceAgainstTheSum)
 TEST(Usac_NonRandomness, chanceAtTheLimits)
 {
     for (int inliers = 0; inliers <= 4; ++inliers)
-        EXPECT_EQ(1, chanceOf(inliers, 100, 4, 0.1)) << "the sample itself";
+        EXPECT_EQ(1, chanceOf(inliers, 100, 4, 0.1)) << "no other inliers than the sample";
     EXPECT_EQ(0, chanceOf(5, 100, 4, 0));
     EXPECT_EQ(1, chanceOf(5, 100, 4, 1));
     EXPECT_EQ(0, chanceOf(101, 100, 4, 0.5));
     EXPECT_EQ(1, chanceOf(4, 4, 4, 0.5));
     EXPECT_EQ(0.25, chanceOf(5, 5, 4, 0.25));
-    EXPECT_EQ(0, chanceOf(900000, 1000000, 7, 0.01)) << "smaller than a double can be";
+    EXPECT_EQ(0, chanceOf(900000, 1000000, 7, 0.01)) << "below the smallest positive double";
     EXPECT_EQ(1, chanceOf(8, 1000000, 7, 0.9));
 }
 

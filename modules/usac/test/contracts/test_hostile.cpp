@@ -4,8 +4,8 @@
 
 #include "support/contracts.hpp"
 
-// Tests with few or many difficult points: far away, tiny, on a line, or all with the same
-// corresponding point.
+// Tests with few or many difficult points: far away, with tiny coordinates, on a line, or all with
+// the same corresponding point.
 
 namespace opencv_test {
 namespace {
@@ -15,7 +15,8 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacHostile, testing::ValuesIn(TWO_VIEW_PROBLEMS))
 
 Point2d randomPixel(RNG& rng) { return uniformPoint(rng, 0., 640., 0., 480.); }
 
-//! The default scene with `rows` additional matches, in which some coordinates are `value`.
+//! The default scene with `rows` additional matches, in which some coordinates are `value` or
+//! -`value`.
 Scene withRows(ProblemType problem, double value, int rows)
 {
     Scene scene = makeScene(problem);
@@ -166,9 +167,9 @@ TEST(Usac_Hostile, most_matches_share_one_target)
         EXPECT_TRUE(none[i].empty()) << allPresets()[i].name;
 }
 
-//! Both epipoles are at the origin. At the larger scales, the coordinates are large, so that in
-//! pixel units the smallest entries of F matter most, and rounding could give F rank 3. The
-//! returned F must have rank 2.
+//! Both epipoles are at the origin, so that only two entries of the exact F are not 0. At the
+//! larger scales, in pixel coordinates, rounding errors of the other entries can be larger than
+//! these two entries, and could give F rank 3. The returned F must have rank 2.
 TEST(Usac_Hostile, exact_forward_motion_has_rank_two)
 {
     const double scales[] = {1, 1e3, 1e6};

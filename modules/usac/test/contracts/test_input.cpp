@@ -253,7 +253,8 @@ TEST(Usac_Input, every_length_of_distortion)
     }
 }
 
-//! The neighborhood graph must have at most 16 edges per point, so that its memory is bounded.
+//! The neighborhood graph must have at most 16 edges per point on average, so that its memory is
+//! bounded.
 void expectSparseGraph(Usac& usac)
 {
     const Params params;

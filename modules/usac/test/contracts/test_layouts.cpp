@@ -155,7 +155,8 @@ TEST_P(UsacLayouts, both_readings_possible)
         EXPECT_EQ(Size(1, count), mask.size());
         EXPECT_EQ(enough ? count : 0, countNonZero(mask));
     }
-    SceneOptions options;  // in square arrays each row is a point
+    // in a square array, each row must be read as a point
+    SceneOptions options;
     options.inliers = 10;
     options.outliers = 0;
     options.noise = 0;

@@ -161,7 +161,8 @@ TEST(Usac_PoseLayouts, camera_and_lens_of_any_type)
     }
 }
 
-//! Coefficients of half precision are read as what they are.
+//! Distortion coefficients in half precision (CV_16F) must have the same effect as the same numbers
+//! in single precision. If all of them are 0, there must be no effect.
 TEST(Usac_PoseLayouts, lens_of_half_precision)
 {
     const PoseScene scene = sceneOf(5);

@@ -9,8 +9,8 @@ namespace opencv_test {
 namespace {
 
 //! A progress function can be called before the search has begun, that is, before Watch::begin()
-//! has set the State from which reports are made. It must then get a report in which only the
-//! elapsed time (Report::searchMs) is set.
+//! has set the State from which reports are made. It must then get a report with the elapsed time
+//! (Report::searchMs), the cost 1 of a run without a model, and no iterations or inliers.
 TEST(Usac_Watch, progress_before_the_search)
 {
     std::vector<Report> seen;

@@ -88,8 +88,8 @@ TEST(Usac_Alternatives, scores_do_not_decide_where_the_costs_differ)
     EXPECT_LE(none, 15);  // in most scenes, the cost decides for the wrong F
 }
 
-//! Halves the gain of models that have most of the given points as inliers, as a check does whose
-//! points are not independent evidence.
+//! Halves the gain (number of points minus cost) of models that have most of the given points as
+//! inliers, like a degeneracy check for which these points are not independent evidence.
 class HalvesTheGain : public Degeneracy
 {
 public:
@@ -115,8 +115,9 @@ private:
     const std::vector<bool> points;
 };
 
-//! The best scores are those of the matches of the other epipole. Without a check, the wrong F is
-//! chosen because of them; a check that halves its gain must prevent this.
+//! The matches of the other epipole have the best scores. Without a check, the wrong F is chosen
+//! because of these scores in some scenes; a check that halves the gain of the wrong F must prevent
+//! this.
 TEST(Usac_Alternatives, the_gain_is_that_after_the_discounts)
 {
     int right[2] = {0, 0};
@@ -144,8 +145,8 @@ TEST(Usac_Alternatives, the_gain_is_that_after_the_discounts)
             right[checked] += modelError(scene, usac->run()) < 1.5;
         }
     }
-    EXPECT_LE(right[0], RUNS - 10);  // 40 of 60
-    EXPECT_GE(right[1], RUNS - 6);   // 58 of 60
+    EXPECT_LE(right[0], RUNS - 10);  // measured: 40 of 60
+    EXPECT_GE(right[1], RUNS - 6);   // measured: 58 of 60
 }
 
 //! Number of scenes in which the returned model is the correct one. The scenes have 200 true

@@ -201,8 +201,9 @@ TEST(Usac_GraphCut, withoutEdgesOrWeight)
     EXPECT_EQ(std::vector<uchar>(20, 0), far.cut());
 }
 
-//! In the graph of a whole scene, the energy must not be lower if one to three random labels are
-//! flipped, or if the points within the threshold are the inliers.
+//! In the graph of a whole scene, the labels of the cut must not have a higher energy than these
+//! other labels: those of the cut with one to three random labels flipped, and those for which the
+//! points within the threshold are the inliers.
 TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
 {
     SceneOptions options;

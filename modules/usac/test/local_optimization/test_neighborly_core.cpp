@@ -119,8 +119,8 @@ TEST(Usac_NeighborlyCore, ofFewInliers)
     EXPECT_FALSE(Core(random, random.F).found);
 }
 
-//! Each sample, and each model of a sample, must be submitted to the degeneracy checks. If they
-//! reject all of them, there is no core.
+//! Each sample, and each model of a sample, must be submitted to the degeneracy checks. If the
+//! checks reject all samples or all models, there is no core.
 TEST(Usac_NeighborlyCore, refusedByChecks)
 {
     const Facade scene(600, 0.5, 0.25, 1);

@@ -205,7 +205,8 @@ TEST_P(Usac_RunnersUpOf, areOptimizedBesideTheBestModels)
 }
 
 //! Runners-up leave the regular samples of the search unchanged, but more models are compared. The
-//! cost must therefore never be higher, and must be lower in at least one of these hard scenes.
+//! cost must therefore never be higher than without runners-up, and must be lower in at least one
+//! of these hard scenes.
 TEST_P(Usac_RunnersUpOf, neverRaiseTheCost)
 {
     int lower = 0;
@@ -242,7 +243,7 @@ TEST_P(Usac_RunnersUpOf, doNotEndTheSearchEarlier)
         EXPECT_NE((int)STOP_MAX_ITERATIONS, with.stop);
         EXPECT_GE(with.iterations, without.iterations);
         EXPECT_LE(with.iterations, 2 * without.iterations)
-            << "a better model does not ask for many more samples";
+            << "more than twice as many samples as without runners-up";
     }
 }
 

@@ -90,9 +90,10 @@ double marginalDensity(int degrees, double r, double from, double to)
 }
 
 /** The weights of sigma-consensus, computed from their definition. For each part of the range of
-the noise scale sigma, a model is fitted to the points near `start`, and the density of the errors
-under the fitted model is integrated numerically. As in MarginalizedWeights, errors below 1/45 of
-the threshold are raised to this value. */
+the noise scale sigma, a model is fitted to the points whose errors under `start` are below `part` /
+`parts` times the threshold, and the density of the errors under the fitted model is integrated
+numerically. As in MarginalizedWeights, errors below 1/45 of the threshold are raised to this
+value. */
 std::vector<double> bruteForceWeights(const Bench& bench, const Model& start, int parts)
 {
     const Correspondences& p = bench.usac->points();
@@ -187,8 +188,9 @@ TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
     EXPECT_LT(fromTruth, 0.75 * start);
 }
 
-//! No optimizer is allowed to return a model worse than the given one. Both must return the correct
-//! quality of the model and improve most models of minimal samples.
+//! Neither the optimizer of MAGSAC nor that of MAGSAC++ is allowed to return a model worse than the
+//! given one. Both must return the correct quality of the model and improve most models of minimal
+//! samples.
 TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
 {
     const Bench bench((ProblemType)GetParam(), 5);

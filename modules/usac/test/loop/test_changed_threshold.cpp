@@ -51,7 +51,7 @@ TEST(Usac_ChangedThreshold, orderedSamplesAreDrawnAgain)
         }
 }
 
-//! Quality of a model after a check has seen the threshold `before`, and then `now`.
+//! Quality of a model after a check has seen the threshold `before`, and then `now` (in pixels).
 Quality discounted(const Ptr<Degeneracy>& check, const Scene& scene, const Matx33d& given,
                    double before, double now)
 {
@@ -72,9 +72,10 @@ Quality discounted(const Ptr<Degeneracy>& check, const Scene& scene, const Matx3
     return quality;
 }
 
-//! Half of the matches are those of points that are 12 pixels apart in image 2, but unrelated to
-//! their points in image 1. With a threshold of 6 pixels, they are one place; with a tenth of it,
-//! they are not.
+//! Half of the matches have their points of image 2 in one square of side 12 pixels, and unrelated
+//! points in image 1. With a threshold of 6 pixels, the check for crowded places must take these
+//! matches for one place, so that they count as a single inlier. With a tenth of this threshold,
+//! they are not one place. The result must not depend on an earlier threshold.
 TEST(Usac_ChangedThreshold, placesAreSearchedAgain)
 {
     RNG rng(3);
@@ -95,9 +96,9 @@ TEST(Usac_ChangedThreshold, placesAreSearchedAgain)
     EXPECT_EQ(narrow.cost, discounted(createCrowdedPlaces(), scene, shrinks, 6, 0.6).cost);
 }
 
-//! Matches share a point of image 2 only up to noise of two pixels. With a threshold of 4 pixels,
-//! samples of two of them must be rejected, also if the search has begun with a threshold that is
-//! too narrow to see that they share a point.
+//! Half of the matches share a point of image 2, up to at most two pixels in each coordinate. With
+//! a threshold of 4 pixels, a sample that contains two of these matches must be rejected, also if
+//! the search has begun with a threshold so narrow that they do not seem to share a point.
 TEST(Usac_ChangedThreshold, sharedPointsAreSearchedAgain)
 {
     RNG rng(3);

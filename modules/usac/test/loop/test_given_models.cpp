@@ -5,7 +5,9 @@
 #include "test_precomp.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 
-// Tests of Usac::fit and Usac::refine where points or solvers do not determine a model.
+// Tests of Usac::fit, Usac::refine and Usac::errors: points or solvers that do not determine a
+// model, the threshold and the cost that are reported, lenses, and replaced components. Also tests
+// that a report without a model has neither noise nor cost.
 
 namespace opencv_test {
 namespace {
@@ -132,7 +134,7 @@ TEST(Usac_GivenModels, refineWithLmedsUsesItsOwnThreshold)
     EXPECT_NEAR(found.sigma, refined.sigma, 0.2 * found.sigma);
 }
 
-//! A pose with a strongly distorting lens, from the matches of a scene.
+//! A scene seen through a distorting lens, and an estimator of the camera's pose.
 struct Distorted
 {
     explicit Distorted(const Params& params)
@@ -149,8 +151,8 @@ struct Distorted
     Ptr<Usac> usac;
 };
 
-//! Usac::refine must report the cost that Usac::run reports for the same model, although the lens
-//! makes the errors of the search differ from those of the mask.
+//! Usac::refine must report about the cost (within 2 %) that Usac::run reports for the same model,
+//! although the lens makes the errors of the search differ from those of the mask.
 TEST(Usac_GivenModels, costIsThatOfTheMask)
 {
     for (const Params& preset : {Params(), Params::automatic()})
@@ -180,8 +182,8 @@ TEST(Usac_GivenModels, replacedSolverIsUsedWithALens)
     EXPECT_GT(solver->refused.size(), 0);
 }
 
-//! If the first residual is put back after another one, the results must be those of the first run:
-//! also with a lens and with a sigma for each match.
+//! If the first residual is put back after another one, the result must be that of the first run:
+//! here with a lens, once without sigmas and once with a sigma for each match.
 TEST(Usac_GivenModels, residualPutBackWithALens)
 {
     for (int numbers : {0, 1})
@@ -201,7 +203,7 @@ TEST(Usac_GivenModels, residualPutBackWithALens)
     }
 }
 
-//! A rejected model leaves no noise and no cost in the report.
+//! If the model is rejected, the report must not contain its noise or its cost.
 TEST(Usac_GivenModels, rejectedModelsLeaveNothing)
 {
     int rejected = 0;
@@ -226,7 +228,8 @@ TEST(Usac_GivenModels, rejectedModelsLeaveNothing)
     EXPECT_GE(rejected, 10);
 }
 
-//! A minimal sample that determines no model gives none, although there is a model to begin with.
+//! If the chosen points are a degenerate minimal sample (collinear points), Usac::refine must
+//! return no model, although the model from which it begins is valid.
 TEST(Usac_GivenModels, refineOfADegenerateSample)
 {
     const Scene scene = makeScene(AFFINITY, 50, 0);
@@ -276,7 +279,8 @@ private:
     const Ptr<Residual> inner;
 };
 
-//! Usac::errors must start a replaced residual: before the first run, and with other points.
+//! Usac::errors must start a replaced residual, even if there was no run yet, and again if the
+//! points have been replaced.
 TEST(Usac_GivenModels, errorsStartTheResidual)
 {
     const Scene scene = makeScene(HOMOGRAPHY, 50, 0), larger = makeScene(HOMOGRAPHY, 70, 0);

@@ -15,7 +15,7 @@ namespace {
 //! Number of allocations of one run. The memory of `mask` is allocated before the run.
 long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
 {
-    report.sample.reserve(MAX_SAMPLE_SIZE);  // this memory is not allocated by the run
+    report.sample.reserve(MAX_SAMPLE_SIZE);  // so that the run does not allocate this memory
     const long before = allocationsSoFar();
     const Mat model = usac.run(mask, &report);
     const long after = allocationsSoFar();

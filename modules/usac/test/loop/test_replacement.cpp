@@ -97,7 +97,7 @@ TEST(Usac_Replacement, residual)
     }
     EXPECT_LE(cv::norm(models[0], models[1]), 1e-6);
     const Mat sampson = estimate(scene, params);
-    EXPECT_GT(cv::norm(models[0], sampson), 1e-5) << "another residual, another minimum";
+    EXPECT_GT(cv::norm(models[0], sampson), 1e-5) << "the two residuals have the same minimum";
 }
 
 //! If the first residual is restored, the fits must use it again.

@@ -10,9 +10,9 @@
 namespace opencv_test {
 namespace {
 
-//! LAYERS: number of layers; each is twice as wide as the previous one. LINKS: maximum number of
-//! edges from a point to its nearest neighbors. WIDEST: maximum number of neighbors stored per
-//! point, unless Params::neighbors is larger.
+//! LAYERS: number of layers; each has twice the radius or twice the number of neighbors of the
+//! previous one. LINKS: maximum number of edges from a point to its nearest neighbors. WIDEST:
+//! maximum number of neighbors stored per point, unless Params::neighbors is larger.
 enum { LAYERS = 4, LINKS = 8, WIDEST = 512 };
 
 //! Points and the distances between them in the joint space (x1, y1, x2, y2).

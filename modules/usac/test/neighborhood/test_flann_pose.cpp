@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! Points of space have no pixels. The neighbors of a match must be those of its image point,
-//! whatever the unit of space is.
+//! Radii are in pixels, but the coordinates of points of space are not. The neighbors of a match
+//! must therefore be those of its image point, whatever the unit of space is.
 TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
 {
     for (double unit = 1e-3; unit < 2e3; unit *= 1e3)

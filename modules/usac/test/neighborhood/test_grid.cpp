@@ -123,7 +123,7 @@ void checkEdges(const Correspondences& points, size_t least)
         EXPECT_TRUE(seen.insert(std::make_pair(std::min(i, j), std::max(i, j))).second)
             << i << " - " << j << " twice";
         EXPECT_EQ(1u, membersOf(*grid, around.context, 1, i).count(j))
-            << "not in one cell of 8 x 8 x 8 x 8";
+            << "in different cells of the grid of 8 x 8 x 8 x 8 cells";
     }
     EXPECT_LE(edges.size(), 4 * (size_t)points.size);
     EXPECT_GE(edges.size(), least);

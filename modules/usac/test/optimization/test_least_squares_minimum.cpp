@@ -79,7 +79,7 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
                                        ->minimize(x);
             EXPECT_GE(generic, reached * (1 - 1e-3)) << "seed " << seed;
             EXPECT_LE(generic, reached * (1 + 1e-2))
-                << "the generic one did not converge, seed " << seed;
+                << "the generic optimizer did not converge, seed " << seed;
         }
     }
 }

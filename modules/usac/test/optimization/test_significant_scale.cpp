@@ -110,9 +110,9 @@ TEST(Usac_SignificantScale, noneOfRandomErrors)
     EXPECT_EQ(0, SignificantScale::estimate(0, 0, 0, 0, 1, 0.1, 2, 4).sigma);
 }
 
-//! Clustered points are near many models. If random matches of the same points (third argument of
-//! estimate()) have as many small errors as the given matches, the errors of the model are no
-//! evidence, and the scale must be 0.
+//! Clustered points are near many models. If random matches of the same points (whose errors are
+//! the third argument of estimate()) have as many small errors as the given matches, the errors of
+//! the model are no evidence, and the scale must be 0.
 TEST(Usac_SignificantScale, noneOfWhatWrongMatchesHave)
 {
     RNG rng(5);

@@ -288,10 +288,11 @@ private:
     }
 };
 
-//! Leverage needs five fits: two, from different starting points, to the inliers without those of
+//! Leverage makes five fits: two, from different starting points, to the inliers without those of
 //! high leverage; two to the points of low leverage that agree with the better one of the first two
-//! fits; and one to all points that agree with the better one of the next two. If all fits fail
-//! after the first 0, 2 or 4, the model must stay as it is. If none fails, it must be corrected.
+//! fits; and one to all points that agree with the better one of the next two. Polishing the result
+//! then takes more fits. If all fits fail after the first 0, 2 or 4, the model must stay as it is.
+//! If none fails, it must be corrected.
 TEST(Usac_Leverage, nothingChangesIfFitsFail)
 {
     const int good[] = {0, 2, 4}, asked[] = {2, 4, 5};
@@ -310,7 +311,7 @@ TEST(Usac_Leverage, nothingChangesIfFitsFail)
 
 //! If the derivatives of the residual are 0, leverages cannot be computed. Leverage must then stop
 //! and leave the model as it is: before the first fit, after the two fits without the points of
-//! high leverage, or after the two fits to the points that agree with these fits.
+//! high leverage, or after the next two fits.
 TEST(Usac_Leverage, nothingChangesWithoutLeverages)
 {
     for (int good : {0, 2, 4})

@@ -24,9 +24,9 @@ void stripAndOne(int right, int wrong, double noise, RNG& rng, std::vector<Point
     }
 }
 
-//! Fits a model by least squares to the caller's rows `first` to `end` - 1, and applies Restarts to
-//! it: fits from other starting points that also try single outliers. `check` is a degeneracy check
-//! in addition to the default ones.
+//! Fits a model by least squares to the rows `first` to `end` - 1 of the given matches, and applies
+//! Restarts to it: fits from other starting points to the inliers, and to the inliers and a single
+//! outlier. `check` is a degeneracy check in addition to the default ones.
 struct Restarted
 {
     Restarted(const std::vector<Point2d>& points1, const std::vector<Point2d>& points2,
@@ -72,7 +72,7 @@ struct Restarted
 };
 
 //! In some scenes, the error of the far match under the model of the nine matches in the strip is
-//! more than ten thresholds, although a model with all ten as inliers fits as well. Restarts must
+//! more than ten thresholds, although another model has all ten matches as inliers. Restarts must
 //! find such a model in every scene.
 TEST(Usac_Restarts, anInlierThatIsFarAwayIsFound)
 {

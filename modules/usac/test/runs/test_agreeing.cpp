@@ -35,7 +35,7 @@ struct Agreement
 const Agreement AGREEMENTS[] = {
     {"a common shift", OUTLIERS_SHIFT, 0.45, 0.35},
     {"a plane that moves by itself", OUTLIERS_PLANE, 0.4, 0.35},
-    {"another motion from one place", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
+    {"another motion in one part of the image", OUTLIERS_SECOND_MODEL, 0.53, 0.47}};
 
 //! Number of runs whose model costs more than the true one by more than `matches` outliers. (A fit
 //! to noisy points costs less than the true model.)
@@ -61,8 +61,9 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
     return result;
 }
 
-//! At most 3 of 40 runs must miss the true model. If the search had no runners-up and drew no
-//! samples from the outliers of the best model, F would be missed in 18 to 40 % of the scenes.
+//! At most 3 of 40 runs are allowed to miss the true model. If the search had no runners-up and
+//! drew no samples from the outliers of the best model, F would be missed in 18 to 40 % of the
+//! scenes.
 TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -78,9 +79,11 @@ TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
         EXPECT_LE(missed(FUNDAMENTAL, agreement, Params::accurate(), 40), 2) << agreement.name;
 }
 
-//! MAGSAC++ rates models by errors up to a wider threshold. Consistent wrong matches can then look
-//! like noise, or lower the cost of a model that few matches fit well. A run counts as a miss if
-//! its MSAC cost is too high by more than eight outliers, because MAGSAC++ minimizes another cost.
+//! MAGSAC++ rates models by errors up to 2.4 thresholds, or more if the noise seems to be larger.
+//! Consistent wrong matches can then look like noise, or lower the cost of a model that few matches
+//! fit well. A run counts as a miss only if the MSAC cost of its model exceeds that of the true
+//! model by more than the cost of eight outliers (instead of two), because MAGSAC++ minimizes
+//! another cost.
 TEST(Usac_Agreeing, matches_do_not_look_like_noise)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -110,7 +113,7 @@ TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
 }
 
 //! Random matches whose points are in clusters or near the center of the image must give no model
-//! in at least 28 of 30 scenes, even with MAGSAC++, whose reach grows with the noise.
+//! in at least 28 of 30 scenes, even with MAGSAC++, whose range of errors grows with the noise.
 TEST(Usac_Agreeing, clusters_of_points_are_no_noise)
 {
     const OutlierModel models[] = {OUTLIERS_CLUSTERS, OUTLIERS_CENTER};

@@ -11,9 +11,9 @@ namespace {
 const int SEEDS = 1000;
 
 /** Two homographies without noise, among wrong matches. The true one has a few more matches than
-the other, the decoy. A criterion that ends the search too early returns the decoy. The rows are
-sorted, best first: matches of the true model, of the decoy and wrong ones alternate evenly, with
-the true matches slightly earlier. */
+the other, the decoy. If a criterion ends the search too early, the result is often the decoy. The
+rows are sorted, best first: matches of the true model, of the decoy and wrong ones alternate
+evenly, with the true matches slightly earlier. */
 struct Rivals
 {
     Rivals(int right, int decoys, int outliers)

@@ -209,7 +209,8 @@ TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
         }
     }
     EXPECT_EQ(0, better);
-    EXPECT_GT(equal, 20 * 100) << "of 20 x 210 samples must lead to about the returned minimum";
+    EXPECT_GT(equal, 20 * 100)
+        << "number of the 20 x 210 samples that lead to about the returned minimum";
 }
 
 //! Exact points, `behind` of which are behind the second camera and the others in front of it, so

@@ -66,8 +66,9 @@ TEST_P(UsacInitialModel, wrong_one_does_no_harm)
     }
 }
 
-//! The initial model fits another motion. It has already been optimized, so that no model of a
-//! sample has a lower cost; the true model must be found nevertheless.
+//! The initial model fits another motion and has already been optimized. A model computed from a
+//! sample of true matches often has a higher cost until it is optimized itself. The true model must
+//! be found nevertheless.
 TEST(Usac_InitialModel, of_another_motion_does_not_hide_the_right_one)
 {
     int missed[2] = {0, 0};

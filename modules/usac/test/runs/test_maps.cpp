@@ -183,8 +183,8 @@ TEST_P(Usac_Maps, pointsOfALine)
     EXPECT_TRUE(estimatePoints(problem(), same, places, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), line, same, Params(), noArray(), report).empty());
     EXPECT_TRUE(estimatePoints(problem(), same, same, Params(), noArray(), report).empty());
-    // Points nearly on a line do not determine what the map does off the line. The sum of squared
-    // errors at the points must be at most 1.1 times that of least squares.
+    // Points nearly on a line hardly determine what an affinity does off the line. The sum of
+    // squared errors at the points must be at most 1.1 times that of least squares.
     for (double width = 2; width > 1e-3; width /= 10)
     {
         std::vector<Point2d> points1 = line, points2;

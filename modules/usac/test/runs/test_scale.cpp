@@ -158,8 +158,8 @@ TEST_P(UsacScale, work_is_linear)
     }
 }
 
-//! Memory must be at most 600 bytes per point with every neighborhood, even if all points are
-//! neighbors in the coarsest layer of the neighborhood.
+//! Memory must be at most 600 bytes per point with every neighborhood, even if thousands of points
+//! are within the radius of the coarsest layer around a point.
 TEST_P(UsacScale, memory_of_every_neighborhood)
 {
     if (!memoryIsMeasurable())
@@ -200,7 +200,7 @@ void manyCalls(int count)
     }
     const double growth = residentBytes() - before;
     if (cvtest::debugLevel > 0)
-        printf("%d calls: %.0f bytes more in memory than before, %.1f MB\n", count, growth,
+        printf("%d calls: memory has grown by %.0f bytes from %.1f MB\n", count, growth,
                before / 1e6);
     EXPECT_LE(growth, 1e6);
 }

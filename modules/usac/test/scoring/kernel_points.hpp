@@ -177,8 +177,8 @@ Matx22d covarianceAt(const Correspondences& points, int column, int i)
     return root * root.t();
 }
 
-//! Squared reprojection error of a point under a pose, in units of its standard deviation if there
-//! are covariances; infinite behind the camera.
+//! Squared reprojection error of match i under the pose P. If there are covariances, the squared
+//! Mahalanobis length of the reprojection error. Infinite for a point behind the camera.
 double directReprojection(const Correspondences& p, const Matx34d& P, int i)
 {
     const Vec3d x = P * Vec4d(p.column[0][i], p.column[1][i], p.column[2][i], 1);
@@ -187,8 +187,10 @@ double directReprojection(const Correspondences& p, const Matx34d& P, int i)
     return x[2] > 0 ? error.dot(covariance.inv() * error) : INFINITY;
 }
 
-//! Squared transfer error (M is H) or squared Sampson distance (M is F) of match i in units of its
-//! standard deviation, which follows from the covariances of both points to first order.
+//! Squared error of match i, weighted by the covariances of its two points. M is H: the squared
+//! Mahalanobis length of the transfer error in image 2. M is F: (x2^T F x1)^2 divided by the
+//! variance of x2^T F x1. The covariance of the transfer error and this variance follow from the
+//! covariances of the points to first order.
 double directWhitened(const Correspondences& p, Formula::Kind kind, const Matx33d& M, int i)
 {
     const Matx22d second = covarianceAt(p, 4, i), first = covarianceAt(p, 7, i);
@@ -214,7 +216,7 @@ double directSpaceTransfer(const Correspondences& p, const Matx34d& motion, int 
     return off.dot(off);
 }
 
-//! Squared error of a point in double, in the coordinates of the kernels.
+//! Squared error of match i in double precision, in the normalized coordinates of the kernels.
 double directError(const Correspondences& p, Formula::Kind kind, const Model& model, int i)
 {
     if (kind == Formula::REPROJECTION || kind == Formula::WHITENED_REPROJECTION)
@@ -245,7 +247,7 @@ struct Direct
     Direct() : msac(0), inliers(0), doubtful(0) {}
     double msac;
     int inliers, doubtful;  //!< numbers of points within the threshold, and of points so close to
-                            //!< it that rounding to float decides
+                            //!< it that rounding to float can decide
 };
 
 Direct directScore(const Fixture& f, const Model& model, int begin, int end)

@@ -17,8 +17,8 @@ Quality scoreOf(std::vector<float> squaredErrors, float squaredThreshold)
 }
 
 //! The cost of a point with error e is log(1 + e^2 / s^2) / log(1 + t^2 / s^2), where t is the
-//! threshold and s = t / 256. The logarithm to base 2 is interpolated between powers of two, with
-//! an error of at most 0.0861.
+//! threshold and s = t / 256. The logarithm to base 2 is interpolated linearly between powers of
+//! two, with an error of at most 0.0861.
 TEST(Usac_LogarithmicScore, formula)
 {
     const double LINEAR = 0.0861 / 16;

@@ -135,8 +135,8 @@ TEST_P(Usac_Magsac_Problem, inliersAndUndefinedErrors)
     }
 }
 
-//! The number of inliers must be that of the mask, although the cost uses a threshold that is twice
-//! as large.
+//! Quality::inliers must count the inliers of the mask, that is, errors of at most 1, although the
+//! cost uses a threshold of 2.
 TEST_P(Usac_Magsac_Problem, inliersOfTheMask)
 {
     const ProblemType problem = (ProblemType)GetParam();

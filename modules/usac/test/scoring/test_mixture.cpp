@@ -10,8 +10,9 @@
 namespace opencv_test {
 namespace {
 
-//! The density of outliers follows from the extent of the points: of image 2 for H, the geometric
-//! mean of both images for F.
+//! The density of outliers follows from the extent of the points. The extent in one image is the
+//! geometric mean of the sides of their bounding box. For H, that in image 2 is used; for F, the
+//! geometric mean of the extents in both images.
 TEST(Usac_Statistics, outlierExtent)
 {
     std::vector<Point2d> points1, points2;

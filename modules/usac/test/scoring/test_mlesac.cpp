@@ -38,8 +38,8 @@ std::vector<float> drawErrors(int degrees, int count, double part, double side, 
     return errors;
 }
 
-//! Negative log-likelihood of the mixture, scaled so that a point contributes 0 if all errors are
-//! 0, and 1 if there are no inliers.
+//! Negative log-likelihood of the mixture with the inlier ratio gamma, scaled so that a point with
+//! an error of 0 contributes 0 if gamma is 1, and any point contributes 1 if gamma is 0.
 double directCost(const std::vector<float>& errors, int degrees, double side, double gamma)
 {
     const double inlier = std::pow(2 * CV_PI, -0.5 * degrees), outlier = std::pow(side, -degrees);
@@ -68,8 +68,9 @@ TEST(Usac_Mlesac, mixingWeightIsRecovered)
         }
 }
 
-//! With equal ratios r, each iteration multiplies the odds of the mixing weight by r. The result
-//! must be that of the last of 50 iterations.
+//! If all points have the same likelihood ratio r of inlier to outlier, each iteration multiplies
+//! the odds w / (1 - w) of the mixing weight w by r, beginning with odds of 1. The result must be
+//! that of the last of 50 iterations.
 TEST(Usac_Mlesac, mixingWeightOfPoorDistinction)
 {
     const std::vector<float> ratios(100, 1.01f);
@@ -126,8 +127,8 @@ TEST_P(Usac_Mlesac_Problem, bounds)
     EXPECT_EQ(0, empty.cost);
 }
 
-//! If all points are equal, there is no area for outliers. The cost must be finite and within its
-//! bounds.
+//! If all points coincide, there is no area for outliers. The cost of 20 points must nevertheless
+//! be between 0 and 20.
 TEST_P(Usac_Mlesac_Problem, noExtent)
 {
     const Ptr<OwnPoints> points(spanning((ProblemType)GetParam(), 0, 1));

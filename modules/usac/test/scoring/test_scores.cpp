@@ -85,7 +85,7 @@ TEST_P(Usac_Scores_Kernels, errorsAgainstDirectEvaluation)
         residual->squaredErrors(f.models[k], p.exact, COUNT, precise.data());
         for (int i = 0; i < COUNT; ++i)
         {
-            // leaves out points with large errors, such as those near the line at infinity
+            // leaves out points with large errors, such as those that H maps almost to infinity
             const double expected = directError(p, f.kind, f.models[k], i);
             if (expected > 25)
                 continue;
@@ -122,7 +122,7 @@ TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Range(0, (int)Errors::COUNT));
 
-//! Points with undefined errors must be outliers.
+//! Points with infinite or undefined (NaN) errors must be outliers.
 TEST(Usac_Scores, undefinedErrorsAreOutliers)
 {
     const std::vector<Point2d> points1(40, Point2d(1, 0)), points2(40, Point2d(0, 0));

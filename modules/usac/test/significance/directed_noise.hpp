@@ -16,11 +16,11 @@ namespace {
 //! to the distorted point differs from the unit matrix by up to a third.
 const double LENS[] = {-0.25, 0.1, 0.002, -0.001, 0.02};
 
-//! The smaller standard deviation of a point in image 2, in pixels.
+//! The smaller of the two standard deviations of the noise of a point in an image, in pixels.
 constexpr double SMALL_NOISE = 0.2;
 
 //! A covariance with standard deviations `a` and `b` in two directions at right angles. `angle` is
-//! that between the direction of `a` and the x axis, in radians.
+//! the angle between the direction of `a` and the x axis, in radians.
 inline Matx22d ellipse(double a, double b, double angle)
 {
     const Matx22d turn(std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle));

@@ -127,9 +127,9 @@ TEST_P(Usac_ModelCovariance, only_if_asked_for)
     EXPECT_EQ(0, silent.sigma);
 }
 
-//! The points do not determine all parameters of F of a plane and of E without a translation,
-//! although noise can make it look as if they did. At most one in ten models is allowed to have a
-//! covariance.
+//! Points on a plane do not determine all parameters of F, and the images of cameras at practically
+//! the same place do not determine all parameters of E, although noise can make it look as if they
+//! did. At most one in ten models is allowed to have a covariance.
 TEST(Usac_ModelCovariance_, free_parameters)
 {
     int determined = 0, models = 0;
@@ -158,7 +158,7 @@ TEST(Usac_ModelCovariance_, free_parameters)
     EXPECT_LE(determined, models / 10);
 }
 
-//! E of a plane is determined except for a second solution. There must be a covariance.
+//! Points on a plane determine E except for a second solution, so that there must be a covariance.
 TEST(Usac_ModelCovariance_, essential_of_plane)
 {
     SceneOptions options;

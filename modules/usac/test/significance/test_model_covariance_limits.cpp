@@ -44,7 +44,8 @@ struct Certainty
 
     double sigma;
     Mat covariance;
-    bool determined, unknown;  //!< all entries are finite; all entries are NaN
+    bool determined, unknown;  //!< whether all entries of the covariance are finite; whether all
+                               //!< are NaN
 };
 
 std::vector<Point2d> randomPoints(int size, double low, double high)
@@ -100,9 +101,9 @@ TEST(Usac_ModelCovariance_Limits, noiseOfFewInliers)
     EXPECT_EQ(0, few.sigma);
 }
 
-//! Only `within` of eight inliers are within the threshold. The noise is known in any case, because
-//! all inliers up to twice the threshold determine it. But two inliers are too few for the
-//! covariance of a translation; eight are enough.
+//! `within` of eight matches have errors of 0.6 thresholds, the others of 1.2 thresholds. The noise
+//! is known in any case, because it is estimated from the errors up to twice the threshold. But two
+//! matches within the threshold are too few for the covariance of a translation; eight are enough.
 TEST(Usac_ModelCovariance_Limits, fewInliersWithinTheThreshold)
 {
     const std::vector<Point2d> points1 = randomPoints(8, 1, 99);
@@ -141,9 +142,9 @@ TEST(Usac_ModelCovariance_Limits, pointsOnALine)
     }
 }
 
-//! H is returned with h33 = 1. If h33 was so small before that it changes its sign in finite
-//! differences, all other entries change their signs instead. The covariance must nevertheless be
-//! nearly that of a similar H with a larger h33.
+//! H is divided by h33 before it is returned. If h33 is so small that finite differences change its
+//! sign, the division changes the signs of all other entries instead. The covariance must
+//! nevertheless be nearly that of a similar H with a larger h33.
 TEST(Usac_ModelCovariance_Limits, arbitrarySign)
 {
     const std::vector<Point2d> points1 = randomPoints(40, 1, 9);

@@ -282,7 +282,8 @@ TEST(Usac_PointCovariances_, otherProblems)
     expectRefused([&] { estimateTwoViewGeometry(pair); }, "two views");
 }
 
-//! After setPoints(), an estimator must use its covariances for the new points.
+//! After setPoints(), an estimator must apply the covariances with which it was created to the new
+//! points.
 TEST(Usac_PointCovariances_, setPoints)
 {
     const Directed one(HOMOGRAPHY, 1, false), two(HOMOGRAPHY, 2, false);

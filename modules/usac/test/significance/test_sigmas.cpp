@@ -57,8 +57,8 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_Sigmas,
                         testing::Values(HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY,
                                         ABSOLUTE_POSE, RIGID_3D, SIMILARITY_3D));
 
-/** The error must be close to that of a fit to the true inliers with the true weights, clearly
-lower than without sigmas, and described by the covariance. */
+/** The error of the model must be close to that of a fit to the true inliers with the true weights,
+clearly lower than without sigmas, and described by the covariance. */
 TEST_P(Usac_Sigmas, weightedLeastSquares)
 {
     const int scenes = 60;

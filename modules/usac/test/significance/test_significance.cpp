@@ -269,9 +269,10 @@ TEST(Usac_Significance, repeatedMatches)
     }
 }
 
-//! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks, the best map
-//! maps everything to this point. This map has no more independent inliers than expected by chance,
-//! and there are enough other points to decide this, so that the run must return no model.
+//! Random matches, of which 80 of 200 lead to one point. Without degeneracy checks, the best model
+//! maps everything to this point (unless it is a translation). It has no more independent inliers
+//! than expected by chance, and there are enough other points to decide this, so that the run must
+//! return no model.
 TEST(Usac_Significance, mapsToOnePlace)
 {
     for (ProblemType problem : {HOMOGRAPHY, AFFINITY, SIMILARITY, TRANSLATION_2D})

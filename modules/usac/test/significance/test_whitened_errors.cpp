@@ -205,7 +205,8 @@ TEST(Usac_WhitenedErrors, derivatives)
 }
 
 //! The squared error must be the squared length of the error vector. For points behind the camera,
-//! the squared error must be infinite, the error 1e100, and its derivatives 0.
+//! the squared error must be infinite, the first component of the error vector 1e100, and the
+//! derivatives of both components 0.
 TEST(Usac_WhitenedErrors, squaredErrors)
 {
     const PoseCamera camera(Matx33d::eye(), Mat(1, 5, CV_64F, (void*)LENS));

@@ -22,9 +22,10 @@ const double OFF_FOLD = 1e-3;
 
 /** Inverts the lens distortion without code of the module: the undistorted point is found by
 Newton's method with the values and derivatives of cv::projectPoints. The largest accepted residual
-gives a bound of the point's error. If the distortion is only radial, a point is not seen if its
-distorted radius exceeds the first maximum of the distorted radius. With other distortion, the
-oracle does not decide about such points, nor about points behind a fold of the other terms. */
+gives a bound of the point's error. The distorted radius, as a function of the undistorted one, can
+have a maximum. If the distortion is only radial, a point with a distorted radius above the first
+maximum is not seen. With other distortion, the oracle does not decide about such points, nor about
+points behind a fold of the other terms. */
 class LensOracle
 {
 public:

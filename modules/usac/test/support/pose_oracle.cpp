@@ -117,8 +117,8 @@ private:
         return depth > 1e-6 * size ? YES : depth < -1e-6 * size ? NO : UNDECIDED;
     }
 
-    //! Compares the reprojection error of `point` with the threshold; `point` has depth 1 and an
-    //! error of up to `moved`.
+    //! Compares the reprojection error of `point` with the threshold; `point` has depth 1, and its
+    //! coordinates have rounding errors of up to `moved`.
     Answer isNear(const Point3d& point, double moved, const Point2d& seen, double threshold,
                   double& error) const
     {

@@ -150,7 +150,7 @@ std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33
         if (points1[i].seen == LensOracle::NOT_SEEN || points2[i].seen == LensOracle::NOT_SEEN)
         {
             if (inlier)
-                return format("row %d is an inlier, but its lens does not show it", i);
+                return format("row %d is an inlier, but a lens does not show its point", i);
             continue;
         }
         if (points1[i].seen == LensOracle::UNDECIDED || points2[i].seen == LensOracle::UNDECIDED)
@@ -188,11 +188,11 @@ std::string brokenModel(ProblemType problem, const Matx33d& M)
     cv::SVD::compute(Mat(M), w, cv::SVD::NO_UV);
     const double* s = w.ptr<double>();
     if (std::abs(size - 1) > 1e-12)
-        return format("norm %.17g", size);
+        return format("the norm of the model is %.17g", size);
     if (s[2] > 1e-10 || !(s[1] > 0))
-        return format("rank: singular values %g, %g, %g", s[0], s[1], s[2]);
+        return format("the rank is not 2: singular values %g, %g, %g", s[0], s[1], s[2]);
     if (problem == ESSENTIAL && std::abs(s[0] - s[1]) > 1e-10)
-        return format("singular values %.17g, %.17g", s[0], s[1]);
+        return format("E has unequal singular values %.17g, %.17g", s[0], s[1]);
     return "";
 }
 
@@ -235,7 +235,7 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
     }
     if (report.stop < STOP_MAX_ITERATIONS ||
         (inliers == 0 && call.params.widestReach <= call.params.reach))
-        return "there is a model, but no inliers, or a Report::stop of a run without a model: " +
+        return "there is a model, but the mask has no inliers or Report::stop denies the model: " +
                report.describe();
     if (!findsThreshold(call.params) &&
         std::abs(report.threshold / call.params.threshold - 1) > 1e-12)

@@ -15,12 +15,13 @@ namespace opencv_test {
 //! OUTLIERS_BORDER).
 const double SCENE_MARGIN = 5;
 
+//! Returns true if p is inside the image and farther than SCENE_MARGIN from its border.
 bool inside(const cv::Point2d& p);
 
 cv::Point2d randomPixel(cv::RNG& rng);
 
-//! Sets the cameras and the models of the scene, and draws a plane n X = 1 in front of camera 1.
-//! @return n
+//! Sets the cameras and the models of the scene, and draws a plane n^T X = 1 in front of camera 1
+//! (in its coordinates). @return n
 cv::Vec3d makeGeometry(Scene& scene, cv::RNG& rng, const SceneOptions& options);
 
 //! What is needed to draw points: the cameras, the plane and the options.
@@ -35,8 +36,9 @@ struct Geometry
     const SceneOptions& options;
 };
 
-//! Finds the point p2 of image 2 that belongs to p1. The point in space is on the plane if `plane`
-//! is true, otherwise at a random depth. @return false if p2 is outside image 2
+//! Finds the point p2 of image 2 that belongs to p1: for affine maps, where the model maps p1;
+//! otherwise the image of a point in space, which is on the plane if `plane` is true and at a
+//! random depth if not. @return inside(p2)
 bool follow(const Geometry& g, bool plane, cv::RNG& rng, const cv::Point2d& p1, cv::Point2d& p2);
 
 //! Draws the images p1 and p2 of a point in space that both cameras see. If `plane` is true, the

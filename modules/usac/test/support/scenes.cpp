@@ -18,13 +18,13 @@ namespace {
 
 //! Smallest and largest displacement in pixels for OUTLIERS_LOCAL.
 const double MIN_SHIFT = 5, MAX_SHIFT = 50;
-//! Mean number of wrong matches that share a point for OUTLIERS_MANY_TO_ONE.
+//! Approximate mean number of wrong matches that share a point for OUTLIERS_MANY_TO_ONE.
 const int MATCHES_OF_ONE_POINT = 10;
 //! Sides in pixels of the squares of OUTLIERS_CLUSTERED and OUTLIERS_SECOND_MODEL.
 const double CLUSTER = 80, PATCH = 160;
 //! All in pixels: lengths of OUTLIERS_SHIFT, standard deviation of OUTLIERS_PLACE, side of the
-//! squares of OUTLIERS_CLUSTERS, distance from the center within which half of the coordinates of
-//! OUTLIERS_CENTER are, largest offset of OUTLIERS_WINDOW per coordinate.
+//! squares of OUTLIERS_CLUSTERS, distance from the center within which about half of the
+//! coordinates of OUTLIERS_CENTER are, largest offset of OUTLIERS_WINDOW per coordinate.
 const double LEAST_SHIFT = 30, LARGEST_SHIFT = 100, JITTER = 0.4, SMALL_CLUSTER = 20,
              HALF_WITHIN = 20, WINDOW = 60;
 

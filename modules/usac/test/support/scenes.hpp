@@ -124,7 +124,7 @@ struct Scene
     std::vector<float> scores;
     std::vector<uchar> truth;     //!< 1: a true match
     std::vector<uchar> onPlane;   //!< 1: a true match on the plane
-    std::vector<uchar> onSecond;  //!< 1: a wrong match of OUTLIERS_SECOND_MODEL, see also `second`
+    std::vector<uchar> onSecond;  //!< 1: a wrong match made as with OUTLIERS_SECOND_MODEL
     cv::Matx33d model;            //!< H, affine maps: last entry 1; F, E: unit Frobenius norm
     cv::Matx33d F;                //!< fundamental matrix of unit Frobenius norm, for all problems
     cv::Matx33d K, R;             //!< both cameras have the same K; X2 = R X1 + baseline * t
@@ -133,7 +133,7 @@ struct Scene
     int size() const { return (int)points1.size(); }
 };
 
-//! Problems whose model maps points to points: all but F and E.
+//! True for problems whose model maps points to points: all but F and E.
 bool mapsPoints(cv::usacv20::ProblemType problem);
 
 Scene makeScene(cv::usacv20::ProblemType problem, const SceneOptions& options = SceneOptions());

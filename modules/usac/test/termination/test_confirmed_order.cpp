@@ -171,7 +171,8 @@ TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
     }
 }
 
-//! Failed searches, searches ended by the order, and mean number of samples.
+//! Number of searches that failed, number of searches that #TERMINATION_ORDER ended, and mean
+//! number of samples of a search.
 struct Outcome
 {
     int failed, byOrder;
@@ -251,7 +252,7 @@ TEST(Usac_ConfirmedOrder, badScoresAreSeen)
         }
 }
 
-//! Without scores, the criterion must change nothing, even if all samples follow the order.
+//! Without scores, #TERMINATION_ORDER must change nothing, even if all samples follow the order.
 TEST(Usac_ConfirmedOrder, isIdleWithoutScores)
 {
     SceneOptions options;
@@ -343,9 +344,9 @@ Scene withCopies(int size, double inlierRatio, int copied, int times, std::vecto
     return scene;
 }
 
-//! 120 true matches have the best scores, and all other scores are random. If they are 40 copies
-//! each of three matches, they must not count as evidence that the order is informative. If they
-//! are 120 different matches, they must count.
+//! 120 true matches have the best scores, and all other scores are random. If these matches are
+//! 40 copies each of three matches, they must not count as evidence that the order is informative.
+//! If they are 120 different matches, they must count.
 TEST(Usac_ConfirmedOrder, copiesAreNoEvidence)
 {
     for (bool repeated : {false, true})

@@ -273,7 +273,9 @@ TEST(Usac_TerminationProsac, endsARun)
             }
 }
 
-//! Number of samples that the criterion asks for with the true model and these options.
+//! Number of samples that the criterion asks for with the true model and these parameters. It must
+//! be that of Case::bruteForce with the same `kept`, the expected probability that a sample is
+//! drawn in PROSAC's way and that the verifier keeps its model if the model is good.
 int iterationsFor(const Scene& scene, const Params& params, double kept)
 {
     const Ptr<Usac> usac = createUsac(scene, params);

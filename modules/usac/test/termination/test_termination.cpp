@@ -32,7 +32,8 @@ struct Counts
         return termination->iterations(context, state);
     }
 
-    //! Probability that a sample is all-inlier, as the fraction of all subsets of m points.
+    //! Probability that a sample is all-inlier: the fraction of the subsets of m points that
+    //! contain only inliers.
     double good(double inliers) const
     {
         long double p = 1;
@@ -128,9 +129,9 @@ TEST(Usac_Termination, pNapsac)
     EXPECT_EQ((int)STOP_P_NAPSAC, createPNapsacTermination()->reason());
 }
 
-//! The relaxation must not reduce the number of samples if the best model could be that of a plane
-//! (`successProbability` below 1). The relaxation must reduce the number less if many samples
-//! contain the same match twice.
+//! The relaxation of P-NAPSAC's criterion (Params::relaxation) must not reduce the number of
+//! samples if the best model could be that of a plane (`successProbability` below 1). It must
+//! reduce the number less if many samples contain the same match twice.
 TEST(Usac_Termination, pNapsacRelaxesWhatIsCertain)
 {
     Params params;

@@ -134,8 +134,9 @@ TEST(Usac_PairModels, noise_of_an_F_that_replaces_E)
     EXPECT_GE(replaced, 5);
 }
 
-//! If E is rejected, Report::chance of F must be at most the square of Params::significance. The
-//! square of 1e-170 is 0 in double precision, but must not count as an unset significance.
+//! If E is rejected, F is accepted only if its Report::chance is at most the square of
+//! Params::significance. The square of 1e-170 is 0 in double precision, but must not count as an
+//! unset significance.
 TEST(Usac_PairModels, significance_whose_square_is_zero)
 {
     for (uint64 seed = 1; seed <= 5; ++seed)

@@ -439,8 +439,9 @@ TEST(Usac_TwoViewGeometry, watermark_of_known_cameras)
 //! 45 % of the matches follow a rotation exactly. The others are shifted in image 2 by 3.35 pixels,
 //! which is nearly the threshold of H, more of them to the right than to the left. All are inliers
 //! of the homography of this rotation. But the rotation fitted to all of them is closer to those on
-//! the right, so that those on the left are not its inliers, and the pair counts as planar. H then
-//! determines a single rotation, also if its determinant is negative (`center` 20000).
+//! the right, so that those on the left are not its inliers, and the pair counts as planar. To the
+//! rotation of E, `rotations` then adds the only rotation that H allows, also if the determinant of
+//! H is negative (`center` 20000).
 TEST(Usac_TwoViewGeometry, homography_that_is_a_rotation)
 {
     for (double center : {320., 20000.})

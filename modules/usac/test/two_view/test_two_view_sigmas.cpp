@@ -11,8 +11,8 @@
 namespace opencv_test {
 namespace {
 
-//! A pair whose matches alternately have noise with a standard deviation of `small` pixels and of
-//! five times as many; the sigmas of the pair are these standard deviations.
+//! A pair in which the noise of the true matches has a standard deviation of `small` pixels in even
+//! rows and of 5 `small` pixels in odd rows. The sigmas of all matches are those of their rows.
 TwoViewPair pairOfMixedNoise(const Scene& scene, double small)
 {
     TwoViewPair pair = pairOf(scene);

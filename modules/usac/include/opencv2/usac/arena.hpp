@@ -96,7 +96,7 @@ private:
     void release();
 
     Block* first;
-    Block* top;  //!< the block whose high end is in use
+    Block* top;  //!< the block from whose high end high() takes memory
 
     Arena(const Arena&);
     Arena& operator=(const Arena&);

@@ -29,8 +29,9 @@ struct CV_EXPORTS Task
 
     ProblemType problem;  //!< what is estimated
     Mat points1;          //!< points of image 1; #ABSOLUTE_POSE: object points; #RIGID_3D and
-                          //!< #SIMILARITY_3D: points of space 1
-    Mat points2;          //!< the counterparts in image 2, in the image or in space 2
+                          //!< #SIMILARITY_3D: 3-D points
+    Mat points2;          //!< their counterparts: points of image 2; #ABSOLUTE_POSE: image points;
+                          //!< #RIGID_3D and #SIMILARITY_3D: 3-D points
     Params params;        //!< options; Params::scores, if any, belong to these points
     Mat cameraMatrix1;    //!< for #ESSENTIAL and #ABSOLUTE_POSE
     Mat cameraMatrix2;    //!< for #ESSENTIAL; empty: the same as `cameraMatrix1`

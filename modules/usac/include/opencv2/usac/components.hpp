@@ -34,8 +34,8 @@ public:
     virtual ~Component();
     /** @brief Begins a run. Called before the run uses the component (except for constants such as
     MinimalSolver::sampleSize), even if there are too few points for a model. Called again in the
-    same run if the points change (of more than 32768, the search uses a random part, and polishing
-    all; #THRESHOLD_ESTIMATED first uses 512), and for sampler, verifier and criteria if samples are
+    run if the points change (the search uses at most 32768 random points, polishing uses all, and
+    #THRESHOLD_ESTIMATED first uses 512), and for sampler, verifier and criteria if samples are
     forgotten (State::forgotten). Correspondences::threshold can change without another call, but
     see Degeneracy::thresholdChanged.
 
@@ -215,7 +215,7 @@ public:
     //! at most 1) of the threshold; points beyond it contribute to the cost only. Default: 1.
     virtual double inlierPart() const;
     //! The threshold, not squared, for the mask and for the steps after the search. Default:
-    //! Correspondences::threshold, which leaves the thresholds of search and mask unchanged.
+    //! Correspondences::threshold: the score has no threshold of its own.
     virtual double threshold(const Context& context, const Model& model) const;
 };
 

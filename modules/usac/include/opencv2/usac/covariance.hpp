@@ -67,7 +67,7 @@ CV_EXPORTS_W Mat covarianceOfPose(InputArray essential, InputArray covariance, I
 @param model as #estimateHomography and similar functions return it, any depth
 @param covariance Report::covariance, d x d, any depth
 @param points1 N points of image 1, in the layouts of #estimateHomography; absolute pose and 3-D
-motions: points of space, N x 3 or 3 x N with 1 channel, or with 3 channels, any depth
+motions: 3-D points, N x 3 or 3 x N with 1 channel, or with 3 channels, any depth
 @param points2 F and E: their N counterparts in image 2; not used for other problems
 @param cameraMatrix1 3x3, for #ABSOLUTE_POSE and #ESSENTIAL
 @param cameraMatrix2 3x3, for #ESSENTIAL; empty: the same as `cameraMatrix1`

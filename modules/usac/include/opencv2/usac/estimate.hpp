@@ -27,7 +27,7 @@ divided by the third number, too. Of 4 or more numbers per point, the first two 
 channel, the longer side is the number of points; if both sides are equal, each row is a point; a
 single row or column is one point.
 @param points2 their N counterparts in image 2; layout and depth can differ from those of `points1`.
-@param params options; `threshold` is the distance in image 2 in pixels.
+@param params options; `threshold` is the maximum distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned H is at most the
 threshold, else 0.
 @param report output, statistics of the run.
@@ -47,7 +47,7 @@ CV_EXPORTS Mat estimateHomography(InputArray points1, InputArray points2,
 
 @param points1 N points of image 1, as in #estimateHomography.
 @param points2 their N counterparts in image 2.
-@param params options; `threshold` is the distance in image 2 in pixels.
+@param params options; `threshold` is the maximum distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
 threshold, else 0.
 @param report output, statistics of the run.
@@ -65,7 +65,7 @@ CV_EXPORTS Mat estimateAffinity2D(InputArray points1, InputArray points2,
 
 @param points1 N points of image 1, as in #estimateHomography.
 @param points2 their N counterparts in image 2.
-@param params options; `threshold` is the distance in image 2 in pixels.
+@param params options; `threshold` is the maximum distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
 threshold, else 0.
 @param report output, statistics of the run.
@@ -82,7 +82,7 @@ CV_EXPORTS Mat estimateSimilarity2D(InputArray points1, InputArray points2,
 
 @param points1 N points of image 1, as in #estimateHomography.
 @param points2 their N counterparts in image 2.
-@param params options; `threshold` is the Sampson distance in pixels.
+@param params options; `threshold` is the maximum Sampson distance in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance under the returned F is at most
 the threshold, else 0.
 @param report output, statistics of the run.
@@ -104,8 +104,8 @@ multiple of such a matrix; skew is allowed. A transposed matrix raises cv::Excep
 @param distCoeffs1 4, 5, 8, 12 or 14 coefficients of the distortion of camera 1, as in
 cv::undistortPoints; empty: none.
 @param distCoeffs2 distortion of camera 2; empty: none.
-@param params options; `threshold` is the Sampson distance in pixels; internally it is divided by
-the mean of the four focal lengths.
+@param params options; `threshold` is the maximum Sampson distance in pixels; internally it is
+divided by the mean of the four focal lengths (fx and fy of both cameras).
 @param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalized points under
 the returned E is at most threshold / mean focal length, else 0.
 @param report output, statistics of the run.
@@ -131,8 +131,8 @@ t).
 @param cameraMatrix 3x3 camera matrix K.
 @param distCoeffs 4, 5, 8, 12 or 14 coefficients of the distortion, as for cv::projectPoints; empty:
 none.
-@param params options; `threshold` is the reprojection error in pixels, in the original (distorted)
-image.
+@param params options; `threshold` is the maximum reprojection error in pixels, in the original
+(distorted) image.
 @param mask output, Nx1, CV_8U: 1 exactly where a point is in front of the camera and its
 reprojection error, distortion included, is at most the threshold, else 0.
 @param report output, statistics of the run.
@@ -155,8 +155,8 @@ CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoi
 
 @param points1 N 3-D points: N x 3 or 3 x N with 1 channel, or with 3 channels, any depth.
 @param points2 their N counterparts, in the same unit.
-@param params options; `threshold` is the distance between R X1 + t and X2, in the unit of the
-points; the default 1.5 is therefore rarely suitable.
+@param params options; `threshold` is the maximum distance between R X1 + t and X2, in the unit of
+the points; the default 1.5 is therefore rarely suitable.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned motion is at most
 the threshold, else 0.
 @param report output, statistics of the run.
@@ -178,8 +178,8 @@ An example is the map from a reconstruction of unknown scale to measured points.
 
 @param points1 N 3-D points, as in #estimateRigid3D, in any unit.
 @param points2 their N counterparts.
-@param params options; `threshold` is the distance between s R X1 + t and X2, in the unit of
-`points2`.
+@param params options; `threshold` is the maximum distance between s R X1 + t and X2, in the unit
+of `points2`.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
 threshold, else 0.
 @param report output, statistics of the run.
@@ -194,7 +194,7 @@ CV_EXPORTS Mat estimateSimilarity3D(InputArray points1, InputArray points2,
 
 @param points1 N points of image 1, as in #estimateHomography.
 @param points2 their N counterparts in image 2.
-@param params options; `threshold` is the distance in image 2 in pixels.
+@param params options; `threshold` is the maximum distance in image 2 in pixels.
 @param mask output, Nx1, CV_8U: 1 exactly where the distance under the returned map is at most the
 threshold, else 0.
 @param report output, statistics of the run.

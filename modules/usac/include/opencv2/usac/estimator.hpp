@@ -30,7 +30,7 @@ public:
 
     /** @brief Reads the points and builds the components that `params` names.
     @param problem what to estimate
-    @param points1 N points of image 1 (#ABSOLUTE_POSE, 3-D motions: of space), as in
+    @param points1 N points of image 1 (#ABSOLUTE_POSE, 3-D motions: 3-D points), as in
     #estimateHomography and similar functions
     @param points2 their N counterparts in image 2
     @param params options

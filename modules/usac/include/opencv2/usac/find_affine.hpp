@@ -24,9 +24,9 @@ those of usacv20::estimateAffinity2D and usacv20::estimateSimilarity2D.
 `refineIters` is the maximum number of steps of the final polishing
 (usacv20::Params::polishingSteps); a preset with fewer steps keeps its own number. 0 turns polishing
 off (usacv20::POLISHING_NONE): the model is then the result of the search, which local optimization
-has already fitted to its inliers. (With OpenCV's flags, 0 gives the model of the minimal sample.) A
-negative number, which is converted to a very large `size_t`, raises cv::Exception for `refineIters`
-and `maxIters`.
+has already fitted to its inliers. (With OpenCV's flags, 0 gives the model of the minimal sample.)
+For `refineIters` and `maxIters`, a negative number raises cv::Exception, because its conversion to
+`size_t` gives a very large number.
 @{ */
 //! An affine map; arguments and result as in usacv20::estimateAffine2D.
 CV_EXPORTS Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers,

@@ -80,7 +80,7 @@ enum ProblemType {
     ESSENTIAL = 2,    //!< 3x3 essential matrix from 5 or more correspondences of calibrated cameras
     AFFINITY = 3,     //!< 2x3 affine map from 3 or more correspondences
     SIMILARITY = 4,  //!< 2x3 rotation, uniform scale and translation from 2 or more correspondences
-    ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more points of space
+    ABSOLUTE_POSE = 5,  //!< 3x4 pose of a calibrated camera from 3 or more 3-D points
     RIGID_3D = 6,       //!< 3x4 rotation and translation from 3 or more pairs of 3-D points
     SIMILARITY_3D = 7,  //!< like #RIGID_3D, with a uniform scale
     TRANSLATION_2D = 8  //!< 2x3 translation from 1 or more correspondences
@@ -96,8 +96,8 @@ enum ThresholdType {
     1000 uniform samples (at most Params::maxIterations) are drawn, which Report does not count. The
     built-in checks for orientation and repeated matches apply to them, even if a program has
     replaced these checks. If no model is better than chance, or if the best model has fewer than
-    ten inliers outside its sample, the inlier threshold is a third of `threshold`. Only Usac::run
-    and Usac::refine without a mask estimate the threshold. Params::widestReach has no effect. */
+    ten inliers outside its sample, the inlier threshold is a third of `threshold`. Usac::fit, and
+    Usac::refine with a mask, use `threshold` itself. Params::widestReach has no effect. */
     THRESHOLD_ESTIMATED = 1
 };
 
@@ -209,9 +209,9 @@ enum TerminationFlags {
     TERMINATION_EXACT = 32,    //!< modifies the other criteria: with I inliers among N points, a
                              //!< sample of m points, drawn without replacement, is all-inlier with
                              //!< probability C(I, m) / C(N, m) instead of (I / N)^m
-    //! PROSAC's criterion, if inliers of the best model come early in a known order and samples of
-    //! its outliers yield no better model; takes effect only with PROSAC or P-NAPSAC, local
-    //! optimization, `orderedEvery` above 1 and `runnersUp` above 0
+    //! PROSAC's criterion, if inliers of the best model come early in a known order and samples
+    //! drawn from its outliers yield no better model; takes effect only with PROSAC or P-NAPSAC,
+    //! local optimization, `orderedEvery` above 1 and `runnersUp` above 0
     TERMINATION_ORDER = 64
 };
 

@@ -17,9 +17,9 @@ namespace usacv20 {
 //! @{
 
 /** @brief Function that estimations call to report their progress. @return true: continue; false:
-stop, with the best model so far and #STOP_CANCELLED in the report. In `report`, `stop` is
-#STOP_NOT_RUN, `inliers` and `cost` are those of the best model before polishing (0 and 1 if there
-is none), and `searchMs` is the time since the run began. */
+stop, with the best model so far and #STOP_CANCELLED in the returned Report. In the argument
+`report`, `stop` is #STOP_NOT_RUN, `inliers` and `cost` are those of the best model before polishing
+(0 and 1 if there is none), and `searchMs` is the time since the run began. */
 typedef std::function<bool(const Report& report)> Progress;
 
 /** @brief While an object exists, all estimations that its thread begins call a function every 5

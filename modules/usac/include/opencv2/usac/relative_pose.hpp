@@ -54,7 +54,8 @@ length of t.
 @param distCoeffs1 4, 5, 8, 12 or 14 distortion coefficients of camera 1; empty: none
 @param cameraMatrix2 3x3 camera matrix of image 2; empty: that of image 1
 @param distCoeffs2 distortion of camera 2; empty: none
-@param params options; `threshold` is the Sampson distance in pixels, as in #estimateEssential
+@param params options; `threshold` is the maximum Sampson distance in pixels, as in
+#estimateEssential
 @param R output, 3x3, CV_64F, a rotation; empty if there is no model
 @param t output, 3x1, CV_64F, unit length: two views do not determine the scale
 @param mask output, N x 1, CV_8U: 1 where the Sampson distance is at most the threshold and the

@@ -145,9 +145,9 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! threshold, `covariance` is too small: a fifth to a half of correct priors are then not used.
     CV_PROP_RW double priorChance;
     /** True if `threshold` is at least half of the longest side of the box that contains nearly all
-    points of the last array. A model that maps all points to a single point then has all points as
-    inliers, and the number of inliers means nothing. The threshold is probably in the wrong unit,
-    for example in pixels with points of the normalized image plane. */
+    points of the last array. A model that maps all points to a single point can then have most
+    points as inliers, and the number of inliers means nothing. The threshold is probably in the
+    wrong unit, for example in pixels with points of the normalized image plane. */
     CV_PROP_RW bool wideThreshold;
     //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 /
     //! threshold^2, 1), where the threshold is that of the search (Params::reach).

@@ -73,7 +73,7 @@ struct CV_EXPORTS State
     int repeatedSamples;  //!< number of samples that would count, but contain the same match twice
     int orderedSamples;   //!< number of samples that follow a known order (scores, order of input)
     int forgotten;        //!< number of first samples that do not count, because the threshold has
-                          //!< changed since; negative: number of samples of a guess that count, too
+                          //!< changed since; -k: k samples for #THRESHOLD_ESTIMATED count, too
     int wanted;           //!< @ref WantedSamples; used only by samplers that follow a known order
     //! Set by a criterion that ends the search with #STOP_ORDER: number of samples that are drawn
     //! from the outliers of the best model before the search ends. The search continues if these
@@ -83,7 +83,7 @@ struct CV_EXPORTS State
     Model best;                       //!< the best model so far
     Quality bestQuality;              //!< score of `best`
     Quality sampleQuality;            //!< the best score of a model of a sample before optimization
-    ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last design is in use
+    ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last one is current
     bool degenerate;  //!< true if a sample or model was degenerate, for example dominated by a
                       //!< plane
     Report report;    //!< statistics of the run so far

@@ -31,7 +31,7 @@ enum TwoViewConfiguration {
 };
 
 //! The rules by which #estimateTwoViewGeometry accepts models and chooses a configuration. The
-//! defaults are those of COLMAP, except for `inlierRatio`.
+//! defaults are those of COLMAP.
 struct CV_EXPORTS_W_SIMPLE TwoViewRules
 {
     CV_WRAP TwoViewRules();
@@ -49,7 +49,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     pairs with these ratios, see #samples. Default none: the ratios are unknown. */
     CV_PROP_RW std::vector<double> ratios;
     //! The pair is planar or panoramic if a homography explains more than this fraction of the
-    //! inliers of the accepted model; 0..1. Default 0.8.
+    //! inliers in TwoViewGeometry::mask; 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
     //! The focal lengths are considered wrong if the number of inliers of E is clearly less than
     //! this fraction of the number of inliers of F, see #estimateTwoViewGeometry. F may lose at
@@ -129,8 +129,9 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 
     //! @ref TwoViewConfiguration.
     CV_PROP_RW int configuration;
-    //! N x 1, CV_8U, 1 for inliers of the accepted model (E, F or H); all 0 if no model was
-    //! accepted; empty if a batch was canceled before the pair was looked at.
+    //! N x 1, CV_8U, 1 for the inliers of one accepted model: of E; of F if E was not accepted or
+    //! if the focal lengths are wrong; of H if only H was accepted. All 0 if none was accepted;
+    //! empty if a batch was canceled before the pair was looked at.
     CV_PROP_RW Mat mask;
     //! Number of inliers in the mask.
     CV_PROP_RW int inliers;
@@ -149,8 +150,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     //! 3x1, unit length; 0 for a pure rotation.
     CV_PROP_RW Mat t;
     //! 3k x 3: for cameras with known focal lengths, the k rotations compatible with the matches,
-    //! stacked; if the matches are correct, one of the rotations is the true one. Empty for a
-    //! watermark.
+    //! stacked; if the matches are correct, one of the rotations is the true one. Empty for
+    //! #TWO_VIEW_WATERMARK and #TWO_VIEW_PLANAR_OR_PANORAMIC.
     CV_PROP_RW Mat rotations;
     //! Report on the search for the model of the mask or, if no model was accepted, for the
     //! rejected model with the lowest Report::chance. If the estimation was canceled, only
@@ -172,26 +173,32 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
 /** @brief Determines the relation between two images from their matches.
 
 @param pair matches, cameras, image sizes
-@param params options of each search. `threshold` is the Sampson distance of E and F in undistorted
-pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here; `maxTime` applies
-to each search separately. `initialModel` must be empty, and `quality` must not be #QUALITY_LMEDS
-(see TwoViewRules::check). With sigmas, thresholds and errors are multiples of the sigma of each
-match (see Params::sigmas). With #THRESHOLD_ESTIMATED, the threshold of the pair is estimated until
-a model is accepted; from then on it is Report::threshold of this model (divided by 1.77, the ratio
-of the thresholds of H and E, if the model is H)
+@param params options of each search. `threshold` is the maximum Sampson distance for E and F in
+undistorted pixels; the threshold of H is derived from it. `significance` 0 means 10^-4 here;
+`maxTime` applies to each search separately. `initialModel` must be empty, and `quality` must not be
+#QUALITY_LMEDS (see TwoViewRules::check). With sigmas, thresholds and errors are multiples of the
+sigma of each match (see Params::sigmas). With #THRESHOLD_ESTIMATED, each search estimates its
+threshold until a model is accepted; from then on, the threshold of the pair is Report::threshold of
+this model (divided by 1.77, the ratio of the thresholds of H and E, if the model is H)
 @param rules rules by which models are accepted and the configuration is chosen
 @return the configuration with its models, inliers and pose.
 
 If both focal lengths are known, an essential matrix E is estimated, and then a fundamental matrix F
-starting from E; otherwise only F. If E is rejected, F is searched for with 500 samples and accepted
-only if its Report::chance is at most the square of `significance`. If F is accepted, and E is
-rejected or explains clearly fewer matches, E is estimated once more, starting from F. H is
-estimated from the inliers of E or F or, if both were rejected, from all matches. The focal lengths
-are rejected if E has clearly less than `calibrationRatio` of the inliers of F, and F loses hardly
-any inlier of E and fits the others hardly worse, and (if most inliers of E are on a plane) F has
-not gained its additional inliers by chance. These are the rules of COLMAP, with differences listed
-in doc/collections.md. The threshold of H is larger than that of E because the error of H has two
-coordinates.
+starting from E; otherwise only F. If E is rejected, F is searched for with at most 500 samples and
+accepted only if its Report::chance is at most the square of `significance`. If F is then accepted,
+or has clearly more inliers than E, E is estimated once more, starting from F. A homography H is
+estimated from the inliers of E (of F if E was rejected) or, if both were rejected, from all
+matches. The threshold of H is larger than that of E, because the error of H has two coordinates.
+
+If E and F are accepted, F is used instead of E, and the focal lengths are considered wrong, if all
+of the following conditions hold:
+- the number of inliers of E is clearly less than `calibrationRatio` times that of F;
+- F loses hardly any inlier of E, and its errors for the matches that are inliers of both are hardly
+  larger than those of E;
+- if most inliers of E are on a plane: it is improbable that F has gained its additional inliers by
+  chance.
+
+These are the rules of COLMAP, with differences listed in doc/collections.md.
 
 Raises cv::Exception for lists of different lengths, points of the wrong shape, invalid cameras,
 distortion without a camera, and invalid options. */

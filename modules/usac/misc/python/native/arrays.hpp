@@ -13,8 +13,8 @@ namespace python {
 
 /** @brief A NumPy array as a cv::Mat of the same form as in cv2: rows and columns; a third
 dimension becomes the channels. The matrix shares the array's memory if a cv::Mat can have its
-layout; otherwise the matrix is a copy. The array must have a number type of cv::Mat, except 16-bit
-floats, in native byte order. */
+layout; otherwise the matrix is a copy. The array must be in native byte order and have a number
+type of OpenCV 4's cv::Mat, but not 16-bit floats. */
 class ArrayMat
 {
 public:

@@ -2,8 +2,8 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// The functions of calib3d with a flag of this module or of OpenCV. They run on copies of the
-// arrays and without the interpreter's lock.
+// The functions of calib3d with a flag of this module or of OpenCV, and solvePnPRansac with Params.
+// They run on copies of the arrays and without the interpreter's lock.
 
 #include "arrays.hpp"
 #include "unlocked.hpp"

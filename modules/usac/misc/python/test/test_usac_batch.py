@@ -108,7 +108,7 @@ class BatchTest(unittest.TestCase):
                 usac.estimateHomographies(*call)
         with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
             usac.estimateEssentials(first, second, [np.eye(3)] * 2)
-        for both in (False, True):  # one wrong camera matrix for all pairs: the call itself must fail
+        for both in (False, True):  # one wrong camera matrix for all pairs: the call must raise the error in any case
             with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
                 usac.estimateEssentials(first, second, "K", returnExceptions=both)
 

@@ -105,9 +105,9 @@ class CamerasTest(unittest.TestCase):
         self.assertTrue(np.isnan(got[1]).all())
 
     def test_plain_fisheyes(self):
-        """In a plain fisheye model (SIMPLE_FISHEYE, FISHEYE) the angle to the optical axis is
-        proportional to the distance from the center. The results must equal those of the fisheye
-        model with distortion coefficients if all of these are 0."""
+        """In a plain fisheye model (SIMPLE_FISHEYE, FISHEYE) the distance from the center, in units of
+        the focal length, is the angle to the optical axis. The results must equal those of the
+        fisheye model with distortion coefficients if all of these are 0."""
         points = grid(1.5)
         for plain, other in (((14, [400, 400, 300]), (8, [400, 400, 300, 0])),
                              ((15, [400, 410, 400, 300]), (5, [400, 410, 400, 300, 0, 0, 0, 0]))):

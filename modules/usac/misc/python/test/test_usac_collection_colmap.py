@@ -243,7 +243,7 @@ class MapperTest(Case):
         self.assertLess(found["reprojection"], UNKNOWN.noise + 0.15)
         self.assertGreater(found["auc1"], 0.85)
 
-    @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a later colmap")
+    @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a command of COLMAP 4")
     def test_later_version(self) -> None:
         """The reconstructions of both mappers of COLMAP 4 must be about as good with the tool's table
         as with COLMAP's own. The tool is run on a database in the format of COLMAP 3.8, and on one

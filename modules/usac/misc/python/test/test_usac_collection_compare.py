@@ -29,7 +29,7 @@ PROGRAM = os.path.normpath(os.path.join(FOLDER, "..", "..", "..", "benchmark", "
 
 @once
 @package
-@unittest.skipUnless(os.path.exists(PROGRAM), "the samples are not here")
+@unittest.skipUnless(os.path.exists(PROGRAM), "the programs of the benchmark are not here")
 class CompareTest(unittest.TestCase):
 
     folder = ""
@@ -47,7 +47,7 @@ class CompareTest(unittest.TestCase):
     def test_table(self) -> None:
         self.table()
 
-    @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a later colmap")
+    @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a command of COLMAP 4")
     def test_table_of_later_version(self) -> None:
         self.table("--colmap", usac_colmap.findLater() or "", "--mapper", "global_mapper")
 

@@ -251,11 +251,11 @@ class ProcessCase(EngineCase):
         """Waits until the run has stored at least `count` pairs."""
         for _ in range(600):
             time.sleep(0.05)
-            self.assertIsNone(process.poll(), "it ended too early")
+            self.assertIsNone(process.poll(), "the run ended too early")
             with contextlib.suppress(Exception):
                 if rows(path, "SELECT count(*) FROM usacv20_pairs")[0][0] >= count:
                     return
-        self.fail("it stores nothing")
+        self.fail("the run has stored too few pairs within about 30 seconds")
 
     def stopped(self, path, number, group, *options):
         """Starts a run and stops it with the signal `number`. If `group` is true, child processes of
@@ -383,8 +383,8 @@ class DaskTest(ProcessCase):
         self.resumed(path)
 
     def test_workers_that_differ(self):
-        """A worker that joins later and whose files differ must raise an error. If several workers
-        die while they process the same chunk, the error message must say so."""
+        """A worker that joins later and sees other files than the main process must raise an error. If
+        several workers die while they process the same chunk, the error message must say so."""
         source = self.source(self.fresh())
         packed, keys = pickle.dumps(source), list(source.keys())
         for fingerprint in (source.fingerprint(), "another"):

@@ -47,8 +47,8 @@ def matrixOf(q):
 
 class Scene(object):
     """Two images of random points in space. With probability `planar` a point lies in a certain plane;
-    with probability `wrong` a match is wrong. `noise` is the standard deviation in pixels; the stored
-    focal length is the true one times `focal`."""
+    with probability `wrong` a match is wrong. `noise` is the standard deviation of the noise in pixels;
+    the stored focal length is the true one times `focal`."""
 
     def __init__(self, seed=1, planar=0., count=300, wrong=0.4, turn=(0.03, -0.2, 0.05), move=(-1., 0.2, 0.1), known=True,
                  focal=1., names=("a.jpg", "b.jpg"), key=5, noise=NOISE):

@@ -246,7 +246,7 @@ class Hdf5Test(Files):
             source.close()
 
     def test_faults(self):
-        """Datasets without an array of numbers must be faults of their pair only."""
+        """A dataset that is no array of numbers must make its own pair a Fault, but no other pair."""
         a, b, s = matchesOf(0)
         arrays = {"points1": a, "points2": b, "keypoints0": a, "keypoints1": b, "scores": s, "matches0": np.arange(12), "K": K1}
         wrong = (h5py.Empty("f4"), h5py.Empty("i4"), "text", b"12", np.array([b"a"] * 12), np.dtype("f4"), 3)

@@ -33,7 +33,7 @@ if not IN_TREE:
 
 PAIRS, LATER = 234, 66  # numbers of pairs that are verified first and that are added later; together all pairs of 25 images
 TABLE = "two_view_geometries"
-FEW = 100  # largest number of samples for a pair; most matches are right, so few samples suffice
+FEW = 100  # maximum number of samples for a model; most matches are right, so few samples suffice
 
 
 class RunCase(unittest.TestCase):

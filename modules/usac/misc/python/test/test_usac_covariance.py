@@ -59,7 +59,7 @@ class CovarianceTest(unittest.TestCase):
         self.assertEqual(T.shape, (9, 8))
         C = usac.covarianceOfModel(usac.HOMOGRAPHY, H, report.covariance)
         self.assertTrue(np.allclose(C, T.dot(report.covariance).dot(T.T), rtol=1e-9, atol=0))
-        self.assertTrue(np.allclose(C[8], 0), "h33 is always 1")
+        self.assertTrue(np.allclose(C[8], 0), "h33 is always 1, so its covariances must be 0")
 
     def test_pose_of_essential_matrix(self):
         X = self.rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (300, 3))
@@ -102,7 +102,7 @@ class CovarianceTest(unittest.TestCase):
                                 ((self.corners, np.hstack([self.corners, weights])), "points2.*confidence")):
             with self.assertRaisesRegex(usac.error, name):
                 usac.pointCovariance("homography", H, report.covariance, *arguments)
-        space = np.hstack([self.corners, weights])  # points of space, not confidences
+        space = np.hstack([self.corners, weights])  # 3-D points: the last column is a coordinate, not a confidence
         self.assertEqual(usac.pointCovariance("rigid_3d", np.eye(3, 4), np.eye(6), space).shape, (4, 3, 3))
 
     def test_no_points(self):

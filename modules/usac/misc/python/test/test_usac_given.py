@@ -78,7 +78,7 @@ class GivenTest(unittest.TestCase):
                                 (lambda: usac.fitModel("absolute_pose", np.c_[a, a], wrong, cameraMatrix1=scene.K1), "points2")):
                 with self.assertRaisesRegex(usac.error, named + ".*" + name):
                     call()
-        space = np.hstack([a / 640, weights])  # points of space, not confidences
+        space = np.hstack([a / 640, weights])  # 3-D points: the last column is a coordinate, not a confidence
         np.testing.assert_allclose(usac.modelErrors("rigid_3d", np.eye(3, 4), space, space), 0, atol=1e-12)
         model, mask, report = usac.fitModel(usac.HOMOGRAPHY, scene.points1[:3], scene.points2[:3])
         self.assertEqual((model, mask.tolist(), report.stop), (None, [[0]] * 3, usac.STOP_TOO_FEW_POINTS))

@@ -28,9 +28,9 @@ PRESETS = ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac"
 
 
 def scene(seed, count):
-    """Returns seven arrays of corresponding points, in which a third of the rows are outliers: points of
-    space; their pixels in camera 1, in camera 2, and in camera 2 with lens distortion; the points of
-    space moved by a similarity; the pixels of camera 1 moved by a similarity; and the pixels of camera 1
+    """Returns seven arrays of corresponding points, in which a third of the rows are outliers: 3-D
+    points; their pixels in camera 1, in camera 2, and in camera 2 with lens distortion; the 3-D points
+    moved by a similarity; the pixels of camera 1 moved by a similarity; and the pixels of camera 1
     moved by a translation. All are rounded to multiples of 1/64, so that rounding errors of NumPy's
     functions do not change them."""
     rng = np.random.RandomState(seed)

@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of calls that first-time users wrote. Each call must work as the user intended, or raise an
+"""Tests of calls as first-time users write them. Each call must work as the user intends, or raise an
 error that explains what is wrong."""
 
 import copy
@@ -180,7 +180,7 @@ class PointsTest(NewcomerCase):
         expected = bits(usac.estimateHomography(a, b)[:2])
         for scale in (1, 2, 4):  # homogeneous coordinates must be accepted
             self.assertEqual(bits(usac.estimateHomography(scale * np.hstack([a, np.ones((len(a), 1))]), b)[:2]), expected)
-        space = np.hstack([a / 640, confidences])  # the third coordinate of points of space must not be mistaken for a confidence
+        space = np.hstack([a / 640, confidences])  # the third coordinate of 3-D points must not be mistaken for a confidence
         self.assertIsNotNone(usac.estimateRigid3D(space, space, usac.Params(threshold=0.01))[0])
 
     def test_sizes_of_features(self):
@@ -297,8 +297,8 @@ class WordTest(NewcomerCase):
 
     def test_help(self):
         text = pydoc.plain(pydoc.render_doc(usac))
-        # The text has 742 lines with Python 3.11 and 1817 with 3.14; with the text of all enumerations
-        # it would have 5976 lines.
+        # The text has about 750 lines with Python 3.11 and 1800 with 3.14; with the text of all
+        # enumerations it would have about 6000 lines.
         self.assertLess(len(text.splitlines()), 2500)
         for name in FUNCTIONS + ("estimateHomography", "estimateHomographies", "Params", "Report", "draw_matches", "USACV20_FAST"):
             self.assertIn(name, text)
@@ -317,7 +317,7 @@ class PictureTest(NewcomerCase):
             import matplotlib  # noqa: F401
         except ImportError:
             if cv is None:
-                self.skipTest("there is nothing to draw with")
+                self.skipTest("neither cv2 nor matplotlib was found")
 
     def scene(self):
         image1, image2 = np.full((480, 640), 100, np.uint8), np.full((500, 600, 3), 50, np.uint8)
@@ -365,7 +365,7 @@ class PictureTest(NewcomerCase):
         code = "import sys; sys.modules.update({}); import numpy as np, usacv20; print(usacv20.draw_matches({}).shape)"
         image = "np.zeros((20, 30)), np.zeros((20, 30)), [[1, 2]], [[3, 4]]"
         if IN_TREE:
-            self.skipTest("of the package only")
+            self.skipTest("tests the package usacv20 only")
         for missing, words in (("cv2=None", "(20, 60, 3)"), ("cv2=None, matplotlib=None", "ImportError: draw_matches: cv2 or matplotlib")):
             run = subprocess.run([sys.executable, "-c", code.replace("{}", "dict({})", 1).format(missing, image)],
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)

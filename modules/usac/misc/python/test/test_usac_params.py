@@ -104,7 +104,7 @@ class ParamsTest(unittest.TestCase):
             self.assertEqual(values(getattr(usac.Params(), name)()), values(params))
         trusted = usac.Params.trustedScores()
         with self.assertRaises(usac.error):
-            trusted.check()  # this preset needs scores, and there are none
+            trusted.check()  # this preset needs scores or ORDERING_INPUT_ORDER, and neither is set
         trusted.scores = [0.5, 0.25]
         trusted.check(2)
         presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "sorted",

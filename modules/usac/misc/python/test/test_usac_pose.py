@@ -157,8 +157,9 @@ class FlagsOfAnotherOpencvTest(unittest.TestCase):
         native = sys.modules[usac.__name__ + "._native"].solvePnPFlags
         names = sorted(native)
         expected = self.outcomes(None, [native[name] for name in names])
-        # SQPNP of OpenCV 5 has the value of IPPE of OpenCV 4, and IPPE_SQUARE that of AP3P. If their
-        # results were equal, the test could not detect a flag that was not converted.
+        # OpenCV 5's SQPNP has the value of OpenCV 4's IPPE, and OpenCV 5's IPPE_SQUARE has the value of
+        # OpenCV 4's AP3P. If the two flags of such a pair gave equal results, the test could not detect
+        # a flag that was not converted.
         byName = dict(zip(names, expected))
         self.assertNotEqual(byName["SOLVEPNP_SQPNP"], byName["SOLVEPNP_IPPE"])
         self.assertNotEqual(byName["SOLVEPNP_AP3P"], byName["SOLVEPNP_IPPE_SQUARE"])

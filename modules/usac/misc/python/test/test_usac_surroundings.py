@@ -159,7 +159,7 @@ class MemoryTest(unittest.TestCase):
         self.check(lambda: usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, flags=usac.USACV20, iterationsCount=5), CALLS // 4)
         self.check(lambda: usac.findEssentialMat(a, b, GENERAL.focal, GENERAL.pp, usac.USACV20_FAST, maxIters=5), CALLS // 4)
 
-    @unittest.skipIf(IN_TREE, "of the package only: OpenCV's own code loses 400 bytes with each exception")
+    @unittest.skipIf(IN_TREE, "tests the package usacv20 only: OpenCV's own code loses 400 bytes with each exception")
     def test_mistakes(self):
         def wrong():
             for args in ((PLANE.points1, PLANE.points2[1:]), ("a", "b"), (PLANE.points1, PLANE.points2, usac.USACV20, -1.0)):
@@ -174,7 +174,7 @@ class MemoryTest(unittest.TestCase):
     def test_objects(self):
         self.check(lambda: usac.Params(threshold=2, scores=PLANE.points1[:, 0]) == usac.Params.magsac())
 
-    @unittest.skipIf(IN_TREE, "of the package only")
+    @unittest.skipIf(IN_TREE, "tests the package usacv20 only")
     def test_components(self):
         class First(usac.Sampler):
             def sample(self, rng, iteration):

@@ -25,7 +25,7 @@ PROGRAM = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__
 
 def scene(seed, kind="general", right=150, wrong=60):
     """Returns (points1, points2, R, t) of two cameras with the matrix K. The first `right` matches
-    are right, with a noise of 0.4 pixels; the other `wrong` matches are random."""
+    are right, with noise of standard deviation 0.4 pixels; the other `wrong` matches are random."""
     rng = np.random.RandomState(seed)
     R, t = rotation(rng.normal(0, 0.1, 3)), np.array([1, 0.2, 0.1]) * (kind != "rotation")
     X = rng.uniform([-2, -1.5, 4], [2, 1.5, 8], (right, 3))
@@ -187,7 +187,7 @@ class TwoViewTest(unittest.TestCase):
 @package
 @unittest.skipUnless(os.path.exists(PROGRAM), "the programs of the benchmark are not here")
 class ConfigurationsTest(unittest.TestCase):
-    """The program that counts the configurations of synthetic pairs."""
+    """Tests of the benchmark program that counts the configurations of synthetic pairs."""
 
     def table(self, *options):
         """Returns the rows of the program's table as {(kind, motion): {column: number}}."""

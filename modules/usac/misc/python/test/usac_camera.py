@@ -34,7 +34,7 @@ def distort(points, coefficients):
 
 
 def project(X, rvec, tvec, K, coefficients=None):
-    """Projects N points of space to pixels. rvec, tvec -- pose: X_camera = R(rvec) X + tvec"""
+    """Projects N 3-D points to pixels. rvec, tvec -- pose: X_camera = R(rvec) X + tvec"""
     seen = X.dot(rotation(rvec).T) + np.ravel(tvec)
     return distort(seen[:, :2] / seen[:, 2:], coefficients).dot(K[:2, :2].T) + K[:2, 2]
 

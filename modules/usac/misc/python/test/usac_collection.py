@@ -10,8 +10,8 @@ The scene is a square building. One side is a flat mural, three sides are grids 
 with balconies (repeated structure), and statues stand in front of all four sides. Four images are
 taken close to the mural and show only points of its plane. Three images are taken from one position
 in different directions. All others are taken from a ring around the building; images from opposite
-sides of the ring show no common points. Two such opposite images show the same logo near the lower
-right corner.
+sides of the ring show no common points. Two such opposite images show the same logo near their
+lower right corners.
 """
 
 from __future__ import annotations

@@ -38,10 +38,10 @@ FINDER = cv if IN_TREE else usac  # the module whose FUNCTIONS are called with f
 SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")  # see misc/sanitize.sh
 # Decorators that skip tests. `once` is for tests of tools and of the installation. Such tests do not
 # depend on cv2 or a sanitizer, so they are skipped if a sanitizer or USAC_TEST_CV2=none is used.
-once = unittest.skipIf(SANITIZED or os.environ.get("USAC_TEST_CV2") == "none", "not of the module")
+once = unittest.skipIf(SANITIZED or os.environ.get("USAC_TEST_CV2") == "none", "tests tools or the installation, not the module")
 needsCv2 = unittest.skipIf(cv is None, "there is no cv2")
-inTree = unittest.skipUnless(IN_TREE, "of cv2.usacv20 only")
-package = unittest.skipIf(IN_TREE, "of the package only")
+inTree = unittest.skipUnless(IN_TREE, "tests cv2.usacv20 only")
+package = unittest.skipIf(IN_TREE, "tests the package usacv20 only")
 
 FUNCTIONS = ("findHomography", "findFundamentalMat", "findEssentialMat", "estimateAffine2D", "estimateAffinePartial2D",
              "solvePnPRansac")
@@ -61,7 +61,7 @@ class Scene(object):
     """300 correspondences in random order: 200 inliers with noise (standard deviation 0.3 pixels) and
     100 outliers.
 
-    planar -- True: the points of space lie in a plane
+    planar -- True: the 3-D points lie in a plane
     distorted -- True: two different cameras with lens distortion; False: one camera without it"""
 
     def __init__(self, planar, distorted=False):
@@ -86,8 +86,8 @@ class Scene(object):
         self.focal, self.pp = 800., (320., 240.)
 
     def moveTo(self, similarity):
-        """Replaces the inliers of image 2 with the points of image 1, mapped by a similarity transform
-        (2 x 3 matrix), with noise."""
+        """Replaces the inliers of image 2 with the noise-free points of image 1, mapped by a similarity
+        transform (2 x 3 matrix), plus noise."""
         noise = self.points2 - self.true2
         self.true2 = self.true1.dot(similarity[:, :2].T) + similarity[:, 2]
         self.points2[self.inliers] = (self.true2 + noise)[self.inliers]

@@ -13,8 +13,8 @@ THRESHOLD = 2.0  # pixels
 
 
 class PoseScene(object):
-    """`count` points X of space and their pixels x in a camera with lens distortion, in random order.
-    `good` of the pixels have noise (standard deviation 0.3); the others are random: outliers."""
+    """`count` 3-D points X and their pixels x in a camera with lens distortion, in random order. `good`
+    of the pixels have noise (standard deviation 0.3 pixels); the others are random: outliers."""
 
     def __init__(self, count, good):
         rng = np.random.RandomState(5)

@@ -12,7 +12,7 @@ namespace usacv20 {
 namespace {
 
 //! Numbers in a datum: three of the object point and two of the image point (COLUMNS) and, if there
-//! are covariances, the root of that of the image point (ROOT).
+//! are covariances, three of the root of the image point's covariance (ROOT).
 enum { COLUMNS = 5, ROOT = 3 };
 //! Value of both components of the error of a point that the camera does not see. Its square
 //! exceeds any sum of squared errors of visible points.
@@ -30,8 +30,8 @@ void whiten(const double* root, double& x, double& y)
 }  // namespace
 
 //! Projects the object point of a datum. False if the camera does not see the point. `derivative`,
-//! unless null, is the derivative of `seenAt` with respect to PoseCamera::matrix (R X + t), the
-//! point before the division by its depth.
+//! unless null, is the derivative of `seenAt` with respect to the product of PoseCamera::matrix and
+//! the vector R X + t, that is, the point before the division by its depth.
 bool LensResidual::project(const Model& model, const double* datum, Vec2d& seenAt,
                            Matx<double, 2, 3>* derivative) const
 {

@@ -14,9 +14,9 @@ namespace usacv20 {
 /** @brief Reprojection error in the original, distorted image.
 
 A datum is an object point and an image point converted by PoseCamera::toSearchUnits. If there are
-covariances (Params::sigmas), the root of that of the image point follows, see Correspondences, and
-errors are in units of their standard deviation. A model is a 3x4 matrix `matrix` [R t], see
-PoseCamera. For points that are not in front of the camera and for points that the lens does not
+covariances (Params::sigmas), the root of the image point's covariance follows, see Correspondences,
+and errors are then in units of their standard deviation. A model is a 3x4 matrix `matrix` [R t],
+see PoseCamera. For points that are not in front of the camera and for points that the lens does not
 image, squared errors are infinite and the components of the error are 1e100. */
 class LensResidual : public Residual
 {

@@ -73,7 +73,7 @@ struct InverseRoot
 {
     InverseRoot(T p, T q_, T s) : scale(T(1) / p), q(q_), rest(T(1) / s) {}
 
-    //! The components of L^-1 (x, y). @param whitened the first component, first(x)
+    //! The components of L^-1 (x, y)^T. @param whitened the first component, first(x)
     T first(T x) const { return x * scale; }
     T second(T whitened, T y) const { return (y - q * whitened) * rest; }
 

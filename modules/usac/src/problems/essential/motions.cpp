@@ -66,7 +66,7 @@ void motionsOf(const Matx33d& E, Motion motions[4])
 
 /* Let H = R + t n^T have the singular values s1 >= 1 >= s3. H maps the plane spanned by the second
 right singular vector v2 and by u = (sqrt(1 - s3^2) v1 +- sqrt(s1^2 - 1) v3) / sqrt(s1^2 - s3^2)
-without changing lengths. On this plane H equals R, and n is the normal of the plane. */
+without changing lengths. On this plane H equals R, and n is a normal of this plane. */
 bool motionsOfPlane(const Matx33d& given, const Vec3d& x, Motion motions[2])
 {
     Eigen::Matrix3d H = toEigen(given);

@@ -10,9 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Sizes for an ArcsKernel. A point is here a match off the plane; it has ARCS_ROWS numbers. The
-//! number of points is a multiple of ARCS_BLOCK. A line is a line of possible epipoles in image 2;
-//! it has ARCS_WEIGHTS coefficients and is divided into ARCS_BINS bins.
+//! Sizes for an ArcsKernel. A point is here a match off the plane of PlaneParallax; it has
+//! ARCS_ROWS numbers. The number of points is a multiple of ARCS_BLOCK. A line is a line of
+//! possible epipoles in image 2; it has ARCS_WEIGHTS coefficients and is divided into ARCS_BINS
+//! bins.
 constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;
 /** Computes, for each of `stride` points, an arc of a line: if the epipole lies on this arc, the
 point is within the threshold. See PlaneParallax and arcs.inl.hpp.
@@ -20,8 +21,8 @@ point is within the threshold. See PlaneParallax and arcs.inl.hpp.
 see PlaneParallax::setPlane()
 @param stride number of points, a multiple of #ARCS_BLOCK
 @param weights #ARCS_WEIGHTS coefficients of the line, see PlaneParallax::vote()
-@param from, to output: first and last bin of each arc; `to` is smaller if the arc passes the end of
-the (closed) line; 0 and -1 if the arc is the whole line */
+@param from, to output: first and last bin of each arc; `to` is smaller than `from` if the arc
+passes the end of the (closed) line; 0 and -1 if the arc is the whole line */
 typedef void (*ArcsKernel)(const float* rows, int stride, const float* weights, int* from, int* to);
 
 namespace {  // unnamed: these functions are compiled several times, for different instruction sets

@@ -18,7 +18,7 @@ namespace {
 
 // In this file, a homography maps a match, and the match is on its plane, if the transfer error is
 // at most three inlier thresholds, see planeLimit(), unless another limit is given.
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
+// doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
 
 //! Least-squares fits of the homography of a plane: maximum numbers of points in a fit (MAX_FIT),
 //! of fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points
@@ -37,7 +37,7 @@ constexpr double SAME_PLANE = 0.9;
 constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! A dominant plane also has at least this fraction w of all points. With w = 0.1, one sample in
 //! 5000 (21 w^5) has five of its seven points on the plane. For smaller planes, this is so rare
-//! that a plane found in a sample is more likely to fit its points by chance.
+//! that a plane found in a sample is more likely to fit five points of the sample by chance.
 constexpr double SEEN = 0.1;
 //! Models whose number of inliers is less than this fraction of that of the best model are not
 //! searched for. The fraction is below 1 because local optimization can add inliers.

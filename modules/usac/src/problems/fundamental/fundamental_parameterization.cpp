@@ -19,7 +19,7 @@ namespace {
 //! is about the inverse square of the focal length.
 constexpr double RANK_ONE = 1e-12;
 
-//! A Householder reflection whose last column is a multiple of n, which is not zero.
+//! A Householder reflection whose last column is a multiple of the vector n; n is not zero.
 Eigen::Matrix3d completion(const Eigen::Vector3d& n)
 {
     Eigen::Vector3d v = n.normalized();

@@ -130,10 +130,11 @@ PlaneParallax::PlaneParallax()
 {}
 
 /* With y = H x1 and h1, h2 the first two columns of H, the squared Sampson error of F = [e]x H has
-the numerator (e n)^2, where e n is the scalar product of e with n = y x x2. Its denominator, the
-sum of the squares of the first two entries of F x1 and of F^T x2, is the sum of the squared scalar
-products of e with (0, y3, -y2), (-y3, 0, y1), h1 x x2 and h2 x x2. G is the matrix of this
-quadratic form times the squared threshold: the error is within the threshold if (e n)^2 <= e^T G e.
+the numerator (e n)^2, where e n is the scalar product of e with n, the cross product of y and x2.
+Its denominator, the sum of the squares of the first two entries of F x1 and of F^T x2, is the sum
+of the squared scalar products of e with four vectors: (0, y3, -y2), (-y3, 0, y1), and the cross
+products of h1 and h2 with x2. G is the matrix of this quadratic form times the squared threshold:
+the error is within the threshold if (e n)^2 <= e^T G e.
 */
 void PlaneParallax::setPlane(const Context& context, const int* offPlane, int count,
                              const Matx33d& homography)

@@ -46,8 +46,8 @@ public:
     int dimension() const CV_OVERRIDE { return RigidParameterization<SCALED>::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 3; }
     int coordinates(int) const CV_OVERRIDE { return 3; }
-    //! If the scale is estimated, too, space 1 can have another unit than space 2, whose unit is
-    //! also that of the threshold.
+    //! If the scale is estimated, too, the unit of space 1 can differ from that of space 2, which
+    //! is also the unit of the threshold.
     bool commonUnit() const CV_OVERRIDE { return !SCALED; }
     //! The time, in point tests, was measured together with those of H, affinity and similarity.
     SampleCost sampleCost() const CV_OVERRIDE { return SampleCost(320, 1); }

@@ -14,10 +14,10 @@ namespace usacv20 {
 namespace {
 
 //! If both points of a match are epipoles, the numerator and the denominator of the Sampson
-//! distance are 0. A single point at the epipole is enough for a term of the symmetric epipolar
-//! distance and, if there are covariances, for the Sampson distance if the covariance of this point
-//! is 0. Fits add this constant to each denominator, so that the quotient is then 0. The constant
-//! is far below any other denominator.
+//! distance are 0. For a term of the symmetric epipolar distance, both are 0 even if only one point
+//! is an epipole; for the Sampson distance with covariances, if only one point is an epipole and
+//! its covariance is 0. Fits add this constant to each denominator, so that the quotient is then 0.
+//! The constant is far below any other denominator.
 constexpr double BOTH_EPIPOLES = 1e-200;
 
 //! Computes the first two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.

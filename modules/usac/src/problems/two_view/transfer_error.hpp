@@ -77,9 +77,10 @@ struct SymmetricTransferError
         T squared() const { return forward.squared() + back.squared(); }
         T cost() const { return squared(); }
 
-        /** The inverse G = A / det H has the differential dG = -G dH G. The derivative c p^T of an
-        error component with respect to G, with c = w (1, 0, -u) or w (0, 1, -v) and a point p of
-        image 2, thus becomes the derivative -(G^T c) (G p)^T with respect to H. */
+        /** The inverse G = A / det H has the differential dG = -G dH G. G maps a point p of image 2
+        to (u, v); let w be the reciprocal of the third entry of G p. The derivative c p^T of an
+        error component with respect to G, with c = w (1, 0, -u) or w (0, 1, -v), thus becomes the
+        derivative -(G^T c) (G p)^T with respect to H. */
         template <class Out>
         void linearize(Out& out) const
         {

@@ -14,9 +14,15 @@ namespace opencv_test {
 
 using namespace cv;
 
-const char* const POSE_SAMPLE_NAMES[POSE_SAMPLE_KINDS] = {
-    "cube",      "frontal plane", "near plane",   "depth 100 times the size", "10 000", "close",
-    "5 degrees", "120 degrees",   "flat triangle"};
+const char* const POSE_SAMPLE_NAMES[POSE_SAMPLE_KINDS] = {"cube",
+                                                          "frontal plane",
+                                                          "near plane",
+                                                          "depth 100 times the size",
+                                                          "depth 10 000 times the size",
+                                                          "close",
+                                                          "5 degrees",
+                                                          "120 degrees",
+                                                          "flat triangle"};
 
 namespace {
 

@@ -43,8 +43,8 @@ The image points are projected from the rounded X in long double, so that their 
 own rounding to double. */
 PoseSample poseSampleOf(const cv::Vec3d (&Y)[3], cv::RNG& rng);
 
-//! A triangle seen from `center`. Its corners are at these angles (radians) on the circle of radius
-//! 1 around the origin in the plane z = 0.
+//! A triangle seen from `center`. Its corners are at `angles` (radians) on the circle of radius 1
+//! around the origin in the plane z = 0.
 PoseSample triangleSeenFrom(const cv::Vec3d& center, const double (&angles)[3], cv::RNG& rng);
 
 //! Smallest difference in degrees between an angle of the triangle and 0 or 180 degrees.

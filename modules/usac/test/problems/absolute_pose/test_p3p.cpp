@@ -129,9 +129,9 @@ int countLacking(const PoseSample& s, const std::vector<Matx34d>& some,
     return result;
 }
 
-/** The solver must find all poses that OpenCV's solvers find. In 4 of 3100 poses, where a point is
-close to the camera center, OpenCV's solvers find no pose, or one with an error so large that it
-cannot be distinguished from a wrong pose. */
+/** The solver must find all poses that OpenCV's solvers find. OpenCV's solvers miss 4 of the 3100
+poses that this solver finds, or return them with errors so large that they cannot be distinguished
+from wrong poses; in these cases, a point is close to the camera center. */
 TEST(Usac_P3P, sameAsOpenCV)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();
@@ -186,7 +186,7 @@ TEST(Usac_P3P, dangerCylinder)
     }
 }
 
-//! Equilateral and isosceles triangles, seen from their axes of symmetry and from elsewhere, can
+//! Equilateral and isosceles triangles, seen from their planes of symmetry and from elsewhere, can
 //! have double solutions. The true pose must be found nevertheless.
 TEST(Usac_P3P, symmetric)
 {
@@ -303,8 +303,8 @@ TEST(Usac_P3P, degenerate)
     }
 }
 
-//! Collinear points within about 1e-8 of each other, whose distance from the origin is more than 1.
-//! They form a triangle only because of rounding, so that there must be no model.
+//! Collinear points at most 4e-8 apart, whose distance from the origin is more than 1. They form a
+//! triangle only because of rounding, so that there must be no model.
 TEST(Usac_P3P, smallAndFlat)
 {
     const Ptr<MinimalSolver> solver = createP3PSolver();

@@ -78,8 +78,8 @@ double closest(const Model* models, int count, const Matx33d& model)
     return distance;
 }
 
-//! Difference between the singular values of a matrix of unit norm and those of an essential
-//! matrix, (1, 1, 0) / sqrt(2).
+//! How far the singular values of a matrix of unit norm are from those of an essential matrix: the
+//! third singular value or, if larger, the difference of the first two.
 double violation(const Matx33d& E)
 {
     Vec3d w;
@@ -109,7 +109,8 @@ TEST_P(Usac_Essential5, finds_the_motion_of_exact_points)
                 worst = std::max(worst, violation(found[i]));
         }
     }
-    // With a baseline of 1/1000, rounding errors change the motion about a thousand times as much.
+    // With a baseline of 1/1000, rounding errors change the motion about a thousand times as much
+    // as with a baseline of 1.
     EXPECT_GE(exact, samples * (GetParam().baseline < 1 ? 0.993 : 0.998));
     EXPECT_GE(near, samples * (GetParam().baseline < 1 ? 0.995 : 0.998));
     EXPECT_LE(worst, 1e-8);

@@ -176,7 +176,8 @@ TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
         const int lines = parallax.lines();
         EXPECT_LE(lines, std::min<int>(sizes[k] / 2, PlaneParallax::MAX_POINTS));
         EXPECT_LE(lines, 450)
-            << "any number of points: a wrong epipole agrees with about 2 % of them by chance";
+            << "this limit holds for any number of points, because a wrong epipole agrees with "
+               "about 2 % of them by chance";
         EXPECT_LE(parallax.fits(), lines);
         // a second search must find nothing and must try no further line
         EXPECT_FALSE(parallax.search(p.context, 0.01, 0, model, quality));
@@ -198,7 +199,7 @@ TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
     EXPECT_GE(parallax.lines(), 40);
     EXPECT_EQ(0, parallax.fits()) << "only 25 true matches are off the plane";
     EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality))
-        << "the search continues where it ended";
+        << "the search continues where the first search ended";
     EXPECT_GT(parallax.lines(), 60);
     EXPECT_LE(quality.cost, p.context.rate(p.truth).cost + 5);
 }
@@ -263,8 +264,9 @@ TEST(Usac_PlaneParallax, repeatedPoints)
     EXPECT_EQ(0, parallax.fits());
 }
 
-//! Number of epipoles that are fitted if 200 matches share the point `common` of image 2 and only
-//! these matches vote. Their points in image 1 are random, like 600 other matches.
+//! Number of epipoles whose fit continues after two steps (PlaneParallax::fits()) if 200 matches
+//! share the point `common` of image 2 and only these matches vote. Their points in image 1 are
+//! random, and so are both points of 600 other matches.
 int fitsOfSharingMatches(const cv::Point2d& common)
 {
     const int SHARING = 200;
@@ -294,9 +296,11 @@ int fitsOfSharingMatches(const cv::Point2d& common)
     return parallax.fits();
 }
 
-//! If matches share a point of image 2, an epipole at this point fits them whatever their points in
-//! image 1 are. It must not be fitted, also if the point is at an end of the range of bins of a
-//! match's line, which is closed. For many lines, this is a point near (500, 240).
+//! If matches share a point of image 2, an epipole at this point agrees with them whatever their
+//! points in image 1 are. The search must not fit this epipole: on the line of a match, which is
+//! divided into bins, the bins near the match's point in image 2 do not count. A projective line is
+//! closed, so that its last bin is next to its first one. For many lines, the point where these two
+//! bins meet is near (500, 240).
 TEST(Usac_PlaneParallax, epipoleAtASharedPoint)
 {
     for (int x = 480; x <= 520; x += 4)

@@ -124,9 +124,9 @@ double indeterminacyOf(const Triangle& from, const Triangle& to)
 }
 
 /** The true motion must be found within 1e-6, except for triangles so thin that rounding hides the
-rotation: their smallest height is less than about 3e7 times the rounding error of their
-coordinates, or less than 2e-8 of their longest side. (The solver treats triangles with a height
-below about 1.5e-8 of their longest side as collinear.) */
+rotation: indeterminacyOf() is above 3e-8, or the smallest height is less than 2e-8 of the longest
+side. (The solver treats triangles with a height below about 1.5e-8 of their longest side as
+collinear.) */
 void expectTruth(int samples)
 {
     for (int scaled = 0; scaled < 2; ++scaled)
@@ -287,9 +287,10 @@ TEST(Usac_TriangleSolver, degenerate)
     }
 }
 
-//! For the larger triangle, with sides of 1e78, the squared area is finite, but the fourth power of
-//! the sides is not. The least-squares rotation and scale cannot be computed, and the solver must
-//! return no model instead of NaN. For the smaller triangle, it must return the identity.
+//! For the larger triangle, with two sides of 1e78 and one of 1e75, the squared area is finite, but
+//! the fourth power of the longest side is not. The least-squares rotation and scale cannot be
+//! computed, and the solver must return no model instead of NaN. For the smaller triangle, it must
+//! return the identity.
 TEST(Usac_TriangleSolver, tooLargeForDouble)
 {
     for (double size : {1e70, 1e78})
@@ -304,8 +305,8 @@ TEST(Usac_TriangleSolver, tooLargeForDouble)
         }
 }
 
-//! With small integers as coordinates, many triangles are collinear. Exactly the collinear ones
-//! must give no model.
+//! With small integers as coordinates, three points are often collinear. There must be no model if
+//! the points are collinear in at least one of the two spaces, and one model otherwise.
 TEST(Usac_TriangleSolver, smallIntegers)
 {
     RNG rng(24);

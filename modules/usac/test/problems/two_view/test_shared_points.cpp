@@ -109,9 +109,10 @@ Matx33d pointsAroundACamera(RNG& rng, std::vector<Point2d>& points1, std::vector
     return Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
 }
 
-/** Points near a camera that are close together in one image can be far apart in the other. They
-must nevertheless count in full, because the epipolar constraint determines their positions in the
-other image up to a few thresholds. */
+/** Points near a camera that are close together in one image can be far apart in the other. Their
+matches must nevertheless count in full, because they constrain the epipolar geometry: if a point is
+shifted by a few thresholds in one image, its epipolar line does not move across the whole other
+image. */
 TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
 {
     Scene scene;

@@ -200,7 +200,8 @@ _ROWS, _MOST_ROWS, _SURE, _INDEPENDENT, _EXPLAINED = 50, 1000, 4.0, 0.5, 0.9
 
 def _looksLikeColumn(rows: npt.NDArray[Any]) -> bool:
     """Returns True if the third column w looks statistically independent of the first two columns, as
-    the size of a feature is. Returns False if there are too few rows or negative numbers.
+    the size of a feature is. Returns False if there are too few rows, if a number is negative, or if
+    a number of the third column is 0.
 
     Homogeneous coordinates (w x, w y, w) are larger for larger w: the regression of log(w x) on
     log(w) has slope 1 if w is independent of the image coordinate x, for example if w is a depth.

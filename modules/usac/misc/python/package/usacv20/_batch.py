@@ -72,7 +72,7 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
 
 def _arrays(given: List[Any], name: str, mistakes: _Mistakes) -> List[Any]:
     take = _arguments.optionalArray
-    if len(given) == 1:  # an error in the array of all tasks does not belong to one task and is raised at once
+    if len(given) == 1:  # an error in an array that all tasks share is raised at once
         return [take(given[0], name)]
     return [mistakes.guard(i, lambda: take(entry, "{}[{}]".format(name, i)), NO_POINTS)  # noqa: B023, called at once
             for i, entry in enumerate(given)]

@@ -32,7 +32,7 @@ def tangentOfModel(problem: Union[int, str], model: npt.ArrayLike) -> _Numbers:
 
     problem -- ProblemType, or its name as a string
     model -- as the function estimate* of the problem returns it. H, F and E are first converted to
-    the scale and sign with which this function returns them"""
+    the scale and sign of the models that estimate* returns"""
     found: Any = native.tangentOfModel(problemOf(problem), array(model, "model"))
     result: _Numbers = found
     return result

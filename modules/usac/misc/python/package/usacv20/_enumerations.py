@@ -50,7 +50,7 @@ class ProblemType(enum.IntEnum):
     ESSENTIAL = 2  # 3x3 essential matrix from 5 or more correspondences of calibrated cameras
     AFFINITY = 3  # 2x3 affine map from 3 or more correspondences
     SIMILARITY = 4  # 2x3 rotation, uniform scale and translation from 2 or more correspondences
-    ABSOLUTE_POSE = 5  # 3x4 pose of a calibrated camera from 3 or more points of space
+    ABSOLUTE_POSE = 5  # 3x4 pose of a calibrated camera from 3 or more 3-D points
     RIGID_3D = 6  # 3x4 rotation and translation from 3 or more pairs of 3-D points
     SIMILARITY_3D = 7  # like RIGID_3D, with a uniform scale
     TRANSLATION_2D = 8  # 2x3 translation from 1 or more correspondences
@@ -154,8 +154,8 @@ class TerminationFlags(enum.IntFlag):
     # modifies the other criteria: with I inliers among N points, a sample of m points, drawn without replacement, is
     # all-inlier with probability C(I, m) / C(N, m) instead of (I / N)^m
     TERMINATION_EXACT = 32
-    # PROSAC's criterion, if inliers of the best model come early in a known order and samples of its outliers yield no better
-    # model; takes effect only with PROSAC or P-NAPSAC, local optimization, orderedEvery above 1 and runnersUp above 0
+    # PROSAC's criterion, if inliers of the best model come early in a known order and samples drawn from its outliers yield no
+    # better model; takes effect only with PROSAC or P-NAPSAC, local optimization, orderedEvery above 1 and runnersUp above 0
     TERMINATION_ORDER = 64
 
 

@@ -78,8 +78,8 @@ class Params:
         better one, see relaxation), unless maxIterations ends it first; in (0, 1). Default 0.99.""")
     maxIterations = Integer("Upper bound of the number of minimal samples; >= 1. Default 5000.")
     maxTime = Real("""Milliseconds after which a run ends with the best model so far; 0..1e9, 0: no limit. A run ends at most
-        about 5 ms late for 10 000 points, and 0.1 s late for a million. This is the only option by which the result depends
-        on the machine; report.stop is then STOP_TIME. Default 0.""")
+        about 5 ms late for 10 000 points, and 0.1 s late for a million; report.stop is then STOP_TIME. This is the only
+        option by which the result depends on the machine. Default 0.""")
     seed = Integer("Seed of the pseudo-random sequence; the same seed and input give the same bits. Default 0.")
     threads = Integer("""Number of threads that compute and score models; 0..1024, 0: that of OpenCV (cv2.getNumThreads()).
         The result does not depend on it. Default 1.""")
@@ -100,8 +100,9 @@ class Params:
         like a model of a sample. Default none.""")
     initialCovariance = Numbers(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
         Report.covariance; an array of float64, empty if there is none. With it, the initial model is a prior: the result is
-        the mean of the initial model and of the model of the points, weighted by their covariances. If the two models
-        contradict each other, the result is the model of the points alone, see Report.priorChance. Default none.""")
+        the mean of the initial model and of the model of the points, weighted by the inverses of their covariances. If the
+        two models contradict each other, the result is the model of the points alone, see Report.priorChance. Default
+        none.""")
     scoreOrder = Option(e.ScoreOrder, "ScoreOrder: whether low or high scores are better. Default SCORES_LOWER_IS_BETTER.")
     neighborhood = Option(e.NeighborhoodType, "NeighborhoodType: which points are neighbors. Default NEIGHBORHOOD_GRID.")
     neighbors = Integer("""Number of neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers; each further
@@ -130,10 +131,10 @@ class Params:
     runnersUp = Integer("""Maximum number of runners-up: models that were not the best one, but are optimized when the search
         is about to end, because they have the most inliers that are outliers of the best model; 0..100. Default 16.""")
     orderedEvery = Integer("""Samplers that prefer some points draw one in this many samples in their own way; the others are
-        uniform among all points, and only these count for the termination criteria. If the order of the points is known
-        (scores), the first 8 samples are uniform; then every second one follows the order, and all do once it is confirmed
-        (TERMINATION_ORDER). 1: all samples are drawn in the sampler's way, and all count, as in the papers; 1..1000. Default
-        8.""")
+        uniform among all points, and in general only these count for the termination criteria. If the order of the points
+        is known (scores), the first 8 samples are uniform; then every second one follows the order, and all do once it is
+        confirmed (TERMINATION_ORDER). 1: all samples are drawn in the sampler's way, and all count, as in the papers;
+        1..1000. Default 8.""")
     termination = Set(e.TerminationFlags, """Set of TerminationFlags; 0: all maxIterations samples are drawn. Default
         TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT | TERMINATION_ORDER.""")
     relaxation = Real("""For TERMINATION_P_NAPSAC: how many more inliers than the best model a "significantly" better one
@@ -142,7 +143,7 @@ class Params:
     degeneracy = Set(e.DegeneracyFlags, "Set of DegeneracyFlags. Default all.")
     polishing = Option(e.PolishingType, "PolishingType: how the best model is refined at the end. Default POLISHING_ROBUST.")
     polishingSteps = Integer("""Maximum number of fits of the polishing, each with the inliers or weights of the previous
-        one; 1..100. Default 6.""")
+        one; six more for POLISHING_ROBUST with more than 32768 points; 1..100. Default 6.""")
     significance = Real("""Largest Report.chance with which a model is returned, a probability; 0..1. 1: a model is returned
         whatever its chance is. Default 0: the bound is 0.01, or 1 if there are so few independent points that even a model
         with a quarter of them as inliers would have a chance above 0.01.""")
@@ -244,8 +245,8 @@ class Params:
     def setInitialModel(self, model: Optional[npt.ArrayLike], covariance: Optional[npt.ArrayLike] = None) -> None:
         """Sets initialModel and initialCovariance.
 
-        model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for absolute poses and 3-D motions, any number
-            type; None or an empty array: no initial model
+        model -- 3x3 for H, F and E, 2x3 for affine maps, similarities and translations, 3x4 for absolute poses and 3-D motions,
+            any number type; None or an empty array: no initial model
         covariance -- d x d, such as Report.covariance, any number type; None or an empty array: no covariance"""
         matrices = _matrix(model, "model"), _matrix(covariance, "covariance")
         self.initialModel, self.initialCovariance = matrices

@@ -35,7 +35,7 @@ def estimateHomography(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
         memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
         all 1 (confidences) raises usacv20.error
-    params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
+    params -- Params; None: the default. params.threshold is the maximum distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -73,7 +73,7 @@ def estimateFundamental(points1: npt.ArrayLike, points2: npt.ArrayLike, params: 
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
         memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
         all 1 (confidences) raises usacv20.error
-    params -- Params; None: the default. params.threshold is the Sampson distance in pixels
+    params -- Params; None: the default. params.threshold is the maximum Sampson distance in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -107,8 +107,8 @@ def estimateEssential(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatr
     cameraMatrix1, cameraMatrix2 -- 3x3 camera matrices of image 1 and image 2; cameraMatrix2 None: the same as cameraMatrix1
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and camera 2, as in cv2.undistortPoints;
         None: no distortion
-    params -- Params; None: the default. params.threshold is the Sampson distance in pixels; internally it is divided by the
-        mean of the four focal lengths
+    params -- Params; None: the default. params.threshold is the maximum Sampson distance in pixels; internally it is divided
+        by the mean of the four focal lengths (fx and fy of both cameras)
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -142,7 +142,7 @@ def estimateAffinity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: O
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
         memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
         all 1 (confidences) raises usacv20.error
-    params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
+    params -- Params; None: the default. params.threshold is the maximum distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -169,7 +169,7 @@ def estimateSimilarity2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
         memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
         all 1 (confidences) raises usacv20.error
-    params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
+    params -- Params; None: the default. params.threshold is the maximum distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -198,8 +198,8 @@ def estimateAbsolutePose(objectPoints: npt.ArrayLike, imagePoints: npt.ArrayLike
     imagePoints -- their N image points in pixels, in the forms of the points of estimateHomography
     cameraMatrix -- 3x3 camera matrix K
     distCoeffs -- 4, 5, 8, 12 or 14 distortion coefficients, as in cv2.projectPoints; None: no distortion
-    params -- Params; None: the default. params.threshold is the reprojection error in pixels, in the original (distorted)
-        image
+    params -- Params; None: the default. params.threshold is the maximum reprojection error in pixels, in the original
+        (distorted) image
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -228,8 +228,8 @@ def estimateRigid3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params: Opti
     """Estimates the rigid motion that maps 3-D points to their counterparts: X2 = R X1 + t.
 
     points1, points2 -- N 3-D points and their N counterparts: Nx3, 3xN, Nx1x3 or 1xNx3
-    params -- Params; None: the default. params.threshold is the distance between R X1 + t and X2, in the unit of the points;
-        the default 1.5 is therefore rarely suitable
+    params -- Params; None: the default. params.threshold is the maximum distance between R X1 + t and X2, in the unit of the
+        points; the default 1.5 is therefore rarely suitable
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -253,7 +253,8 @@ def estimateSimilarity3D(points1: npt.ArrayLike, points2: npt.ArrayLike, params:
     """Estimates the similarity (rotation, uniform scale and translation) between 3-D points: X2 = s R X1 + t, s > 0.
 
     points1, points2 -- N 3-D points and their N counterparts: Nx3, 3xN, Nx1x3 or 1xNx3
-    params -- Params; None: the default. params.threshold is the distance between s R X1 + t and X2, in the unit of points2
+    params -- Params; None: the default. params.threshold is the maximum distance between s R X1 + t and X2, in the unit of
+        points2
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
@@ -279,7 +280,7 @@ def estimateTranslation2D(points1: npt.ArrayLike, points2: npt.ArrayLike, params
     points1, points2 -- N points of each image: Nx2, 2xN, Nx1x2 or 1xNx2, integers or floating-point numbers of any type and
         memory layout. With 3 coordinates instead of 2, the points are homogeneous; a third column of numbers 0..1 that are not
         all 1 (confidences) raises usacv20.error
-    params -- Params; None: the default. params.threshold is the distance in image 2 in pixels
+    params -- Params; None: the default. params.threshold is the maximum distance in image 2 in pixels
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):

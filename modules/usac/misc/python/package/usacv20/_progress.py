@@ -36,9 +36,9 @@ class progress:
     returns True, it does not change the result. Another thread can cancel the run through an object
     that the function reads, such as a threading.Event.
 
-    Ctrl-C raises KeyboardInterrupt during an estimation even without this context. In cv2.usacv20,
-    this requires the context, for example progress(lambda report: True); each estimation then runs
-    in a thread of its own."""
+    In the package usacv20, Ctrl-C raises KeyboardInterrupt during an estimation even without this
+    context. In cv2.usacv20, it does so only within the context, for example progress(lambda report:
+    True); each estimation then runs in a thread of its own."""
 
     def __init__(self, function: typing.Callable[[Report], bool]) -> None:
         if not callable(function):

@@ -57,8 +57,8 @@ class Report:
     models = Field[int]("Number of models computed from the samples.")
     rejectedModels = Field[int]("Number of models rejected by a check before they are scored (orientation, singular matrix).")
     refusedModels = Field[int]("Number of models rejected by the pre-emptive verification.")
-    droppedModels = Field[int]("""Number of models no better than the best one so far; up to Params.runnersUp of these are
-        optimized nevertheless.""")
+    droppedModels = Field[int]("""Number of models that were not better than the best model that any sample had given so far,
+        before local optimization; up to Params.runnersUp of these are optimized nevertheless.""")
     localOptimizations = Field[int]("Number of local optimizations.")
     localImprovements = Field[int]("Number of local optimizations whose result was better than the best model so far.")
     degenerate = Field[bool]("""True if DEGENERACY_DEGENSAC found a dominant plane in the sample or among the inliers of a model that it
@@ -79,10 +79,11 @@ class Report:
         and E it is about that of the points' coordinates; for maps it combines the noise of both arrays. 0 if it was not
         estimated: there is no model, there are too few inliers, or the threshold was given and Params.covariance is 0.""")
     covariance = Covariance("""Covariance of the parameters of the returned model, a d x d array of float64; None if there is no
-        model, or if Params.covariance is 0. The parameters are: for an absolute pose and a rigid motion (d = 6) the rotation
-        vector w in radians and the translation dt of [exp(w) R, t + dt]; for a 3-D similarity (7) the same and the relative
-        change of the scale; for an affinity (6) the entries, row by row; for a similarity (4) a, b, tx, ty of
-        [a -b tx; b a ty]; for a homography (8), F (7) and E (5) see tangentOfModel. All entries are NaN if the covariance is
+        model, if Params.covariance is 0, or for a mere fit (fitModel, or refineModel with `chosen`). The parameters are: for
+        an absolute pose and a rigid motion (d = 6) the rotation vector w in radians and the translation dt of
+        [exp(w) R, t + dt]; for a 3-D similarity (7) the same and the relative change of the scale; for an affinity (6) the
+        entries, row by row; for a similarity (4) a, b, tx, ty of [a -b tx; b a ty]; for a 2-D translation (2) its two
+        coordinates; for a homography (8), F (7) and E (5) see tangentOfModel. All entries are NaN if the covariance is
         not determined (F and E without a translation, F of a plane, too few inliers, POLISHING_NONE). covarianceOfModel,
         covarianceOfPose and pointCovariance compute the covariance of the entries, of a motion and of points.""")
     priorChance = Field[float]("""Probability that the initial model and the model of the points differ by at least as much
@@ -99,7 +100,7 @@ class Report:
         THRESHOLD_ESTIMATED needs to estimate the threshold.""")
     searchMs = Field[float]("Milliseconds in the hypothesize-and-verify loop without the local optimization.")
     localMs = Field[float]("Milliseconds in all local optimizations.")
-    polishMs = Field[float]("Milliseconds for the final polishing and the mask.")
+    polishMs = Field[float]("Milliseconds after the search: final polishing, mask, `chance` and `covariance`.")
 
     def __init__(self) -> None:
         self._native = native.Report()

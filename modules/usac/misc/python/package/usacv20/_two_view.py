@@ -45,7 +45,9 @@ class TwoViewRules:
     # Params.confidence is then the probability that the model of a pair is found, averaged over
     # pairs with these ratios, see samples(). Empty: the ratios are unknown.
     ratios: Tuple[float, ...] = ()
-    planarRatio: float = 0.8  # the pair is planar or panoramic if a homography has more than this fraction of the inliers; 0..1
+    # The pair is planar or panoramic if more than this fraction of the inliers of the accepted model
+    # are also inliers of a homography; 0..1.
+    planarRatio: float = 0.8
     # The focal lengths are considered wrong if the number of inliers of E is clearly less than this
     # fraction of the number of inliers of F, see estimateTwoViewGeometry; 0..1.
     calibrationRatio: float = 0.95
@@ -129,7 +131,7 @@ class TwoViewGeometry(typing.NamedTuple):
     # the two motions compatible with a plane, unless matches off the plane decide),
     # TWO_VIEW_PANORAMIC, or a watermark with calibrated cameras.
     R: _Double
-    t: _Double  # translation of the motion of R, 3x1, unit length; 0 for a pure rotation
+    t: _Double  # the translation that belongs to R, 3x1, unit length; 0 for a pure rotation
     # k x 3 x 3: for cameras with known focal lengths, the k rotations compatible with the matches; if
     # the matches are correct, one of the rotations is the true one.
     rotations: _Double
@@ -203,10 +205,11 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     samples, and its report.chance must be at most the square of params.significance. If F is
     accepted, and E is rejected or has clearly fewer inliers, E is estimated once more, starting from
     F. H is estimated from the inliers of E or F or, if both were rejected, from all matches. The focal
-    lengths are rejected if the number of inliers of E is clearly less than rules.calibrationRatio
-    times that of F, if hardly any inliers of E are outliers of F, if their errors under F are hardly
-    larger, and if (in case most inliers of E are on a plane) the additional inliers of F are not due
-    to chance. An invalid argument raises usacv20.error, whose message names the argument."""
+    lengths are rejected if all of the following hold: the number of inliers of E is clearly less than
+    rules.calibrationRatio times that of F; hardly any inliers of E are outliers of F; the inliers of
+    both have hardly larger errors under F than under E; if most inliers of E are on a plane, the
+    additional inliers of F are not due to chance. An invalid argument raises usacv20.error, whose
+    message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
 

@@ -6,10 +6,11 @@
 
 The two kinds of distortion of OpenCV are supported. For a perspective lens, (u, v) = (x / z, y / z)
 is changed by polynomials in r^2 = u^2 + v^2 as in cv2.projectPoints; usacv20.removeDistortion
-inverts them. For a fisheye lens, (u, v) is scaled so that the angle theta = atan(r) to the optical
-axis becomes theta (1 + k1 theta^2 + k2 theta^4 + ...) as in cv2.fisheye. COLMAP's models with fewer
-coefficients are special cases with zeros; SIMPLE_FISHEYE and FISHEYE have only zeros. COLMAP's
-other models have no counterpart in OpenCV; for these, CollectionError is raised."""
+inverts them. For a fisheye lens, (u, v) is scaled so that its length r becomes
+theta (1 + k1 theta^2 + k2 theta^4 + ...), as in cv2.fisheye; theta = atan(r) is the angle to the
+optical axis. COLMAP's models with fewer coefficients are special cases with zeros; SIMPLE_FISHEYE
+and FISHEYE have only zeros. COLMAP's other models have no counterpart in OpenCV; for these,
+CollectionError is raised."""
 
 from __future__ import annotations
 
@@ -40,7 +41,7 @@ _MODELS: Dict[int, Tuple[str, str]] = {
     14: ("SIMPLE_FISHEYE", "f cx cy"),
     15: ("FISHEYE", "fx fy cx cy"),
 }
-# COLMAP's models without a counterpart in OpenCV. In both tables, numbers above 10 are those of
+# COLMAP's models without a counterpart in OpenCV. Here and in _MODELS, numbers above 10 are those of
 # COLMAP 4.2.1.
 _REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THIN_PRISM_FISHEYE", 12: "SIMPLE_DIVISION",
                             13: "DIVISION", 16: "EUCM", 17: "EQUIRECTANGULAR"}

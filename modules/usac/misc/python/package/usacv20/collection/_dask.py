@@ -22,7 +22,7 @@ _PER_THREAD = 2  # number of chunks for each thread: one in progress, one waitin
 _RETRIES = 1  # maximum number of repetitions of a task that raised an exception; Dask also repeats the tasks of a dead worker
 _CONNECT = 10.0  # maximum number of seconds to connect to a scheduler
 _JOIN = 60.0  # maximum number of seconds to wait for the first worker
-_IDLE = 1.0  # seconds that no worker has a task until it is canceled
+_IDLE = 1.0  # drop() cancels a task that no worker has had for this number of seconds
 _COUNT = 5.0  # minimum number of seconds between two counts of the workers' threads
 
 

@@ -47,7 +47,8 @@ _SIZES = {"F": 9, "E": 9, "H": 9, "qvec": 4, "tvec": 3}
 
 
 class DatabaseSink:
-    """Writes to an existing COLMAP database; its other tables are not changed.
+    """Writes to the table two_view_geometries of an existing COLMAP database and to two additional
+    tables; other tables are not changed.
 
     path -- path of the database
     settings -- settings that the results depend on; values are JSON values

@@ -13,7 +13,7 @@ For N pairs in the order of their names:
 - reasons: the distinct reasons as texts; reason: N indices into `reasons`. An empty text means that
   the pair is not refused
 - inliers: a row for each inlier, ordered by pairs, with the indices of its keypoints in both images
-  or, if there are no keypoints, twice the index of the match; offsets: N + 1 numbers;
+  or, if there are no keypoints, the index of the match in both columns; offsets: N + 1 numbers;
   the inliers of pair i are inliers[offsets[i]:offsets[i + 1]]
 - settings: a JSON text with the settings that the results depend on"""
 

@@ -34,8 +34,8 @@ def openFile(path: str) -> Any:
     h5py = useH5py()
     try:
         file = h5py.File(path, "r")
-        # By default HDF5 caches up to 32 megabytes of information on groups, which occupy 200
-        # megabytes of memory. Here the limit is 1 megabyte.
+        # By default HDF5 caches up to 32 megabytes (as stored in the file) of information on groups,
+        # which occupy 200 megabytes of memory. Here the limit is 1 megabyte.
         limits = file.id.get_mdc_config()
         limits.set_initial_size, limits.initial_size, limits.max_size, limits.min_size = True, 1 << 20, 1 << 20, 1 << 19
         file.id.set_mdc_config(limits)

@@ -76,17 +76,17 @@ class _Forest:
     references lead to the representative."""
 
     def __init__(self) -> None:
-        self._toward: Dict[typing.Hashable, Tuple[typing.Hashable, _Rotation]] = {}  # R_image = rotation R_other
+        self._toward: Dict[typing.Hashable, Tuple[typing.Hashable, _Rotation]] = {}  # R_image = rotation * R_other
         self._size: Dict[typing.Hashable, int] = {}
         self._links: Dict[typing.Hashable, List[typing.Hashable]] = {}
 
     def add(self, first: typing.Hashable, second: typing.Hashable, rotation: _Rotation) -> None:
-        """Adds a link with R_second = rotation R_first. Does nothing if a path already joins the
+        """Adds a link with R_second = rotation * R_first. Does nothing if a path already joins the
         images."""
         (one, ofFirst), (other, ofSecond) = self._find(first), self._find(second)
         if one == other:
             return
-        between = _times(_inverse(ofSecond), _times(rotation, ofFirst))  # R_other = between R_one
+        between = _times(_inverse(ofSecond), _times(rotation, ofFirst))  # R_other = between * R_one
         sizes = self._size.get(one, 1), self._size.get(other, 1)
         if sizes[0] < sizes[1]:
             self._toward[one] = other, _inverse(between)

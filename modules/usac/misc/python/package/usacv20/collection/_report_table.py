@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Presents results to the report as a single table. The results come from a COLMAP database written by
-this tool or by COLMAP alone, or from a database of the command `pairs`."""
+"""Gives the report a single table of results, wherever they come from: a COLMAP database written by
+this tool or by COLMAP alone, or a database of the command `pairs`."""
 
 from __future__ import annotations
 

@@ -47,8 +47,12 @@ class Settings:
     # matches is accepted by mistake. The default is a hundredth of the usual limit for single
     # estimations (0.01), because most pairs of a collection have no overlap.
     significance: float = 1e-4
-    planarRatio: float = 0.8  # the pair is planar or panoramic if a homography has more than this fraction of the inliers
-    calibrationRatio: float = 0.95  # the focal lengths count as wrong if E has clearly less than this fraction of F's inliers
+    # The pair is planar or panoramic if more than this fraction of the inliers are also inliers of a
+    # homography.
+    planarRatio: float = 0.8
+    # The focal lengths count as wrong if the number of inliers of E is clearly less than this fraction
+    # of the number of inliers of F, see estimateTwoViewGeometry.
+    calibrationRatio: float = 0.95
     watermarks: bool = True  # True: detects pairs whose matches belong to a frame or mark in the images
 
     def __post_init__(self) -> None:

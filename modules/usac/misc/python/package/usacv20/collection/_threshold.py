@@ -68,8 +68,8 @@ ENOUGH = 3
 LEAST_INLIERS = 30  # minimum number of inliers of a pair that is used, in addition to the number of the model's parameters
 FEW_PAIRS = 0.25  # quantile of the ratio of total noise to core noise
 
-# Smallest threshold in pixels: the smallest value that can be estimated with WIDEST. It is about
-# ten times the float32 rounding error of coordinates up to 2^14.
+# Smallest threshold in pixels: WIDEST / 1024, rounded; with THRESHOLD_ESTIMATED, this is the smallest
+# threshold that can be estimated. It is about 12 times the spacing of float32 numbers just below 2^14.
 SMALLEST = 0.012
 
 
@@ -79,7 +79,7 @@ class ThresholdEstimate:
 
     threshold: float  # pixels, rounded to three digits, so that the printed value is equal to the used value
     sigma: float  # pixels, noise of the collection, see the top of this file
-    spread: float  # half of the interquartile range over the pairs, relative to sigma
+    spread: float  # half of the interquartile range of the total noise of the pairs, relative to sigma
     asked: int  # number of pairs in the sample
     used: int  # number of pairs with an estimate of the noise
     ratios: Tuple[float, ...] = ()  # inlier ratios of the used pairs, sorted
