@@ -128,7 +128,7 @@ class SamplerTest(unittest.TestCase):
         class Good(Uniform):
             counts = False
 
-        usac_ = create(usac.HOMOGRAPHY, PLANE, maxIterations=300, termination=usac.TERMINATION_STANDARD)
+        usac_ = create(usac.HOMOGRAPHY, PLANE, maxIterations=300, termination=usac.TERMINATION_STANDARD, significance=1)
         usac_.components.sampler = Uniform()
         counted = usac_.run()[2]
         usac_.components.sampler = Good()
