@@ -22,9 +22,8 @@ String callersName(const ArgumentName* names, size_t count, const String& inner)
 
 }  // namespace
 
-void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake)
+String inWordsOf(const ArgumentName* names, size_t count, const String& text)
 {
-    const String& text = mistake.err;
     const size_t colon = text.find(": ");
     String head;
     for (size_t at = 0; colon != String::npos && at < colon;)
@@ -39,13 +38,18 @@ void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mi
         const size_t length = std::strlen(separator);
         if (end == at || text.compare(end, length, separator) != 0 ||
             (length > 0 && end + length == colon))
-            return;
+            return text;
         head += separator;
         at = end + length;
     }
-    if (!head.empty() && text.compare(0, colon, head) != 0)
-        throw Exception(mistake.code, head + text.substr(colon), mistake.func, mistake.file,
-                        mistake.line);
+    return head.empty() ? text : head + text.substr(colon);
+}
+
+void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake)
+{
+    const String text = inWordsOf(names, count, mistake.err);
+    if (text != mistake.err)
+        throw Exception(mistake.code, text, mistake.func, mistake.file, mistake.line);
 }
 
 }  // namespace usacv20

@@ -6,8 +6,8 @@
 #define OPENCV_USACV20_ARGUMENT_NAMES_HPP
 
 // Some functions, for example those with the signatures of calib3d, call an estimation function
-// whose arguments have other names. The functions of this file translate the names in its error
-// messages.
+// whose arguments have other names, for example Usac::create(), whose names are the same for all
+// problems. The functions of this file translate the names in its error messages.
 
 #include <opencv2/core.hpp>
 
@@ -21,16 +21,13 @@ struct ArgumentName
     const char *inner, *callers;
 };
 
-//! Argument names that appear in the messages of some problems only, and the names of the same
-//! arguments in functions for all problems, such as #fitModel.
-const ArgumentName ANY_PROBLEM[] = {{"objectPoints", "points1"},
-                                    {"imagePoints", "points2"},
-                                    {"cameraMatrix", "cameraMatrix1"},
-                                    {"distCoeffs", "distCoeffs1"}};
+//! Returns a message with the argument names before the colon, as in "points1 and points2: lists of
+//! ...", replaced with those of the caller. Returns the message unchanged if the text before the
+//! colon is not a list of names.
+String inWordsOf(const ArgumentName* names, size_t count, const String& text);
 
-//! Throws `mistake` with the argument names before the colon, as in "points1 and points2: lists of
-//! ...", replaced with those of the caller. Returns without throwing if no name differs, or if the
-//! text before the colon is not a list of names.
+//! Throws `mistake` with its message translated by inWordsOf(). Returns without throwing if that
+//! does not change the message.
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 
 //! Calls an estimation function and translates the argument names in its exceptions. A handler

@@ -4,12 +4,32 @@
 
 #include "precomp.hpp"
 #include "opencv2/usac/batch.hpp"
+#include "api/argument_names.hpp"
 #include "control/batch_tasks.hpp"
 
 namespace cv {
 namespace usacv20 {
 
 namespace {
+
+// Names of the members of Task, and of the lists to which their values belong.
+const ArgumentName LISTS_OF_CAMERAS[] = {{"cameraMatrix1", "cameraMatrices1"},
+                                         {"cameraMatrix2", "cameraMatrices2"}};
+const ArgumentName LISTS_OF_POSES[] = {{"points1", "objectPoints"},
+                                       {"points2", "imagePoints"},
+                                       {"cameraMatrix1", "cameraMatrices"},
+                                       {"distCoeffs1", "distCoeffs"}};
+
+//! Calls estimateBatch() and translates the argument names in Estimate::error.
+template <size_t COUNT>
+std::vector<Estimate> estimateLists(const ArgumentName (&names)[COUNT],
+                                    const std::vector<Task>& tasks, int threads)
+{
+    std::vector<Estimate> results = estimateBatch(tasks, threads);
+    for (Estimate& result : results)
+        result.error = inWordsOf(names, COUNT, result.error);
+    return results;
+}
 
 Estimate estimate(const Task& task)
 {
@@ -150,7 +170,7 @@ std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
         std::vector<Task> tasks = makeTasks(TYPE, points1, points2, "points1", "points2", params); \
         setCameras(cameraMatrices1, "cameraMatrices1", distCoeffs1, "distCoeffs1", tasks);         \
         setSecondCameras(cameraMatrices2, distCoeffs2, tasks);                                     \
-        return estimateBatch(tasks, threads);                                                      \
+        return estimateLists(LISTS_OF_CAMERAS, tasks, threads);                                    \
     }
 
 #define USACV20_POSE(TYPE, PLURAL)                                                                 \
@@ -162,7 +182,7 @@ std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
         std::vector<Task> tasks = makeTasks(TYPE, objectPoints, imagePoints, "objectPoints",       \
                                             "imagePoints", params);                                \
         setCameras(cameraMatrices, "cameraMatrices", distCoeffs, "distCoeffs", tasks);             \
-        return estimateBatch(tasks, threads);                                                      \
+        return estimateLists(LISTS_OF_POSES, tasks, threads);                                      \
     }
 
 #define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE, PLURAL)

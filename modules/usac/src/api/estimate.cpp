@@ -12,16 +12,18 @@ namespace cv {
 namespace usacv20 {
 
 static const ArgumentName ONE_CAMERA[] = {{"cameraMatrix1", "cameraMatrix"}};
+static const ArgumentName POSE[] = {{"points1", "objectPoints"},
+                                    {"points2", "imagePoints"},
+                                    {"cameraMatrix1", "cameraMatrix"},
+                                    {"distCoeffs1", "distCoeffs"}};
 
 Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2, const Params& params,
                   OutputArray mask, Report& report, InputArray cameraMatrix1,
                   InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2)
 {
-    return calling(ANY_PROBLEM, [&] {
-        return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
-                            distCoeffs1, distCoeffs2)
-            ->run(mask, &report);
-    });
+    return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                        distCoeffs1, distCoeffs2)
+        ->run(mask, &report);
 }
 
 // Two functions: with and without a report.
@@ -70,16 +72,20 @@ Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2, c
                        InputArray distCoeffs, const Params& params, OutputArray mask,              \
                        Report& report)                                                             \
     {                                                                                              \
-        return Usac::create(TYPE, objectPoints, imagePoints, params, cameraMatrix, noArray(),      \
-                            distCoeffs)                                                            \
-            ->run(mask, &report);                                                                  \
+        return calling(POSE, [&] {                                                                 \
+            return Usac::create(TYPE, objectPoints, imagePoints, params, cameraMatrix, noArray(),  \
+                                distCoeffs)                                                        \
+                ->run(mask, &report);                                                              \
+        });                                                                                        \
     }                                                                                              \
     Mat estimate##NAME(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,   \
                        InputArray distCoeffs, const Params& params, OutputArray mask)              \
     {                                                                                              \
-        return Usac::create(TYPE, objectPoints, imagePoints, params, cameraMatrix, noArray(),      \
-                            distCoeffs)                                                            \
-            ->run(mask);                                                                           \
+        return calling(POSE, [&] {                                                                 \
+            return Usac::create(TYPE, objectPoints, imagePoints, params, cameraMatrix, noArray(),  \
+                                distCoeffs)                                                        \
+                ->run(mask);                                                                       \
+        });                                                                                        \
     }
 
 #define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE, NAME)

@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "api/argument_names.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -27,11 +26,9 @@ Mat fitModel(ProblemType problem, InputArray points1, InputArray points2, const 
              InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,
              InputArray distCoeffs2)
 {
-    return calling(ANY_PROBLEM, [&] {
-        return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
-                            distCoeffs1, distCoeffs2)
-            ->fit(weights, chosen, mask, &report);
-    });
+    return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                        distCoeffs1, distCoeffs2)
+        ->fit(weights, chosen, mask, &report);
 }
 
 Mat refineModel(ProblemType problem, InputArray model, InputArray points1, InputArray points2,
@@ -40,11 +37,9 @@ Mat refineModel(ProblemType problem, InputArray model, InputArray points1, Input
                 InputArray distCoeffs2)
 {
     checkModel(model);
-    return calling(ANY_PROBLEM, [&] {
-        return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
-                            distCoeffs1, distCoeffs2)
-            ->refine(model, chosen, mask, &report);
-    });
+    return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                        distCoeffs1, distCoeffs2)
+        ->refine(model, chosen, mask, &report);
 }
 
 Mat modelErrors(ProblemType problem, InputArray model, InputArray points1, InputArray points2,
@@ -52,11 +47,9 @@ Mat modelErrors(ProblemType problem, InputArray model, InputArray points1, Input
                 InputArray distCoeffs1, InputArray distCoeffs2)
 {
     checkModel(model);
-    return calling(ANY_PROBLEM, [&] {
-        return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
-                            distCoeffs1, distCoeffs2)
-            ->errors(model);
-    });
+    return Usac::create(problem, points1, points2, params, cameraMatrix1, cameraMatrix2,
+                        distCoeffs1, distCoeffs2)
+        ->errors(model);
 }
 
 }  // namespace usacv20

@@ -141,7 +141,48 @@ TEST(Usac_ArgumentNames, solvePnPRansac)
     expectBegin([&] { solve(l.b, K, 10, 8, 1.5); }, "confidence");
 }
 
-//! fitModel and modelErrors call the camera matrix of an absolute pose `cameraMatrix1`, and the
+TEST(Usac_ArgumentNames, estimateAbsolutePose)
+{
+    const Lists l;
+    const Mat K = Mat::eye(3, 3, CV_64F), none, odd = Mat::ones(1, 3, CV_64F);
+    Mat mask;
+    Report report;
+    const auto both = [&](InputArray object, const Mat& image, const Mat& camera, const Mat& lens,
+                          const char* begin) {
+        expectBegin([&] { estimateAbsolutePose(object, image, camera, lens, l.params, mask); },
+                    begin);
+        expectBegin(
+            [&] { estimateAbsolutePose(object, image, camera, lens, l.params, mask, report); },
+            begin);
+    };
+    both(l.a, l.b, K, none, "objectPoints");
+    both(l.space, l.solid, K, none, "imagePoints");
+    both(l.space, l.few, K, none, "objectPoints and imagePoints");
+    both(l.space, l.b, odd, none, "cameraMatrix");
+    both(l.space, l.b, K, odd, "distCoeffs");
+}
+
+//! Usac::create() calls the arguments of an absolute pose points1, points2, cameraMatrix1 and
+//! distCoeffs1, and Usac::setPoints() has points1 and points2.
+TEST(Usac_ArgumentNames, create)
+{
+    const Lists l;
+    const Mat K = Mat::eye(3, 3, CV_64F), none, odd = Mat::ones(1, 3, CV_64F);
+    const auto create = [&](InputArray object, const Mat& image, const Mat& camera,
+                            const Mat& lens) {
+        return Usac::create(ABSOLUTE_POSE, object, image, l.params, camera, noArray(), lens);
+    };
+    expectBegin([&] { create(l.a, l.b, K, none); }, "points1");
+    expectBegin([&] { create(l.space, l.solid, K, none); }, "points2");
+    expectBegin([&] { create(l.space, l.few, K, none); }, "points1 and points2");
+    expectBegin([&] { create(l.space, l.b, odd, none); }, "cameraMatrix1");
+    expectBegin([&] { create(l.space, l.b, K, odd); }, "distCoeffs1");
+    const Ptr<Usac> usac = create(l.space, l.b, K, none);
+    expectBegin([&] { usac->setPoints(l.a, l.b); }, "points1");
+    expectBegin([&] { usac->setPoints(l.space, l.few); }, "points1 and points2");
+}
+
+//! In functions for all problems, the camera matrix of an absolute pose is `cameraMatrix1`, and the
 //! messages must use this name. A caller of findEssentialMat with a focal length has given no
 //! camera matrix, so the message must name the arguments "focal, pp" instead.
 TEST(Usac_ArgumentNames, fits_and_focal_lengths)

@@ -201,6 +201,32 @@ TEST(Usac_Batch, wrongLists)
     EXPECT_TRUE(estimateHomographies(std::vector<Mat>(), std::vector<Mat>()).empty());
 }
 
+//! Estimate::error names the members of Task for estimateBatch(), but the arguments of the called
+//! function for the batches of one problem.
+TEST(Usac_Batch, namesOfArguments)
+{
+    const Mat space = Mat::ones(9, 3, CV_64F), image = Mat::ones(9, 2, CV_64F), odd(2, 3, CV_64F),
+              few = image.rowRange(1, 9), K = Mat::eye(3, 3, CV_64F), lens(1, 3, CV_64F);
+    const auto begin = [](const std::vector<Estimate>& found) {
+        return found.size() == 1 ? found[0].error.substr(0, found[0].error.find(": ")) : String();
+    };
+    const auto poses = [&](const Mat& points, const Mat& camera, const Mat& distortion) {
+        return begin(estimateAbsolutePoses(std::vector<Mat>(1, space), std::vector<Mat>(1, points),
+                                           camera, distortion));
+    };
+    EXPECT_EQ("objectPoints and imagePoints", poses(few, K, Mat()));
+    EXPECT_EQ("cameraMatrices", poses(image, odd, Mat()));
+    EXPECT_EQ("distCoeffs", poses(image, K, lens));
+    const std::vector<Mat> images(1, image);
+    EXPECT_EQ("cameraMatrices1", begin(estimateEssentials(images, images, odd)));
+    EXPECT_EQ("cameraMatrices2", begin(estimateEssentials(images, images, K, odd)));
+    EXPECT_EQ("distCoeffs1", begin(estimateEssentials(images, images, K, K, lens)));
+    std::vector<Task> tasks(1, Task(ABSOLUTE_POSE, space, few));
+    EXPECT_EQ("cameraMatrix1", begin(estimateBatch(tasks)));
+    tasks[0].cameraMatrix1 = K;
+    EXPECT_EQ("points1 and points2", begin(estimateBatch(tasks)));
+}
+
 //! By default, a batch uses as many threads as OpenCV has, here 3. The second batch asks for 4, but
 //! OpenCV has only 1. The number of threads must not change the results.
 TEST(Usac_Batch, anyNumberOfThreads)

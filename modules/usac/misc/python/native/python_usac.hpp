@@ -20,7 +20,9 @@ public:
                const py::object& cameraMatrix2, const py::object& distCoeffs1,
                const py::object& distCoeffs2);
 
-    //! Replaces a component; None restores the component that the options select.
+    //! Replaces a component; None restores the component that the options select. The estimator
+    //! keeps a reference that Python's garbage collector cannot see. Therefore the package passes
+    //! weak proxies, and its class Components keeps the components alive.
     void setSampler(const py::object& sampler);
     void setScore(const py::object& score);
     void setPoints(const py::object& points1, const py::object& points2);

@@ -112,6 +112,29 @@ class BatchTest(unittest.TestCase):
             with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
                 usac.estimateEssentials(first, second, "K", returnExceptions=both)
 
+    def test_no_lists(self):
+        first, second = pairs(True, 2)
+        ragged = [[1, [2, 3]], [4, 5]]
+        for call, words in (((5, 5), "points1: a list"), ((first, 5), "points2: a list"), ((first, None), "points2: a list"),
+                            ((first, second, 5), "params: a .*Params, or a list"), (([5, 5], second), r"points1\[0\]"),
+                            (([np.array(5)] * 2, second), r"points1\[0\]"), (([ragged] * 2, second), r"points1\[0\]")):
+            with self.assertRaisesRegex(ERRORS, words):
+                usac.estimateHomographies(*call)
+        for wrong in (5, ragged, [ragged, ragged], [ragged, np.eye(3)]):
+            with self.assertRaisesRegex(ERRORS, "cameraMatrices2"):
+                usac.estimateEssentials(first, second, np.eye(3), wrong)
+
+    def test_names_of_cameras(self):
+        """The entry of a list that is wrong is named by the argument of the called function."""
+        X, x, K = [POSE.X], [POSE.x], POSE.K
+        for call, words in (((X, x, K[:2]), "cameraMatrices: "), ((X, x, K, [1, 2]), "distCoeffs: "),
+                            ((X, [POSE.x[1:]], K), "objectPoints and imagePoints: ")):
+            with self.assertRaisesRegex(ERRORS, r"objectPoints\[0\]: " + words):
+                usac.estimateAbsolutePoses(*call)
+        for call, words in (((K[:2],), "cameraMatrices1: "), ((K, K[:2]), "cameraMatrices2: "), ((K, K, [1, 2]), "distCoeffs1: ")):
+            with self.assertRaisesRegex(ERRORS, r"points1\[0\]: " + words):
+                usac.estimateEssentials(x, x, *call)
+
     def test_none(self):
         self.assertEqual(usac.estimateHomographies([], []), [])
         (model, mask, report), = usac.estimateHomographies([np.zeros((2, 2))], [np.zeros((2, 2))])

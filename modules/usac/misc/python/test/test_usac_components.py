@@ -96,8 +96,53 @@ class UsacTest(unittest.TestCase):
             with self.assertRaises(usac.error) as context:
                 function()
             self.assertIn(word, str(context.exception))
+        for wrong in ("x", None, [1], True):
+            score = Msac()
+            score.inlierPart = wrong
+            with self.assertRaisesRegex(usac.error, "score.inlierPart: a number"):
+                usac_.components.score = score
+            self.assertIsNone(usac_.components.score)
         self.assertRaises(TypeError, usac.Sampler)
         self.assertRaises(TypeError, usac.Score)
+
+
+    def test_names_of_an_absolute_pose(self):
+        X, x, K = POSE.X, POSE.x, POSE.K
+        pose = usac.Usac.create(usac.ABSOLUTE_POSE, X, x, None, K)
+        for word, function in (("points1 and points2", lambda: usac.Usac.create(usac.ABSOLUTE_POSE, X, x[1:], None, K)),
+                               ("points1", lambda: usac.Usac.create(usac.ABSOLUTE_POSE, x, x, None, K)),
+                               ("cameraMatrix1", lambda: usac.Usac.create(usac.ABSOLUTE_POSE, X, x, None, K[:2])),
+                               ("distCoeffs1", lambda: usac.Usac.create(usac.ABSOLUTE_POSE, X, x, None, K, distCoeffs1=[1, 2])),
+                               ("points1 and points2", lambda: pose.setPoints(X, x[1:]))):
+            with self.assertRaises(usac.error) as context:
+                function()
+            self.assertEqual(context.exception.err.partition(":")[0], word)
+
+    def test_references_in_a_circle(self):
+        """The garbage collector frees an estimator whose component refers to it."""
+        for name, kind, used in (("sampler", Uniform, False), ("sampler", Uniform, True), ("score", Msac, True)):
+            component = kind()
+            usac_ = component.usac = create(usac.HOMOGRAPHY, PLANE)
+            setattr(usac_.components, name, component)
+            if used:
+                usac_.run()
+            references = weakref.ref(usac_), weakref.ref(component)
+            del usac_, component
+            gc.collect()
+            self.assertEqual([reference() for reference in references], [None, None], name)
+
+    def test_only_the_run_holds_a_reference(self):
+        class Dropping(Uniform):
+            def sample(self, rng, iteration):
+                holder.clear()
+                gc.collect(0)
+                return super().sample(rng, iteration)
+
+        holder = [create(usac.HOMOGRAPHY, PLANE, maxIterations=50)]
+        holder[0].components.sampler = Dropping()
+        model, _, _ = holder[0].run()
+        self.assertEqual(holder, [])
+        self.assertLess(PLANE.error("Homography", model), 1.0)
 
 
 @package

@@ -69,6 +69,7 @@ class GivenTest(unittest.TestCase):
                            (lambda: usac.modelErrors(usac.ESSENTIAL, np.eye(3), scene.points1, scene.points2), "cameraMatrix1")):
             with self.assertRaisesRegex(usac.error, name):
                 call()
+        self.emptyLists(scene.points1, scene.points2)
         a, b = scene.points1, scene.points2
         weights = np.linspace(0.2, 0.9, len(a))[:, None]
         for name, wrong in (("confidence", np.hstack([a, weights])), ("one list", np.stack([a, a]))):
@@ -82,6 +83,19 @@ class GivenTest(unittest.TestCase):
         np.testing.assert_allclose(usac.modelErrors("rigid_3d", np.eye(3, 4), space, space), 0, atol=1e-12)
         model, mask, report = usac.fitModel(usac.HOMOGRAPHY, scene.points1[:3], scene.points2[:3])
         self.assertEqual((model, mask.tolist(), report.stop), (None, [[0]] * 3, usac.STOP_TOO_FEW_POINTS))
+
+    def emptyLists(self, points1, points2):
+        """An empty list is a list of wrong length, unless there are no points. Only None means all
+        points."""
+        for empty in ([], (), np.zeros((0, 1), bool)):
+            for name in ("weights", "chosen"):
+                with self.assertRaisesRegex(usac.error, name + ": .*None"):
+                    usac.fitModel(usac.HOMOGRAPHY, points1, points2, **{name: empty})
+            with self.assertRaisesRegex(usac.error, "chosen: .*None"):
+                usac.refineModel(usac.HOMOGRAPHY, np.eye(3), points1, points2, chosen=empty)
+            none = np.zeros((0, 2))
+            self.assertEqual(usac.fitModel(usac.HOMOGRAPHY, none, none, empty, empty)[2].stop, usac.STOP_TOO_FEW_POINTS)
+            self.assertEqual(usac.refineModel(usac.HOMOGRAPHY, np.eye(3), none, none, empty)[1].shape, (0, 1))
 
     def test_report(self):
         scene = Scene(planar=True)

@@ -64,6 +64,9 @@ class CallTest(MistakeCase):
         expected = bits(estimate("Essential", d, p)[:2])
         for args, kwargs in (((d.K1, d.K2, d.d1, d.d2, p), {}), ((d.K1, d.d1, d.K2, d.d2), dict(method=p))):
             self.assertEqual(bits(usac.findEssentialMat(d.points1, d.points2, *args, **kwargs)), expected)
+        for name, other in (("dist_coeff1", "distCoeffs1"), ("dist_coeff2", "distCoeffs2")):
+            expected = bits(usac.estimateEssential(d.points1, d.points2, d.K1, params=p, **{other: d.d2})[:2])
+            self.assertEqual(bits(usac.findEssentialMat(d.points1, d.points2, d.K1, params=p, **{name: d.d2})), expected)
         m = MOVED
         expected = bits(usac.estimateAffinity2D(m.points1, m.points2, p)[:2])
         for args, kwargs in (((p,), {}), ((None, p), {}), ((), dict(method=p)), ((), dict(params=p))):

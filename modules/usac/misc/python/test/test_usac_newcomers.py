@@ -354,6 +354,7 @@ class PictureTest(NewcomerCase):
     def test_mistakes(self):
         image1, image2, a, b, mask = self.scene()
         for word, args in (("image1", (None, image2, a, b)), ("image2", (image1, np.zeros((4, 4, 2)), a, b)), ("image1", ("a.png", image2, a, b)),
+                           ("image1: an image", ([[1], [1, 2]], image2, a, b)), ("image2: an image", (image1, [[1], [1, 2]], a, b)),
                            ("points1 and points2", (image1, image2, a, b[1:])), ("mask", (image1, image2, a, b, mask[1:])),
                            ("points2", (image1, image2, a, np.zeros((3, 5)))), ("lines", (image1, image2, a, b, mask, -1))):
             self.refused(ERRORS, (word,), usac.draw_matches, *args)

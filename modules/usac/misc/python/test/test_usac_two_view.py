@@ -175,6 +175,19 @@ class TwoViewTest(unittest.TestCase):
         with self.assertRaisesRegex(ERRORS, r"pairs\[1\]"):
             usac.estimateTwoViewGeometries(pairs[:2])
 
+    def test_no_lists(self):
+        a, b, _, _ = scene(1)
+        for pairs, words in ((5, "pairs: a list"), (None, "pairs: a list"), ([(a, b), 5], r"pairs\[1\]: a TwoViewPair"),
+                             ([(a,)], r"pairs\[0\]: a TwoViewPair"), ([(a, b) + (None,) * 11], r"pairs\[0\]: a TwoViewPair")):
+            with self.assertRaisesRegex(ERRORS, words):
+                usac.estimateTwoViewGeometries(pairs)
+        found = usac.estimateTwoViewGeometries(iter([(a, b), 5]), returnExceptions=True)
+        self.assertIs(found[0].configuration, usac.TWO_VIEW_UNCALIBRATED)
+        self.assertRegex(str(found[1]), r"pairs\[1\]: a TwoViewPair")
+        for wrong in (0.5, None, [[0.5]], "ab"):
+            with self.assertRaisesRegex(ERRORS, "ratios: "):
+                usac.TwoViewRules(ratios=wrong).check()
+
     def test_rules(self):
         params = usac.Params(confidence=0.999)
         plain, known = usac.TwoViewRules(), usac.TwoViewRules(ratios=(0.5,) * 30)

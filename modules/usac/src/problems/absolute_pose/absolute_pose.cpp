@@ -31,10 +31,6 @@ public:
     int dimension() const CV_OVERRIDE { return PoseParameterization::DIMENSION; }
     int errorDimension() const CV_OVERRIDE { return 2; }
     int coordinates(int array) const CV_OVERRIDE { return array == 0 ? 3 : 2; }
-    String arrayName(int array) const CV_OVERRIDE
-    {
-        return array == 0 ? "objectPoints" : "imagePoints";
-    }
     bool commonUnit() const CV_OVERRIDE { return false; }
     //! Time per sample in point tests (see SampleCost), and number of models per sample; both were
     //! measured.

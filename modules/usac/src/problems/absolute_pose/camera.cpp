@@ -33,8 +33,8 @@ Matx33d withoutCenter(const Matx33d& K)
 }  // namespace
 
 PoseCamera::PoseCamera(InputArray cameraMatrix, InputArray distCoeffs)
-    : K(readCamera(cameraMatrix, "cameraMatrix")),
-      distortion(readDistortion(distCoeffs, "distCoeffs")), matrix(withoutCenter(K)),
+    : K(readCamera(cameraMatrix, "cameraMatrix1")),
+      distortion(readDistortion(distCoeffs, "distCoeffs1")), matrix(withoutCenter(K)),
       inverse(matrix.inv()), focal(meanFocal(K)), distorted(!distortion.none())
 {}
 

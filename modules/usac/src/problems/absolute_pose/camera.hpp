@@ -22,7 +22,7 @@ class PoseCamera
 
 public:
     //! Arguments as for cv::solvePnP. Raises cv::Exception if the arguments do not describe a
-    //! camera.
+    //! camera; its message names them cameraMatrix1 and distCoeffs1, as in Usac::create().
     PoseCamera(InputArray cameraMatrix, InputArray distCoeffs);
 
     //! Converts pixels to the coordinates of the search, in place. Pixels at which the lens images

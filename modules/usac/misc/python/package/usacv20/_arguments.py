@@ -114,6 +114,15 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
     return number
 
 
+def elements(value: Any, name: str, expected: str) -> typing.Iterator[Any]:
+    """Returns an iterator over the elements of `value`. Raises usacv20.error if there is none;
+    `expected` is what the message says is expected."""
+    try:
+        return iter(value)
+    except TypeError:
+        raise fail("{}: {} is expected, not {}".format(name, expected, shown(value))) from None
+
+
 def refuseMasked(value: Any, name: str) -> None:
     """Raises usacv20.error for a numpy.ma array with masked elements, because a conversion would lose
     the mask."""

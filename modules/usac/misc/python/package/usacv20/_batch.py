@@ -52,6 +52,16 @@ class _Mistakes:
             return instead
 
 
+def _dimensions(value: Any) -> int:
+    """Returns the number of dimensions of a value. The number is 2 for a list of lists of different
+    lengths, which cannot be converted to an array; the conversion then raises an exception that names
+    the argument."""
+    try:
+        return int(np.ndim(value))
+    except ValueError:
+        return 2
+
+
 def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
     """Returns a list of arrays with one entry for each task, or with a single entry for all tasks;
     the list is empty if `given` is None. `given` is a list of arrays, a 3-dimensional array, or a
@@ -59,8 +69,8 @@ def _oneOrEach(given: Any, name: str, count: int) -> List[Any]:
     if the number of arrays is neither 1 nor the number of tasks."""
     if given is None:
         return []
-    isList = isinstance(given, (list, tuple)) and any(item is None or np.ndim(item) >= 1 for item in given)
-    if isList and all(isinstance(item, (list, tuple)) and all(np.ndim(number) == 0 for number in item) for item in given):
+    isList = isinstance(given, (list, tuple)) and any(item is None or _dimensions(item) >= 1 for item in given)
+    if isList and all(isinstance(item, (list, tuple)) and all(_dimensions(number) == 0 for number in item) for item in given):
         isList = name.startswith("dist")  # a list of lists is one camera matrix, but several arrays of distortion coefficients
     if isinstance(given, np.ndarray):
         isList = given.ndim == 3
@@ -85,8 +95,8 @@ def _lists(given: Any, name: str) -> List[Any]:
         _arguments.refuseMasked(given, name)
         onePair = given.ndim != 3 or (given.shape[1] == 1 and given.shape[0] > 1)
     else:
-        given = list(given)
-        onePair = any(np.ndim(point) == 0 and np.size(point) == 1 for entry in given[:1] for point in _some(entry))
+        given = list(_arguments.elements(given, name, "a list with the points of each pair"))
+        onePair = any(_dimensions(point) == 0 and np.size(point) == 1 for entry in given[:1] for point in _some(entry))
     if onePair:
         raise fail("{}: a list with the points of each pair is expected; for a single pair, as here, there are "
                    "estimateHomography and similar functions".format(name))
@@ -95,7 +105,7 @@ def _lists(given: Any, name: str) -> List[Any]:
 
 def _some(entry: Any) -> List[Any]:
     """Returns a list with the first row of an entry; an empty list if there is none."""
-    return list(entry[:1]) if isinstance(entry, (list, tuple, np.ndarray)) and np.ndim(entry[:1]) else []
+    return list(entry[:1]) if isinstance(entry, (list, tuple)) or (isinstance(entry, np.ndarray) and entry.ndim > 0) else []
 
 
 def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> List[Any]:
@@ -113,7 +123,8 @@ def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _Params
     if len(second) != count:
         raise fail("{} and {}: lists of the same length are expected, not of {} and {}".format(names[0], names[1], count,
                                                                                               len(second)))
-    options = [params] if params is None or isinstance(params, Params) else list(params)
+    options = [params] if params is None or isinstance(params, Params) else list(_arguments.elements(
+        params, "params", "a {}.Params, or a list with one for each task,".format(Params.__module__)))
     if len(options) not in (1, count):
         raise fail("params: one for all tasks or one for each of the {} tasks is expected, not {}".format(count, len(options)))
     prepared = [optionsOf(given, "params" if len(options) == 1 else "params[{}]".format(i)) for i, given in enumerate(options)]

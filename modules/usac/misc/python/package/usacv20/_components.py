@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import abc
 import typing
+import weakref
 from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy as np
@@ -136,6 +137,13 @@ class Score(_Component):
         (outlier), and the number of inliers."""
 
 
+def _weak(component: Optional[_Component]) -> Any:
+    """Returns a weak proxy, which the compiled part keeps and Components keeps alive, or None for
+    None. The garbage collector cannot see references of the compiled part: with a strong one, a
+    component that refers back to its Usac would keep both alive forever."""
+    return None if component is None else weakref.proxy(component)
+
+
 def _noComponent(name: str) -> str:
     return "components.{}: Python can replace components.sampler and components.score; {}".format(
         name, "the others can be replaced in C++ only (samples/custom_residual.cpp); Params selects among the existing ones")
@@ -174,7 +182,7 @@ class Components:
     def sampler(self, value: Optional[Sampler]) -> None:
         if value is not None and not isinstance(value, Sampler):
             raise fail("sampler: an object of a subclass of usacv20.Sampler is expected, not {}".format(_arguments.shown(value)))
-        self._usac.setSampler(value)
+        self._usac.setSampler(_weak(value))
         self._sampler = value
 
     @property
@@ -186,7 +194,9 @@ class Components:
     def score(self, value: Optional[Score]) -> None:
         if value is not None and not isinstance(value, Score):
             raise fail("score: an object of a subclass of usacv20.Score is expected, not {}".format(_arguments.shown(value)))
-        self._usac.setScore(value)
+        if value is not None:
+            _arguments.real(value.inlierPart, "score.inlierPart")
+        self._usac.setScore(_weak(value))
         self._score = value
 
 

@@ -34,7 +34,10 @@ def _imported(name: str) -> Any:
 def _image(value: Any, name: str) -> _Image:
     """Returns an image as an array of bytes, height x width x 3, in pale gray, so that colored
     lines are visible on it."""
-    given = np.asarray(value)
+    try:
+        given = np.asarray(value)
+    except Exception as failure:  # for example, rows have different lengths
+        raise fail("{}: an image is expected, height x width with 1, 3 or 4 channels ({})".format(name, failure)) from failure
     channels = given.shape[2] if given.ndim == 3 else 1
     if given.ndim not in (2, 3) or channels not in (1, 3, 4) or given.size == 0 or given.dtype.kind not in "buif":
         raise fail("{}: an image is expected, height x width with 1, 3 or 4 channels, not {}".format(name, _arguments.shown(value)))

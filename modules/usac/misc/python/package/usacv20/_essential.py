@@ -119,7 +119,7 @@ def findEssentialMat(*args: Any, **kwargs: Any) -> Any:
         raise fail("findEssentialMat: params is given twice, or together with method")
     if "params" in kwargs and "cameraMatrix" in kwargs:
         kwargs["method"] = kwargs.pop("params")
-    elif "params" in kwargs and len(args) == 3 and not ("cameraMatrix2" in kwargs or "dist_coeff1" in kwargs):
+    elif "params" in kwargs and len(args) == 3 and not any(name in kwargs for name in _PARAMS[3:6]):
         kwargs["method"] = kwargs.pop("params")
     form = _form(args, kwargs)
     _checkPlace(form, args)

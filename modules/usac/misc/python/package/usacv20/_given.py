@@ -42,6 +42,15 @@ def _model(value: Any) -> npt.NDArray[Any]:
     return given
 
 
+def _perPoint(value: Any, name: str, points: Tuple[Any, Any], instead: str) -> Any:
+    """Converts a list of one number for each point like optionalArray(). Raises usacv20.error for an
+    empty list if there are points, because C++ treats an empty list like None."""
+    given = optionalArray(value, name)
+    if given is not None and given.size == 0 and points[0].size > 0:
+        raise fail("{}: one number for each point is expected, or None for {}, not an empty list".format(name, instead))
+    return given
+
+
 def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
     model, mask, report = found
     return model, NO_POINTS.copy() if mask is None else mask, Report._of(report)
@@ -68,8 +77,9 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
     STOP_NO_SEARCH, or gives the reason why there is no model. The fit is not robust: outliers are
     not detected and affect it fully."""
     number = problemOf(problem)
-    return _result(native.fitModel(number, *pointsOf(number, points1, points2), optionsOf(params),
-                                   optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
+    points = pointsOf(number, points1, points2)
+    return _result(native.fitModel(number, *points, optionsOf(params), _perPoint(weights, "weights", points, "equal weights"),
+                                   _perPoint(chosen, "chosen", points, "all points"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
 
@@ -85,8 +95,8 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
 
     The other arguments and the results are those of fitModel."""
     number = problemOf(problem)
-    return _result(native.refineModel(number, _model(model), *pointsOf(number, points1, points2), optionsOf(params),
-                                      optionalArray(chosen, "chosen"),
+    given, points = _model(model), pointsOf(number, points1, points2)
+    return _result(native.refineModel(number, given, *points, optionsOf(params), _perPoint(chosen, "chosen", points, "all points"),
                                       *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
 

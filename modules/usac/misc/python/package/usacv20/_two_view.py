@@ -87,7 +87,7 @@ class TwoViewRules:
         rules.minInliers = _arguments.integer(self.minInliers, "minInliers")
         for name in ("inlierRatio", "planarRatio", "calibrationRatio"):
             setattr(rules, name, _arguments.real(getattr(self, name), name))
-        rules.ratios = [_arguments.real(ratio, "ratios") for ratio in self.ratios]
+        rules.ratios = [_arguments.real(ratio, "ratios") for ratio in _arguments.elements(self.ratios, "ratios", "a list of numbers")]
         return rules
 
 
@@ -163,6 +163,13 @@ def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
             *taken, scores, sigmas)
 
 
+def _pairOf(value: Any, name: str) -> TwoViewPair:
+    given = tuple(_arguments.elements(value, name, "a TwoViewPair"))
+    if not len(_POINTS) <= len(given) <= len(TwoViewPair._fields):
+        raise fail("{}: a TwoViewPair is expected, not {} values".format(name, len(given)))
+    return TwoViewPair(*given)
+
+
 def _rules(rules: Optional[TwoViewRules]) -> Any:
     if rules is not None and not isinstance(rules, TwoViewRules):
         raise fail("rules: a TwoViewRules is expected, not {}".format(_arguments.shown(rules)))
@@ -232,9 +239,9 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
     lock is released during the call."""
     mistakes = {}
     read = []
-    for i, pair in enumerate(pairs):
+    for i, pair in enumerate(_arguments.elements(pairs, "pairs", "a list of TwoViewPair")):
         try:
-            read.append(_read(TwoViewPair(*pair), "pairs[{}].".format(i)))
+            read.append(_read(_pairOf(pair, "pairs[{}]".format(i)), "pairs[{}].".format(i)))
         except Exception as mistake:
             if not returnExceptions:
                 raise
