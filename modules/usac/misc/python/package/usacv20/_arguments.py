@@ -12,7 +12,7 @@ import inspect
 import operator
 import typing
 import warnings
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
 
@@ -160,6 +160,29 @@ def array(value: Any, name: str) -> npt.NDArray[Any]:
 def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
     """Does the same as array(), but returns None for None."""
     return None if value is None else array(value, name)
+
+
+def isList(given: npt.NDArray[Any]) -> bool:
+    """Returns True for a one-dimensional array, a row, a column, and an empty array."""
+    return given.size == 0 or sum(side != 1 for side in given.shape) <= 1
+
+
+_MODELS = {6: (2, 3), 9: (3, 3), 12: (3, 4)}  # number of entries of the models of this module: their shape
+
+
+def checkModelShape(given: npt.NDArray[Any], name: str, kind: Callable[[str], Exception] = fail) -> None:
+    """Raises an exception, made by `kind`, if a matrix has as many numbers as some model of this module, but another shape, such
+    as that of a transposed matrix. Lists are accepted. Other numbers of entries are refused later, when the model is used."""
+    shape = _MODELS.get(given.size)
+    if shape is not None and given.shape != shape and not isList(given):
+        raise kind("{}: a {}x{} matrix, or a row or a column, is expected for {} numbers, not the shape {}".format(
+            name, *shape, given.size, given.shape))
+
+
+def checkSquare(given: npt.NDArray[Any], name: str, kind: Callable[[str], Exception] = fail) -> None:
+    """Raises an exception, made by `kind`, if a matrix that is not empty is not square."""
+    if given.size > 0 and (given.ndim != 2 or given.shape[0] != given.shape[1]):
+        raise kind("{}: a square matrix is expected, not the shape {}".format(name, given.shape))
 
 
 def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:

@@ -207,12 +207,29 @@ class Numbers(Field["npt.NDArray[Any]"]):
         """Accepts any shape; the numbers are read row by row."""
 
 
+class Model(Numbers):
+    """A descriptor of a field whose value is the entries of a model. A matrix of the shape of a model,
+    a row, a column or a one-dimensional array can be assigned."""
+
+    def checkShape(self, given: npt.NDArray[Any]) -> None:
+        _arguments.checkModelShape(given, self.name, TypeError)
+
+
+class Covariance(Numbers):
+    """A descriptor of a field whose value is the entries of a square matrix. The matrix, a row, a
+    column or a one-dimensional array can be assigned."""
+
+    def checkShape(self, given: npt.NDArray[Any]) -> None:
+        if not _arguments.isList(given):
+            _arguments.checkSquare(given, self.name, TypeError)
+
+
 class Scores(Numbers):
     """A descriptor of a field whose value is a list of numbers. A row, a column or a
     one-dimensional array can be assigned."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
-        if sum(side != 1 for side in given.shape) > 1:
+        if not _arguments.isList(given):
             raise TypeError("{}: N numbers are expected, N x 1 or 1 x N, not the shape {}".format(self.name, given.shape))
 
 
@@ -223,5 +240,5 @@ class Noise(Numbers):
     def checkShape(self, given: npt.NDArray[Any]) -> None:
         if given.ndim == 2 and given.shape[1] in (3, 6):
             return
-        if sum(side != 1 for side in given.shape) > 1:
+        if not _arguments.isList(given):
             raise TypeError("{}: N, N x 3 or N x 6 numbers are expected, not the shape {}".format(self.name, given.shape))

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type, Union
 import numpy as np
 
 from . import _enumerations as e
-from ._arguments import array, integer
+from ._arguments import array, checkModelShape, checkSquare, integer
 from ._backend import native
 from ._errors import fail
-from ._fields import Field, Integer, Noise, Numbers, Option, Real, Scores, Set
+from ._fields import Covariance, Field, Integer, Model, Noise, Option, Real, Scores, Set
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -95,10 +95,10 @@ class Params:
         three zeros are an exact point of image 1. Each error is divided by its standard deviation in score,
         fits, mask and covariance: threshold, Report.threshold, Report.sigma and modelErrors refer to the divided errors. The
         array that is stored has one dimension. Default none.""")
-    initialModel = Numbers(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
+    initialModel = Model(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
         array of float64, empty if there is none; see setInitialModel(). It is scored and optimized before the first sample,
         like a model of a sample. Default none.""")
-    initialCovariance = Numbers(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
+    initialCovariance = Covariance(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
         Report.covariance; an array of float64, empty if there is none. With it, the initial model is a prior: the result is
         the mean of the initial model and of the model of the points, weighted by their covariances. If the two models
         contradict each other, the result is the model of the points alone, see Report.priorChance. Default none.""")
@@ -244,11 +244,16 @@ class Params:
     def setInitialModel(self, model: Optional[npt.ArrayLike], covariance: Optional[npt.ArrayLike] = None) -> None:
         """Sets initialModel and initialCovariance.
 
-        model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for absolute poses and 3-D motions, any number
-            type; None or an empty array: no initial model
-        covariance -- d x d, such as Report.covariance, any number type; None or an empty array: no covariance"""
-        matrices = _matrix(model, "model"), _matrix(covariance, "covariance")
-        self.initialModel, self.initialCovariance = matrices
+        model -- 3x3 for H, F and E, 2x3 for affinities and similarities, 3x4 for absolute poses and 3-D motions, or the numbers
+            of such a matrix, row by row, as a list, a row or a column; any number type; None or an empty array: no initial
+            model
+        covariance -- d x d, such as Report.covariance, any number type; None or an empty array: no covariance
+
+        Raises usacv20.error, whose message names the argument, for another shape, such as that of a transposed matrix."""
+        entries, variances = _matrix(model, "model"), _matrix(covariance, "covariance")
+        checkModelShape(entries, "model")
+        checkSquare(variances, "covariance")
+        self.initialModel, self.initialCovariance = entries, variances
 
     def _items(self) -> typing.Iterator[Tuple[str, Any]]:
         return ((name, getattr(self, name)) for name in _FIELDS)
