@@ -205,6 +205,14 @@ class BeginTest(unittest.TestCase):
         away = self.guess(r + 1, t)
         self.assertFalse(away[0] and FEW.error(away[1], away[2]) < 5)
 
+    def test_arrays_of_other_types(self):
+        for kind in (bool, np.float32, np.uint8):
+            given = np.ones((3, 1), kind), np.zeros((3, 1), kind)
+            found, rvec, tvec, _ = usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, *given, flags=usac.Params(threshold=THRESHOLD))
+            self.assertTrue(found)
+            self.assertLess(POSE.error(rvec, tvec), 0.5)
+            self.assertTrue(given[0].all() and not given[1].any())
+
     def test_wrong_guess(self):
         t = FEW.t
         for rvec, tvec, word in ((np.zeros(2), t, "rvec"), (t, np.zeros((2, 1)), "tvec"), (t * np.nan, t, "rvec"),

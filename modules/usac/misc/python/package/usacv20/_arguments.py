@@ -298,9 +298,11 @@ def checkMask(given: Any, name: str) -> None:
 
 def output(given: Any, result: Any) -> Any:
     """Writes the result to the caller's array and returns this array if its type and size fit, as
-    in cv2; otherwise, or if the array is read-only, returns the result. The caller's array for a mask
-    can also have the type bool."""
-    if result is None or not isinstance(given, np.ndarray) or given.dtype not in (result.dtype, np.bool_):
+    in cv2; otherwise, or if the array is read-only, returns the result. The caller's array for a mask,
+    which is the only result of type uint8, can also have the type bool."""
+    if result is None or not isinstance(given, np.ndarray):
+        return result
+    if given.dtype != result.dtype and not (given.dtype == np.bool_ and result.dtype == np.uint8):
         return result
     if not given.flags.writeable:  # possible for initial values only: checkOutput() refuses other read-only arrays
         return result
