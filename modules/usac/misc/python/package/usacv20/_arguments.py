@@ -201,6 +201,18 @@ def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
     return given if cols == 3 else None
 
 
+def count(given: npt.NDArray[Any], plane: bool = True) -> int:
+    """Returns the number of 2-D points (if `plane` is true) or 3-D points, in the way in which C++ interprets the shape of the
+    array. C++ refuses some shapes; the result is then meaningless."""
+    if given.size == 0:
+        return 0
+    if given.ndim == 3 and given.shape[2] > 1:
+        return given.shape[0] * given.shape[1]
+    rows, cols = (*given.shape, 1)[:2]
+    perColumn = cols == 1 or 1 < rows < cols if plane else rows == 3 and cols != 3
+    return cols if perColumn else rows
+
+
 # Constants of _looksLikeColumn, where w is the third column:
 # _ROWS -- minimum number of rows
 # _MOST_ROWS -- approximate maximum number of rows that are examined

@@ -14,8 +14,8 @@ import numpy as np
 from ._arguments import array, optionalArray, shown
 from ._backend import native
 from ._errors import fail
-from ._estimate import NO_POINTS, pointsOf, problemOf
-from ._params import Params, optionsOf
+from ._estimate import NO_POINTS, pointsAndOptions, problemOf
+from ._params import Params
 from ._report import Report
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
     STOP_NO_SEARCH, or gives the reason why there is no model. The fit is not robust: outliers are
     not detected and affect it fully."""
     number = problemOf(problem)
-    return _result(native.fitModel(number, *pointsOf(number, points1, points2), optionsOf(params),
+    return _result(native.fitModel(number, *pointsAndOptions(number, points1, points2, params),
                                    optionalArray(weights, "weights"), optionalArray(chosen, "chosen"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
@@ -85,7 +85,7 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
 
     The other arguments and the results are those of fitModel."""
     number = problemOf(problem)
-    return _result(native.refineModel(number, _model(model), *pointsOf(number, points1, points2), optionsOf(params),
+    return _result(native.refineModel(number, _model(model), *pointsAndOptions(number, points1, points2, params),
                                       optionalArray(chosen, "chosen"),
                                       *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
@@ -104,6 +104,6 @@ def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     is infinite or NaN for points that are not finite, outside the field of view of a lens, or
     (absolute pose) behind the camera."""
     number = problemOf(problem)
-    found = native.modelErrors(number, _model(model), *pointsOf(number, points1, points2), optionsOf(params),
+    found = native.modelErrors(number, _model(model), *pointsAndOptions(number, points1, points2, params),
                                *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
     return np.empty((0, 1)) if found is None else found
