@@ -208,8 +208,30 @@ void checkInitialModel(const Params& p)
                      "initialCovariance: it is that of initialModel, which is not given");
 }
 
+//! Raises a cv::Exception if the model has as many numbers as the models of some built-in problem,
+//! but another shape, such as that of a transposed matrix. A row or a column of numbers is valid,
+//! and so is any shape with another count of numbers, which only a custom problem can accept.
+void checkModelShape(const Mat& model)
+{
+    for (const Size& shape : {Size(3, 2), Size(3, 3), Size(4, 3)})
+        if (model.rows > 1 && model.cols > 1 && model.total() == (size_t)shape.area() &&
+            model.size() != shape)
+            CV_Error_(Error::StsBadArg,
+                      ("model: a %dx%d matrix, or a row or a column, is expected for %d numbers, "
+                       "not %dx%d",
+                       shape.height, shape.width, shape.area(), model.rows, model.cols));
+}
+
+void checkCovarianceShape(const Mat& covariance)
+{
+    if (covariance.rows != covariance.cols)
+        CV_Error_(Error::StsBadArg, ("covariance: a square matrix is expected, not %dx%d",
+                                     covariance.rows, covariance.cols));
+}
+
 //! The entries of a matrix, row by row.
-std::vector<double> entriesOf(InputArray matrix, const char* name)
+//! @param checkShape raises a cv::Exception if the matrix, which is not empty, has a wrong shape
+std::vector<double> entriesOf(InputArray matrix, const char* name, void (*checkShape)(const Mat&))
 {
     const Mat given = matrix.getMat();
     if (given.empty())
@@ -217,6 +239,7 @@ std::vector<double> entriesOf(InputArray matrix, const char* name)
     if (given.channels() != 1 || given.dims > 2)
         CV_Error_(Error::StsBadArg, ("%s: a matrix is expected, not %d channels and %d dimensions",
                                      name, given.channels(), given.dims));
+    checkShape(given);
     Mat numbers;
     given.convertTo(numbers, CV_64F);
     return std::vector<double>(numbers.begin<double>(), numbers.end<double>());
@@ -232,9 +255,9 @@ Params::Params()
 
 void Params::setInitialModel(InputArray model, InputArray itsCovariance)
 {
-    const std::vector<double> entries = entriesOf(model, "model");
-    initialCovariance = entriesOf(itsCovariance,
-                                  "covariance");  // if it throws, *this is unchanged
+    const std::vector<double> entries = entriesOf(model, "model", checkModelShape);
+    initialCovariance = entriesOf(itsCovariance, "covariance",
+                                  checkCovarianceShape);  // if it throws, *this is unchanged
     initialModel = entries;
 }
 

@@ -129,5 +129,36 @@ TEST_P(UsacInitialModel, mistakes_are_named)
     EXPECT_TRUE(params.initialModel.empty());
 }
 
+//! A matrix that is transposed or has another wrong shape must be refused, because its numbers
+//! would be read in a wrong order, and the previous initial model must be kept.
+TEST(Usac_InitialModel, shapes)
+{
+    Params params;
+    params.setInitialModel(Mat::eye(3, 3, CV_64F), Mat::eye(8, 8, CV_64F));
+    for (const Size& size : {Size(2, 3), Size(3, 4), Size(2, 6), Size(6, 2)})
+    {
+        const Mat wrong = Mat::ones(size, CV_64F);
+        expectException([&]() { params.setInitialModel(wrong); }, "model: ");
+    }
+    for (const Size& size : {Size(64, 1), Size(1, 64), Size(8, 7), Size(4, 16)})
+    {
+        const Mat wrong = Mat::ones(size, CV_64F);
+        expectException([&]() { params.setInitialModel(Mat::eye(3, 3, CV_64F), wrong); },
+                        "covariance: ");
+    }
+    EXPECT_EQ(9u, params.initialModel.size());
+    EXPECT_EQ(64u, params.initialCovariance.size());
+    const Mat right = (Mat_<double>(2, 3) << 1, 2, 3, 4, 5, 6);
+    for (const Mat& given : {right, right.reshape(1, 1), right.reshape(1, 6)})
+    {
+        params.setInitialModel(given);
+        EXPECT_EQ(std::vector<double>({1, 2, 3, 4, 5, 6}), params.initialModel);
+    }
+    params.setInitialModel(Mat::ones(3, 4, CV_32F));
+    EXPECT_EQ(12u, params.initialModel.size());
+    params.setInitialModel(Mat::ones(2, 2, CV_64F));  // a model of a custom problem
+    EXPECT_EQ(4u, params.initialModel.size());
+}
+
 }  // namespace
 }  // namespace opencv_test

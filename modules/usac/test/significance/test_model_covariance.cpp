@@ -308,7 +308,7 @@ TEST_P(Usac_ModelCovariance, invalidPrior)
     Mat oblique = C.clone(), unknown = C.clone();
     oblique.at<double>(0, 1) += std::sqrt(C.at<double>(0, 0) * C.at<double>(1, 1));
     unknown.at<double>(1, 1) = NAN;
-    for (const Mat& wrong : {Mat(-C), zeros, oblique, unknown, Mat(C.rowRange(1, d))})
+    for (const Mat& wrong : {Mat(-C), zeros, oblique, unknown, Mat(C(Rect(1, 1, d - 1, d - 1)))})
     {
         Params params;
         params.setInitialModel(model, wrong);

@@ -459,9 +459,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! iterations and seed are copied.
     static Params fromUsacParams(const cv::UsacParams& params);
 
-    /** @brief Sets `initialModel` and `initialCovariance`.
-    @param model 3x3 for H, F and E, 2x3 for affine maps, 3x4 for absolute poses and 3-D motions,
-    any depth; empty: none
+    /** @brief Sets `initialModel` and `initialCovariance`. A wrong shape raises cv::Exception.
+    @param model 3x3 for H, F and E, 2x3 for affine maps, 3x4 for poses and 3-D motions, or these
+    numbers as a row or a column; any depth; empty: none
     @param covariance d x d, any depth, such as Report::covariance; empty: none */
     CV_WRAP void setInitialModel(InputArray model, InputArray covariance = noArray());
 

@@ -135,6 +135,23 @@ class BatchTest(unittest.TestCase):
             with self.assertRaisesRegex(ERRORS, r"points1\[0\]: " + words):
                 usac.estimateEssentials(x, x, *call)
 
+    def test_sigmas_for_another_number_of_matches(self):
+        first, second = pairs(True)
+        # 20 rows for 60 matches; without their shape, they would be read as the standard deviations of 60 matches
+        params = usac.Params(sigmas=np.tile([4., 1, 3], (20, 1)))
+        with self.assertRaisesRegex(ERRORS, r"^points1\[0\]: sigmas"):
+            usac.estimateHomographies(first[:1], second[:1], params)
+        each = [usac.Params(sigmas=np.tile([4., 1, 3], (len(a), 1))) for a in first]
+        each[0] = params
+        with self.assertRaisesRegex(ERRORS, r"^points1\[0\]: sigmas"):
+            usac.estimateHomographies(first, second, each)
+        found = usac.estimateHomographies(first, second, each, returnExceptions=True)
+        self.assertRegex(str(found[0]), r"^points1\[0\]: sigmas")
+        for i in range(1, len(first)):
+            self.assertEqual(values(found[i]), values(usac.estimateHomography(first[i], second[i], each[i])))
+        with self.assertRaisesRegex(ERRORS, r"^objectPoints\[0\]: sigmas"):
+            usac.estimateAbsolutePoses([POSE.X[:60]], [POSE.x[:60]], POSE.K, POSE.d, params)
+
     def test_none(self):
         self.assertEqual(usac.estimateHomographies([], []), [])
         (model, mask, report), = usac.estimateHomographies([np.zeros((2, 2))], [np.zeros((2, 2))])

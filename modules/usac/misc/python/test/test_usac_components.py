@@ -169,6 +169,22 @@ class SamplerTest(unittest.TestCase):
         self.assertEqual(bits(result[:2]), bits(expected[:2]))
         self.assertEqual(result[2].iterations, expected[2].iterations)
 
+    def test_sigmas_for_another_number_of_points(self):
+        a, b, rows = PLANE.points1, PLANE.points2, np.tile([4., 1, 3], (20, 1))
+        wrong = usac.Params(sigmas=rows)  # the standard deviations of 60 points, if the shape is ignored
+        with self.assertRaisesRegex(usac.error, "sigmas"):
+            usac.Usac.create(usac.HOMOGRAPHY, a[:60], b[:60], wrong)
+        usac_ = usac.Usac.create(usac.HOMOGRAPHY, a[:60], b[:60])
+        with self.assertRaisesRegex(usac.error, "sigmas"):
+            usac_.params = wrong
+        usac_.setPoints(a[:20], b[:20])
+        usac_.params = wrong
+        for scores in (None, np.ones(60)):
+            with self.assertRaisesRegex(usac.error, "sigmas"):
+                usac_.setPoints(a[:60], b[:60], scores)
+        usac_.setScores(np.ones(20))
+        self.assertEqual(len(usac_.run()[1]), 20)
+
     def test_samples_that_do_not_count(self):
         class Good(Uniform):
             counts = False

@@ -5,6 +5,8 @@
 
 """Tests of Params, Report and the estimate functions in Python."""
 
+import copy
+import pickle
 import threading
 import unittest
 
@@ -12,6 +14,7 @@ import numpy as np
 
 from usac_common import (DISTORTED, FINDER, FLAGS, GENERAL, PLANE, RANSAC, THRESHOLD, bits, cv, estimate, fields,
                          paramsForms, usac, values)
+from usac_pose import POSE
 
 
 class ParamsTest(unittest.TestCase):
@@ -80,6 +83,34 @@ class ParamsTest(unittest.TestCase):
             params.sigmas = wrong
             with self.assertRaisesRegex(usac.error, "sigmas"):
                 usac.estimateHomography(PLANE.points1, PLANE.points2, params)
+
+    def test_sigmas_for_another_number_of_matches(self):
+        # Read without their shape, these sigmas would be valid for 60 or 120 matches.
+        rows3, rows6 = np.tile([4., 1, 3], (20, 1)), np.tile([4., 1, 3, 2, 0, 2], (30, 1))
+        scene = lambda count: (PLANE.points1[:count], PLANE.points2[:count])
+        for sigmas, count in ((rows3, 60), (rows6, 60), (np.ones((20, 3)), 60), (rows3.reshape(60, 1), 20)):
+            for params in (usac.Params(sigmas=sigmas), usac.Params().replace(sigmas=sigmas), usac.Params(sigmas=sigmas).replace(),
+                           copy.copy(usac.Params(sigmas=sigmas)), pickle.loads(pickle.dumps(usac.Params(sigmas=sigmas)))):
+                with self.assertRaisesRegex(usac.error, "sigmas"):
+                    params.check(count)
+            a, b = scene(count)
+            for call in (lambda: usac.estimateHomography(a, b, params), lambda: FINDER.findHomography(a, b, params),
+                         lambda: usac.estimateFundamental(a.T, b.T, params), lambda: usac.estimateRelativePose(a, b, PLANE.K1, params=params),
+                         lambda: usac.fitModel(usac.HOMOGRAPHY, a, b, params=params),
+                         lambda: usac.refineModel("HOMOGRAPHY", np.eye(3), a, b, params=params),
+                         lambda: usac.modelErrors("HOMOGRAPHY", np.eye(3), a[:, None], b[None], params=params),
+                         lambda: usac.estimateAbsolutePose(POSE.X[:count], POSE.x[:count], POSE.K, POSE.d, params),
+                         lambda: FINDER.solvePnPRansac(POSE.X[:count].T, POSE.x[:count], POSE.K, POSE.d, params=params)):
+                with self.assertRaisesRegex(usac.error, "sigmas"):
+                    call()
+        for sigmas, count in ((rows3, 20), (rows6, 30), (np.ones((60, 1)), 60), (np.ones((1, 60)), 60), ([[1, 0, 1]], 1),
+                              ([[1, 2, 1]], 3), (rows3.ravel(), 20), (rows6.ravel(), 30), (rows3, -1), (None, 60)):
+            params = usac.Params(sigmas=sigmas)
+            params.check(count)
+            params.replace().check(count)
+            params.replace(sigmas=params.sigmas).check(count)
+            if count > 10:
+                usac.estimateHomography(*scene(count), params)
 
     def test_scores_reach_the_estimator(self):
         good = PLANE.inliers.astype(np.float32)

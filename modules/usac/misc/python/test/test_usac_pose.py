@@ -15,7 +15,7 @@ import numpy as np
 
 from usac_common import (FINDER, FLAGS, IN_TREE, MOVED, NATIVE, PLANE, SOLVEPNP_AP3P, SOLVEPNP_EPNP, SOLVEPNP_ITERATIVE,
                          SOLVEPNP_P3P, SOLVEPNP_SQPNP, THRESHOLD, USAC_ACCURATE, USAC_DEFAULT, USAC_FAST, USAC_MAGSAC,
-                         USAC_PROSAC, bits, cv, estimate, needsCv2, outcome, package, usac)
+                         USAC_PROSAC, bits, cv, estimate, inTree, needsCv2, outcome, package, usac)
 from usac_camera import rotation
 from usac_pose import FEW, POSE, formsOfPose, paramsFormsOfPose
 
@@ -206,6 +206,14 @@ class BeginTest(unittest.TestCase):
         away = self.guess(r + 1, t)
         self.assertFalse(away[0] and FEW.error(away[1], away[2]) < 5)
 
+    def test_arrays_of_other_types(self):
+        for kind in (bool, np.float32, np.uint8):
+            given = np.ones((3, 1), kind), np.zeros((3, 1), kind)
+            found, rvec, tvec, _ = usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, *given, flags=usac.Params(threshold=THRESHOLD))
+            self.assertTrue(found)
+            self.assertLess(POSE.error(rvec, tvec), 0.5)
+            self.assertTrue(given[0].all() and not given[1].any())
+
     def test_wrong_guess(self):
         t = FEW.t
         for rvec, tvec, word in ((np.zeros(2), t, "rvec"), (t, np.zeros((2, 1)), "tvec"), (t * np.nan, t, "rvec"),
@@ -269,6 +277,36 @@ class BeginTest(unittest.TestCase):
             self.assertEqual(after.inliers, int(maskAgain.sum()))
             params.setInitialModel(model + 100)
             self.assertLess(scene.error(problem, estimate(problem, scene, params)[0]), 1.0, problem)
+
+    def test_shapes_of_initial_models(self):
+        params = usac.Params(initialModel=np.eye(3), initialCovariance=np.eye(8))
+        for wrong in (np.ones((3, 2)), np.ones((4, 3)), np.ones((2, 6)), np.ones((3, 3, 1))):
+            with self.assertRaisesRegex(usac.error, "^model: "):
+                params.setInitialModel(wrong)
+            with self.assertRaisesRegex(TypeError, "initialModel"):
+                params.initialModel = wrong
+        for wrong in (np.ones((1, 64)), np.ones((64, 1)), np.ones(64), np.ones((8, 7)), np.ones((8, 8, 1))):
+            with self.assertRaisesRegex(usac.error, "^covariance: "):
+                params.setInitialModel(np.eye(3), wrong)
+        with self.assertRaisesRegex(TypeError, "initialCovariance"):
+            params.initialCovariance = np.ones((4, 16))
+        np.testing.assert_array_equal(params.initialModel, np.eye(3).ravel())
+        np.testing.assert_array_equal(params.initialCovariance, np.eye(8).ravel())
+        numbers = np.arange(6.)
+        for right in (numbers.reshape(2, 3), numbers, numbers[None], numbers[:, None], numbers.tolist()):
+            for assign in (params.setInitialModel, lambda value: setattr(params, "initialModel", value)):
+                params.setInitialModel(None)
+                assign(right)
+                np.testing.assert_array_equal(params.initialModel, numbers)
+        for right in (np.eye(8), np.eye(8).ravel(), np.eye(8).tolist()):
+            params.initialCovariance = right
+            np.testing.assert_array_equal(params.initialCovariance, np.eye(8).ravel())
+
+    @inTree
+    def test_shapes_of_initial_models_of_the_binding(self):
+        params = cv._native.usacv20.Params()
+        for model, covariance in ((np.ones((3, 2)), None), (np.ones((4, 3)), None), (np.eye(3), np.ones((1, 64)))):
+            self.assertRaises(cv.error, params.setInitialModel, model, covariance)
 
     def test_wrong_initial_models(self):
         params = usac.Params()

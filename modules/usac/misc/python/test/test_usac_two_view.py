@@ -162,6 +162,18 @@ class TwoViewTest(unittest.TestCase):
         for wrong in (np.ones(len(a) - 1), np.zeros(len(a))):
             with self.assertRaisesRegex(ERRORS, "sigmas"):
                 usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b, sigmas=wrong)])
+        for scores, sigmas in ((np.ones((len(a) // 3, 3)), None), (None, np.ones((len(a) // 3, 3))), (None, np.ones((len(a) // 6, 6)))):
+            pair = usac.TwoViewPair(a, b, scores=scores, sigmas=sigmas)
+            with self.assertRaisesRegex(ERRORS, r"pairs\[0\]\.{}".format("scores" if sigmas is None else "sigmas")):
+                usac.estimateTwoViewGeometries([pair])
+        params = usac.Params(sigmas=np.ones((len(a) // 3, 3)))
+        with self.assertRaisesRegex(ERRORS, "^sigmas"):
+            usac.estimateTwoViewGeometry(a, b, params=params)
+        pairs = [usac.TwoViewPair(a, b, sigmas=np.ones((len(a), 1))), usac.TwoViewPair(a, b), usac.TwoViewPair(a, b, sigmas=[])]
+        found = usac.estimateTwoViewGeometries(pairs, params, returnExceptions=True)
+        self.assertIs(found[0].configuration, usac.TWO_VIEW_UNCALIBRATED)
+        for i in (1, 2):
+            self.assertRegex(str(found[i]), r"^pairs\[{}\]: sigmas".format(i))
         confident = np.hstack([a, np.linspace(0.2, 0.9, len(a))[:, None]])
         for wrong, named in ((dict(taken1=confident), r"pairs\[0\]\.taken1.*confidence"),
                              (dict(taken2=np.stack([b, b])), r"pairs\[0\]\.taken2.*one list")):

@@ -12,7 +12,7 @@ import inspect
 import operator
 import typing
 import warnings
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
 
@@ -171,6 +171,29 @@ def optionalArray(value: Any, name: str) -> Optional[npt.NDArray[Any]]:
     return None if value is None else array(value, name)
 
 
+def isList(given: npt.NDArray[Any]) -> bool:
+    """Returns True for a one-dimensional array, a row, a column, and an empty array."""
+    return given.size == 0 or sum(side != 1 for side in given.shape) <= 1
+
+
+_MODELS = {6: (2, 3), 9: (3, 3), 12: (3, 4)}  # number of entries of the models of this module: their shape
+
+
+def checkModelShape(given: npt.NDArray[Any], name: str, kind: Callable[[str], Exception] = fail) -> None:
+    """Raises an exception, made by `kind`, if a matrix has as many numbers as some model of this module, but another shape, such
+    as that of a transposed matrix. Lists are accepted. Other numbers of entries are refused later, when the model is used."""
+    shape = _MODELS.get(given.size)
+    if shape is not None and given.shape != shape and not isList(given):
+        raise kind("{}: a {}x{} matrix, or a row or a column, is expected for {} numbers, not the shape {}".format(
+            name, *shape, given.size, given.shape))
+
+
+def checkSquare(given: npt.NDArray[Any], name: str, kind: Callable[[str], Exception] = fail) -> None:
+    """Raises an exception, made by `kind`, if a matrix that is not empty is not square."""
+    if given.size > 0 and (given.ndim != 2 or given.shape[0] != given.shape[1]):
+        raise kind("{}: a square matrix is expected, not the shape {}".format(name, given.shape))
+
+
 def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
     """Returns 2-D points as rows of three homogeneous coordinates, in the way in which C++
     interprets the shape of the array. Returns None if C++ does not interpret the points as
@@ -185,6 +208,18 @@ def _three(given: npt.NDArray[Any]) -> Optional[npt.NDArray[Any]]:
     if cols == 1 or 1 < rows < cols:
         return given.T if rows == 3 else None
     return given if cols == 3 else None
+
+
+def count(given: npt.NDArray[Any], plane: bool = True) -> int:
+    """Returns the number of 2-D points (if `plane` is true) or 3-D points, in the way in which C++ interprets the shape of the
+    array. C++ refuses some shapes; the result is then meaningless."""
+    if given.size == 0:
+        return 0
+    if given.ndim == 3 and given.shape[2] > 1:
+        return given.shape[0] * given.shape[1]
+    rows, cols = (*given.shape, 1)[:2]
+    perColumn = cols == 1 or 1 < rows < cols if plane else rows == 3 and cols != 3
+    return cols if perColumn else rows
 
 
 # Constants of _looksLikeColumn, where w is the third column:
@@ -285,9 +320,11 @@ def checkMask(given: Any, name: str) -> None:
 
 def output(given: Any, result: Any) -> Any:
     """Writes the result to the caller's array and returns this array if its type and size fit, as
-    in cv2; otherwise, or if the array is read-only, returns the result. The caller's array for a mask
-    can also have the type bool."""
-    if result is None or not isinstance(given, np.ndarray) or given.dtype not in (result.dtype, np.bool_):
+    in cv2; otherwise, or if the array is read-only, returns the result. The caller's array for a mask,
+    which is the only result of type uint8, can also have the type bool."""
+    if result is None or not isinstance(given, np.ndarray):
+        return result
+    if given.dtype != result.dtype and not (given.dtype == np.bool_ and result.dtype == np.uint8):
         return result
     if not given.flags.writeable:  # possible for initial values only: checkOutput() refuses other read-only arrays
         return result

@@ -14,8 +14,8 @@ import numpy as np
 from . import _arguments
 from ._backend import native
 from ._errors import fail, inWordsOf
-from ._estimate import NAMES, NO_POINTS, inPlane
-from ._params import Params, optionsOf
+from ._estimate import NAMES, NO_POINTS, countOf, inPlane
+from ._params import Params, checkRows, optionsOf
 from ._report import Report
 
 if TYPE_CHECKING:
@@ -113,6 +113,15 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
             for i, entry in enumerate(given)]
 
 
+def _withRows(problem: int, points1: List[Any], params: List[Optional[Params]], name: str, mistakes: _Mistakes) -> List[Any]:
+    """Returns `points1`, but no points for tasks with params.sigmas for another number of points."""
+    def check(i: int, given: Any) -> Any:
+        checkRows(params[i if len(params) > 1 else 0], countOf(problem, given), "{}[{}]: ".format(name, i))
+        return given
+
+    return [mistakes.guard(i, lambda: check(i, given), NO_POINTS) for i, given in enumerate(points1)]  # noqa: B023
+
+
 def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _ParamsOfEach, threads: int, returnExceptions: bool,
                  cameraMatrices1: _Arrays = None, cameraMatrices2: _Arrays = None, distCoeffs1: _Arrays = None,
                  distCoeffs2: _Arrays = None, names: Tuple[str, ...] = _ARRAYS) -> _Estimates:
@@ -133,8 +142,9 @@ def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _Params
         _arrays(_oneOrEach(given, name, count), name, mistakes)
         for given, name in zip((cameraMatrices1, cameraMatrices2, distCoeffs1, distCoeffs2), names[2:]))
     plane1, plane2 = inPlane(problem)
-    found = native.estimateBatch(problem, _pointsOf(first, names[0], plane1, mistakes), _pointsOf(second, names[1], plane2, mistakes),
-                                 prepared, camera1, camera2, lens1, lens2, _arguments.integer(threads, "threads", low=0))
+    first = _withRows(problem, _pointsOf(first, names[0], plane1, mistakes), options, names[0], mistakes)
+    found = native.estimateBatch(problem, first, _pointsOf(second, names[1], plane2, mistakes), prepared, camera1, camera2, lens1,
+                                 lens2, _arguments.integer(threads, "threads", low=0))
     words = dict(zip(NAMES, names))
     results: _Estimates = []
     for i, (model, mask, report, wrong) in enumerate(found):

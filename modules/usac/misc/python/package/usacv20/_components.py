@@ -18,8 +18,8 @@ from ._arguments import integer, optionalArray
 from ._backend import native
 from ._enumerations import ProblemType
 from ._errors import fail
-from ._estimate import pointsOf
-from ._params import Params, optionsOf
+from ._estimate import countOf, pointsAndOptions, pointsOf
+from ._params import Params, checkRows, optionsOf
 from ._report import Report
 
 if TYPE_CHECKING:
@@ -203,7 +203,7 @@ class Components:
 class Usac:
     """One estimation with its points, options and components; created by Usac.create()."""
 
-    __slots__ = ("_usac", "_problem", "_components", "_params", "__weakref__")
+    __slots__ = ("_usac", "_problem", "_components", "_params", "_count", "__weakref__")
 
     if not TYPE_CHECKING:  # without this test, type checkers would accept any attribute
 
@@ -213,7 +213,8 @@ class Usac:
                 raise AttributeError("Usac.{}: there is no such attribute; did you mean {}?".format(name, where))
             super().__setattr__(name, value)
 
-    def __init__(self, usac: native.Usac, problem: int, params: Optional[Params]) -> None:
+    def __init__(self, usac: native.Usac, problem: int, params: Optional[Params], count: int) -> None:
+        self._count = count  # number of points
         self._usac = usac
         self._problem = problem
         self._components = Components(usac)
@@ -234,11 +235,11 @@ class Usac:
         if _arguments.isOfAnother(problem, ProblemType):
             raise fail("problem: a ProblemType is expected, not {!r}".format(problem))
         number = integer(problem, "problem", None, 0, len(ProblemType) - 1)
-        options = optionsOf(params)
-        return cls(native.Usac(
-            number, *pointsOf(number, points1, points2), options,
-            optionalArray(cameraMatrix1, "cameraMatrix1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
-            optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2")), number, params)
+        given = pointsAndOptions(number, points1, points2, params)
+        usac = native.Usac(
+            number, *given, optionalArray(cameraMatrix1, "cameraMatrix1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
+            optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(distCoeffs2, "distCoeffs2"))
+        return cls(usac, number, params, countOf(number, given[0]))
 
     @property
     def components(self) -> Components:
@@ -255,19 +256,19 @@ class Usac:
 
     @params.setter
     def params(self, value: Params) -> None:
-        self._renew(None, None, value)
+        self._renew(None, None, value, self._count)
 
-    def _renew(self, points1: Any, points2: Any, params: Params) -> None:
+    def _renew(self, points1: Any, points2: Any, params: Params, count: int) -> None:
         if not isinstance(params, Params):
             raise fail("params: a usacv20.Params is expected, not {}".format(_arguments.shown(params)))
-        self._usac.renew(points1, points2, optionsOf(params))
-        self._params = params.replace()._fix()
+        self._usac.renew(points1, points2, optionsOf(params, count=count))
+        self._params, self._count = params.replace()._fix(), count
 
     def setScores(self, scores: Optional[npt.ArrayLike]) -> None:
         """Replaces Params.scores for the next run.
 
         scores -- one score for each point; None: no scores"""
-        self._renew(None, None, self._params.replace(scores=scores))
+        self._renew(None, None, self._params.replace(scores=scores), self._count)
 
     @property
     def points(self) -> Correspondences:
@@ -282,10 +283,13 @@ class Usac:
         scores -- N new Params.scores; None: the previous scores, if any, are kept, and their number
         must be N"""
         given = pointsOf(self._problem, points1, points2)
+        count = countOf(self._problem, given[0])
         if scores is None:
+            checkRows(self._params, count)
             self._usac.setPoints(*given)
+            self._count = count
         else:
-            self._renew(*given, params=self._params.replace(scores=scores))
+            self._renew(*given, self._params.replace(scores=scores), count)
 
     def run(self, mask: _Mask = None) -> _Estimate:
         """Runs the estimation. Repeated calls return the same result. An exception in a component

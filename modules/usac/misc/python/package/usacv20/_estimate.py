@@ -46,6 +46,19 @@ def pointsOf(problem: int, points1: Any, points2: Any, names: Tuple[str, ...] = 
     return _arguments.points(points1, names[0], plane1), _arguments.points(points2, names[1], plane2)
 
 
+def countOf(problem: int, points1: npt.NDArray[Any]) -> int:
+    """Returns the number of points in the first array of a problem, from pointsOf()."""
+    return _arguments.count(points1, inPlane(problem)[0])
+
+
+def pointsAndOptions(problem: int, points1: Any, points2: Any, params: Any, names: Tuple[str, ...] = NAMES
+                     ) -> Tuple[npt.NDArray[Any], npt.NDArray[Any], Any]:
+    """Does the same as pointsOf(), and adds the options as an object of the compiled part. Raises
+    usacv20.error if params.sigmas have rows for another number of points."""
+    given = pointsOf(problem, points1, points2, names)
+    return (*given, optionsOf(params, count=countOf(problem, given[0])))
+
+
 def problemOf(problem: Union[int, str]) -> int:
     """Returns the integer value of a ProblemType that is given as an enumerator, an integer or a
     name. Raises usacv20.error for anything else."""
@@ -63,10 +76,9 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
              names: Tuple[str, ...] = NAMES, maskName: str = "mask") -> _Estimate:
     """Estimates a model of any problem. `names` and `maskName` are the caller's names of the array
     arguments and of the mask, for messages."""
-    options = optionsOf(params)
     _arguments.checkMask(mask, maskName)
     model, inliers, report = calling(
-        dict(zip(NAMES, names)), native.estimate, problem, *pointsOf(problem, points1, points2, names), options,
+        dict(zip(NAMES, names)), native.estimate, problem, *pointsAndOptions(problem, points1, points2, params, names),
         _arguments.optionalArray(cameraMatrix1, names[2]), _arguments.optionalArray(cameraMatrix2, names[3]),
         _arguments.optionalArray(distCoeffs1, names[4]), _arguments.optionalArray(distCoeffs2, names[5]))
     return model, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers), Report._of(report)

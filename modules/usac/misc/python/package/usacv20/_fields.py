@@ -14,7 +14,7 @@ from __future__ import annotations
 import enum
 import os
 import typing
-from typing import TYPE_CHECKING, Any, List, Optional, Type, Union, overload
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple, Type, Union, overload
 
 import numpy as np
 
@@ -207,21 +207,50 @@ class Numbers(Field["npt.NDArray[Any]"]):
         """Accepts any shape; the numbers are read row by row."""
 
 
+class Model(Numbers):
+    """A descriptor of a field whose value is the entries of a model. A matrix of the shape of a model,
+    a row, a column or a one-dimensional array can be assigned."""
+
+    def checkShape(self, given: npt.NDArray[Any]) -> None:
+        _arguments.checkModelShape(given, self.name, TypeError)
+
+
+class Covariance(Numbers):
+    """A descriptor of a field whose value is the entries of a square matrix. The matrix, a row, a
+    column or a one-dimensional array can be assigned."""
+
+    def checkShape(self, given: npt.NDArray[Any]) -> None:
+        if not _arguments.isList(given):
+            _arguments.checkSquare(given, self.name, TypeError)
+
+
 class Scores(Numbers):
     """A descriptor of a field whose value is a list of numbers. A row, a column or a
     one-dimensional array can be assigned."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
-        if sum(side != 1 for side in given.shape) > 1:
+        if not _arguments.isList(given):
             raise TypeError("{}: N numbers are expected, N x 1 or 1 x N, not the shape {}".format(self.name, given.shape))
 
 
 class Noise(Numbers):
     """A descriptor of a field that takes, besides a list of numbers, three or six numbers for each
-    match, which are read row by row."""
+    match, which are read row by row. How many numbers describe a match is stored with them."""
+
+    def __set__(self, instance: Any, value: Optional[npt.ArrayLike]) -> None:
+        super().__set__(instance, value)
+        setattr(instance, "_{}Columns".format(self.name), self.columns(np.shape(value) if value is not None else (0,)))
+
+    @staticmethod
+    def columns(shape: Tuple[int, ...]) -> int:
+        """Returns how many numbers describe a match. Returns 0 if the shape does not tell: for one
+        dimension, which is the form in which the numbers are stored, and for 1 x 3 and 1 x 6."""
+        if len(shape) == 1 or 0 in shape or shape in ((1, 3), (1, 6)):
+            return 0
+        return shape[1] if len(shape) == 2 and shape[1] in (3, 6) else 1
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
         if given.ndim == 2 and given.shape[1] in (3, 6):
             return
-        if sum(side != 1 for side in given.shape) > 1:
+        if not _arguments.isList(given):
             raise TypeError("{}: N, N x 3 or N x 6 numbers are expected, not the shape {}".format(self.name, given.shape))

@@ -14,8 +14,8 @@ import numpy as np
 from ._arguments import array, optionalArray, shown
 from ._backend import native
 from ._errors import fail
-from ._estimate import NO_POINTS, pointsOf, problemOf
-from ._params import Params, optionsOf
+from ._estimate import NO_POINTS, pointsAndOptions, problemOf
+from ._params import Params
 from ._report import Report
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def _model(value: Any) -> npt.NDArray[Any]:
     return given
 
 
-def _perPoint(value: Any, name: str, points: Tuple[Any, Any], instead: str) -> Any:
+def _perPoint(value: Any, name: str, points: Tuple[Any, ...], instead: str) -> Any:
     """Converts a list of one number for each point like optionalArray(). Raises usacv20.error for an
     empty list if there are points, because C++ treats an empty list like None."""
     given = optionalArray(value, name)
@@ -77,9 +77,9 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
     STOP_NO_SEARCH, or gives the reason why there is no model. The fit is not robust: outliers are
     not detected and affect it fully."""
     number = problemOf(problem)
-    points = pointsOf(number, points1, points2)
-    return _result(native.fitModel(number, *points, optionsOf(params), _perPoint(weights, "weights", points, "equal weights"),
-                                   _perPoint(chosen, "chosen", points, "all points"),
+    given = pointsAndOptions(number, points1, points2, params)
+    return _result(native.fitModel(number, *given, _perPoint(weights, "weights", given, "equal weights"),
+                                   _perPoint(chosen, "chosen", given, "all points"),
                                    *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
 
@@ -95,8 +95,8 @@ def refineModel(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
 
     The other arguments and the results are those of fitModel."""
     number = problemOf(problem)
-    given, points = _model(model), pointsOf(number, points1, points2)
-    return _result(native.refineModel(number, given, *points, optionsOf(params), _perPoint(chosen, "chosen", points, "all points"),
+    start, given = _model(model), pointsAndOptions(number, points1, points2, params)
+    return _result(native.refineModel(number, start, *given, _perPoint(chosen, "chosen", given, "all points"),
                                       *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2)))
 
 
@@ -114,6 +114,6 @@ def modelErrors(problem: Union[int, str], model: npt.ArrayLike, points1: npt.Arr
     is infinite or NaN for points that are not finite, outside the field of view of a lens, or
     (absolute pose) behind the camera."""
     number = problemOf(problem)
-    found = native.modelErrors(number, _model(model), *pointsOf(number, points1, points2), optionsOf(params),
+    found = native.modelErrors(number, _model(model), *pointsAndOptions(number, points1, points2, params),
                                *_cameras(cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2))
     return np.empty((0, 1)) if found is None else found

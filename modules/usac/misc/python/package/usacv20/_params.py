@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Type, Union
 import numpy as np
 
 from . import _enumerations as e
-from ._arguments import array, integer
+from ._arguments import array, checkModelShape, checkSquare, integer
 from ._backend import native
 from ._errors import fail
-from ._fields import Field, Integer, Noise, Numbers, Option, Real, Scores, Set
+from ._fields import Covariance, Field, Integer, Model, Noise, Option, Real, Scores, Set
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -61,10 +61,11 @@ class Params:
     shows the fields that differ from the default. Pixels are those of image 2; for 3-D motions,
     "pixels" means the unit of points2."""
 
-    __slots__ = ("_native", "_scores", "_sigmas", "_initialModel", "_initialCovariance", "_filled", "_fixed")
+    __slots__ = ("_native", "_scores", "_sigmas", "_sigmasColumns", "_initialModel", "_initialCovariance", "_filled", "_fixed")
     __hash__ = None  # type: ignore[assignment]  # as for all mutable classes
 
     _native: Any
+    _sigmasColumns: int
     _filled: bool
     _fixed: bool
 
@@ -94,11 +95,11 @@ class Params:
         absolute pose has one image: N x 3) and RESIDUAL_STANDARD; variances are 1e-12..1e12, 1 - xy^2 / (xx yy) is 1e-6 or more, and
         three zeros are an exact point of image 1. Each error is divided by its standard deviation in score,
         fits, mask and covariance: threshold, Report.threshold, Report.sigma and modelErrors refer to the divided errors. The
-        array that is stored has one dimension. Default none.""")
-    initialModel = Numbers(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
+        array that is stored has one dimension, but rows for another number of matches raise usacv20.error. Default none.""")
+    initialModel = Model(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
         array of float64, empty if there is none; see setInitialModel(). It is scored and optimized before the first sample,
         like a model of a sample. Default none.""")
-    initialCovariance = Numbers(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
+    initialCovariance = Covariance(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
         Report.covariance; an array of float64, empty if there is none. With it, the initial model is a prior: the result is
         the mean of the initial model and of the model of the points, weighted by the inverses of their covariances. If the
         two models contradict each other, the result is the model of the points alone, see Report.priorChance. Default
@@ -223,7 +224,9 @@ class Params:
         unknown = [name for name in fields if name not in _FIELDS]
         if unknown:
             raise _unknown("Params.replace", unknown[0])
-        return type(self)(**dict(self._items(), **fields))
+        values = dict(self._items(), sigmas=self._sigmasInRows())
+        values.update(fields)
+        return type(self)(**values)
 
     def _prepared(self) -> Any:
         """Returns the options as an object of the compiled part, with the current contents of the
@@ -240,19 +243,39 @@ class Params:
         """Raises usacv20.error, whose message names the first field with an invalid value, if there is one.
 
         count -- number of correspondences, -1 if unknown"""
-        self._prepared().check(integer(count, "count"))
+        number = integer(count, "count")
+        self._prepared().check(number)
+        if number >= 0:
+            self._checkRows(number, "")
+
+    def _checkRows(self, count: int, prefix: str) -> None:
+        """Raises usacv20.error, whose message begins with `prefix`, if sigmas were assigned in rows, whose number is not
+        `count`. The compiled part, which gets only the numbers, would distribute them to the matches in another way."""
+        columns = self._sigmasColumns
+        if columns > 0 and len(self.sigmas) != columns * count:
+            raise fail("{}sigmas: a row for each of the {} correspondences is expected, not the shape {} x {}".format(
+                prefix, count, len(self.sigmas) // columns, columns))
 
     def setInitialModel(self, model: Optional[npt.ArrayLike], covariance: Optional[npt.ArrayLike] = None) -> None:
         """Sets initialModel and initialCovariance.
 
-        model -- 3x3 for H, F and E, 2x3 for affine maps, similarities and translations, 3x4 for absolute poses and 3-D motions,
-            any number type; None or an empty array: no initial model
-        covariance -- d x d, such as Report.covariance, any number type; None or an empty array: no covariance"""
-        matrices = _matrix(model, "model"), _matrix(covariance, "covariance")
-        self.initialModel, self.initialCovariance = matrices
+        model -- 3x3 for H, F and E, 2x3 for affine maps, similarities and translations, 3x4 for absolute poses and 3-D motions, or
+            the numbers of such a matrix, row by row, as a list, a row or a column; any number type; None or an empty array: no initial
+            model
+        covariance -- d x d, such as Report.covariance, any number type; None or an empty array: no covariance
+
+        Raises usacv20.error, whose message names the argument, for another shape, such as that of a transposed matrix."""
+        entries, variances = _matrix(model, "model"), _matrix(covariance, "covariance")
+        checkModelShape(entries, "model")
+        checkSquare(variances, "covariance")
+        self.initialModel, self.initialCovariance = entries, variances
 
     def _items(self) -> typing.Iterator[Tuple[str, Any]]:
         return ((name, getattr(self, name)) for name in _FIELDS)
+
+    def _sigmasInRows(self) -> "npt.NDArray[np.float32]":
+        """Returns sigmas in the shape in which they were assigned, for copies."""
+        return self.sigmas.reshape(-1, self._sigmasColumns) if self._sigmasColumns > 0 else self.sigmas
 
     def _differing(self) -> typing.Iterator[Tuple[str, Any]]:
         """Yields the fields whose values differ from the default."""
@@ -269,13 +292,15 @@ class Params:
                                                               for name, value in self._differing()))
 
     def __copy__(self: P) -> P:
-        return type(self)(**dict(self._items()))
+        return self.replace()
 
     def __deepcopy__(self: P, memo: Dict[int, Any]) -> P:
         return self.__copy__()
 
     def __reduce__(self) -> Tuple[Any, ...]:
         values = {name: value if isinstance(value, (float, np.ndarray)) else int(value) for name, value in self._differing()}
+        if "sigmas" in values:
+            values["sigmas"] = self._sigmasInRows()
         return _restored, (type(self), values)
 
     @classmethod
@@ -398,13 +423,22 @@ def _shown(value: Any) -> str:
     return str(getattr(value, "name", None) or repr(value))
 
 
-def optionsOf(params: Any, name: str = "params") -> Any:
-    """Returns the options as an object of the compiled part; None means the defaults."""
+def optionsOf(params: Any, name: str = "params", count: Optional[int] = None) -> Any:
+    """Returns the options as an object of the compiled part; None means the defaults. Raises usacv20.error if sigmas have
+    rows, but not `count` rows; None: they are not checked."""
     if params is None:
         return native.Params()
     if not isinstance(params, Params):
         raise fail("{}: a {} is expected, not {!r}".format(name, Params.__module__ + ".Params", type(params).__name__))
+    if count is not None:
+        checkRows(params, count)
     return params._prepared()
+
+
+def checkRows(params: Optional[Params], count: int, prefix: str = "") -> None:
+    """Raises usacv20.error, whose message begins with `prefix`, if sigmas have rows, but not `count` rows."""
+    if params is not None:
+        params._checkRows(count, prefix)
 
 
 Params.__module__ = __name__.rpartition(".")[0]

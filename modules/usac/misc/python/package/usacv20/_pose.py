@@ -13,10 +13,11 @@ import numpy as np
 
 from ._arguments import array, bind, checkOutput, integer, isInteger, optionalArray, output, points, real, shown, signed
 from ._backend import IN_TREE, native
-from ._enumerations import USACV20
+from ._enumerations import USACV20, ProblemType
 from ._errors import fail
+from ._estimate import POSE, pointsAndOptions
 from ._find import flag, isOptions, refuseBesideParams
-from ._params import Params, optionsOf
+from ._params import Params
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -118,11 +119,11 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
     if options or isinstance(v["flags"], Params):
         if not options:
             refuseBesideParams(_NAME, v, _DEFAULTS, ("useExtrinsicGuess", "iterationsCount", "reprojectionError", "confidence"))
-        params = optionsOf(v["params" if options else "flags"])
         camera = array(v["cameraMatrix"], "cameraMatrix")
-        result = native.solvePnPRansacOfParams(
-            points(v["objectPoints"], "objectPoints", False), points(v["imagePoints"], "imagePoints"), camera,
-            optionalArray(v["distCoeffs"], "distCoeffs"), params)
+        objectPoints, imagePoints, params = pointsAndOptions(
+            ProblemType.ABSOLUTE_POSE, v["objectPoints"], v["imagePoints"], v["params" if options else "flags"], POSE)
+        result = native.solvePnPRansacOfParams(objectPoints, imagePoints, camera, optionalArray(v["distCoeffs"], "distCoeffs"),
+                                               params)
         retval, rvec, tvec, inliers = _results(result, v)
         return (retval, camera, rvec, tvec, inliers) if options else (retval, rvec, tvec, inliers)
     return _results(_withFlag(v), v)

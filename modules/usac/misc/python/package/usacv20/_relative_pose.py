@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Optional, Tuple
 import numpy as np
 
 from . import _arguments
-from ._arguments import array, optionalArray, points
+from ._arguments import array, count, optionalArray, points
 from ._backend import native
 from ._estimate import NO_POINTS
 from ._params import Params, optionsOf
@@ -63,10 +63,11 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
     on a plane, two motions are possible. The motion with the smaller sum of truncated squared errors
     is returned, so that the points off the plane decide; the other motion is in pose.otherR and
     pose.otherT"""
-    options = optionsOf(params)
     _arguments.checkMask(mask, "mask")
+    first, second = points(points1, "points1"), points(points2, "points2")
+    options = optionsOf(params, count=count(first))
     R, t, inliers, report, essential, behind, onPlane, otherR, otherT, otherInliers = native.estimateRelativePose(
-        points(points1, "points1"), points(points2, "points2"), array(cameraMatrix1, "cameraMatrix1"),
+        first, second, array(cameraMatrix1, "cameraMatrix1"),
         optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
         optionalArray(distCoeffs2, "distCoeffs2"), options)
     return (R, t, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers),

@@ -17,7 +17,7 @@ from ._backend import native
 from ._enumerations import TwoViewConfiguration
 from ._errors import fail
 from ._estimate import NO_POINTS
-from ._params import Params, optionsOf
+from ._params import Params, checkRows, optionsOf
 from ._report import Report
 
 if TYPE_CHECKING:
@@ -151,13 +151,26 @@ def _size(size: Any, name: str) -> Any:
     return _arguments.integer(width, name, low=0), _arguments.integer(height, name, low=0)
 
 
-def _read(pair: TwoViewPair, prefix: str) -> Tuple[Any, ...]:
-    """Returns the converted fields of a pair in the order that the compiled part expects."""
-    scores, sigmas = (None if given is None else np.ravel(_arguments.array(given, prefix + name)).astype(np.float32)
-                      for given, name in ((pair.scores, "scores"), (pair.sigmas, "sigmas")))
+def _numbers(given: Any, name: str) -> Any:
+    if given is None:
+        return None
+    numbers = _arguments.array(given, name)
+    if not _arguments.isList(numbers):
+        raise fail("{}: N numbers are expected, N x 1 or 1 x N, not the shape {}".format(name, numbers.shape))
+    return np.ravel(numbers).astype(np.float32)
+
+
+def _read(pair: TwoViewPair, place: str, params: Optional[Params]) -> Tuple[Any, ...]:
+    """Returns the converted fields of a pair in the order that the compiled part expects. `place` is the caller's name of the
+    pair, for messages; empty: the fields are arguments of the caller."""
+    prefix = place + "." if place else ""
+    scores, sigmas = _numbers(pair.scores, prefix + "scores"), _numbers(pair.sigmas, prefix + "sigmas")
     taken = (None if given is None else _arguments.points(given, prefix + name)
              for given, name in ((pair.taken1, "taken1"), (pair.taken2, "taken2")))
-    return (*(_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS),
+    points = [_arguments.points(getattr(pair, name), prefix + name) for name in _POINTS]
+    if sigmas is None or sigmas.size == 0:
+        checkRows(params, _arguments.count(points[0]), place + ": " if place else "")
+    return (*points,
             *(_arguments.optionalArray(getattr(pair, name), prefix + name) for name in _ARRAYS),
             _size(pair.imageSize1, prefix + "imageSize1"), _size(pair.imageSize2, prefix + "imageSize2"),
             *taken, scores, sigmas)
@@ -218,7 +231,8 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     additional inliers of F are not due to chance. An invalid argument raises usacv20.error, whose
     message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
-    return _geometry(native.estimateTwoViewGeometry(_read(pair, ""), optionsOf(params), _rules(rules)))
+    options = optionsOf(params)
+    return _geometry(native.estimateTwoViewGeometry(_read(pair, "", params), options, _rules(rules)))
 
 
 def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optional[Params] = None,
@@ -237,18 +251,20 @@ def estimateTwoViewGeometries(pairs: typing.Iterable[TwoViewPair], params: Optio
 
     Returns a list with a TwoViewGeometry for each pair, in the same order. The global interpreter
     lock is released during the call."""
+    options = optionsOf(params)
     mistakes = {}
     read = []
     for i, pair in enumerate(_arguments.elements(pairs, "pairs", "a list of TwoViewPair")):
         try:
-            read.append(_read(_pairOf(pair, "pairs[{}]".format(i)), "pairs[{}].".format(i)))
+            place = "pairs[{}]".format(i)
+            read.append(_read(_pairOf(pair, place), place, params))
         except Exception as mistake:
             if not returnExceptions:
                 raise
             mistakes[i] = mistake
             read.append((NO_POINTS, NO_POINTS) + (None,) * (len(TwoViewPair._fields) - 2))
     results: List[Union[TwoViewGeometry, Exception]] = []
-    for i, found in enumerate(native.estimateTwoViewGeometries(read, optionsOf(params), _rules(rules),
+    for i, found in enumerate(native.estimateTwoViewGeometries(read, options, _rules(rules),
                                                                _arguments.integer(threads, "threads", low=0))):
         wrong = mistakes.get(i) or (fail("pairs[{}]: {}".format(i, found[-1])) if found[-1] else None)
         if wrong is not None and not returnExceptions:
