@@ -31,7 +31,7 @@ enum TwoViewConfiguration {
 };
 
 //! The rules by which #estimateTwoViewGeometry accepts models and chooses a configuration. The
-//! defaults are those of COLMAP, except for `inlierRatio`.
+//! defaults are those of COLMAP.
 struct CV_EXPORTS_W_SIMPLE TwoViewRules
 {
     CV_WRAP TwoViewRules();
