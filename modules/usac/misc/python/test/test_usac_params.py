@@ -95,7 +95,8 @@ class ParamsTest(unittest.TestCase):
                     params.check(count)
             a, b = scene(count)
             for call in (lambda: usac.estimateHomography(a, b, params), lambda: FINDER.findHomography(a, b, params),
-                         lambda: usac.estimateFundamental(a.T, b.T, params), lambda: usac.estimateRelativePose(a, b, PLANE.K1, params=params),
+                         lambda: usac.estimateFundamental(a.T, b.T, params),
+                         lambda: usac.estimateRelativePose(a, b, PLANE.K1, params=params),
                          lambda: usac.fitModel(usac.HOMOGRAPHY, a, b, params=params),
                          lambda: usac.refineModel("HOMOGRAPHY", np.eye(3), a, b, params=params),
                          lambda: usac.modelErrors("HOMOGRAPHY", np.eye(3), a[:, None], b[None], params=params),

@@ -209,7 +209,8 @@ class BeginTest(unittest.TestCase):
     def test_arrays_of_other_types(self):
         for kind in (bool, np.float32, np.uint8):
             given = np.ones((3, 1), kind), np.zeros((3, 1), kind)
-            found, rvec, tvec, _ = usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, *given, flags=usac.Params(threshold=THRESHOLD))
+            params = usac.Params(threshold=THRESHOLD)
+            found, rvec, tvec, _ = usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, *given, flags=params)
             self.assertTrue(found)
             self.assertLess(POSE.error(rvec, tvec), 0.5)
             self.assertTrue(given[0].all() and not given[1].any())

@@ -79,6 +79,19 @@ class TwoViewTest(unittest.TestCase):
             np.testing.assert_array_equal(shared.mask, found.mask)
         self.assertLess(with_sigmas, 0.8 * without)
 
+    def test_motion_is_that_of_E_or_a_rotation(self):
+        planar = 0
+        for seed in range(20):
+            a, b, _, _ = scene(seed, "plane", 16, 120)  # so few inliers that E and F are rejected, while H can be accepted
+            found = usac.estimateTwoViewGeometry(a, b, K, K, params=usac.Params(threshold=1))
+            rotates = found.configuration == usac.TWO_VIEW_PANORAMIC
+            self.assertEqual(found.R is not None, found.E is not None or rotates)
+            self.assertEqual(found.t is None, found.R is None)
+            if found.configuration == usac.TWO_VIEW_PLANAR and found.E is None:
+                planar += 1
+                self.assertIsNotNone(found.rotations)
+        self.assertGreater(planar, 0)
+
     def test_estimated_threshold(self):
         for seed in range(5):
             a, b, R, _ = scene(seed)
@@ -162,7 +175,8 @@ class TwoViewTest(unittest.TestCase):
         for wrong in (np.ones(len(a) - 1), np.zeros(len(a))):
             with self.assertRaisesRegex(ERRORS, "sigmas"):
                 usac.estimateTwoViewGeometries([usac.TwoViewPair(a, b, sigmas=wrong)])
-        for scores, sigmas in ((np.ones((len(a) // 3, 3)), None), (None, np.ones((len(a) // 3, 3))), (None, np.ones((len(a) // 6, 6)))):
+        for scores, sigmas in ((np.ones((len(a) // 3, 3)), None), (None, np.ones((len(a) // 3, 3))),
+                               (None, np.ones((len(a) // 6, 6)))):
             pair = usac.TwoViewPair(a, b, scores=scores, sigmas=sigmas)
             with self.assertRaisesRegex(ERRORS, r"pairs\[0\]\.{}".format("scores" if sigmas is None else "sigmas")):
                 usac.estimateTwoViewGeometries([pair])

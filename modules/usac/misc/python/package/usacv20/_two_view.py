@@ -34,7 +34,7 @@ _ARRAYS = ("cameraMatrix1", "cameraMatrix2", "distCoeffs1", "distCoeffs2")
 @dataclasses.dataclass(frozen=True)
 class TwoViewRules:
     """The rules by which estimateTwoViewGeometry accepts models and chooses a configuration. The
-    defaults are those of COLMAP, except for inlierRatio."""
+    defaults are those of COLMAP."""
 
     minInliers: int = 15  # minimum number of inliers of an accepted model; >= 1
     # Smallest expected inlier ratio, 0..1. The maximum number of samples is chosen so that the
@@ -127,9 +127,9 @@ class TwoViewGeometry(typing.NamedTuple):
     # 3x3, maps pixels of image 1 to image 2, h33 = 1; set if at least minInliers of the inliers in
     # `mask` are inliers of H.
     H: _Double
-    # 3x3, X2 = R X1 + t; set if the configuration is TWO_VIEW_CALIBRATED, TWO_VIEW_PLANAR (one of
-    # the two motions compatible with a plane, unless matches off the plane decide),
-    # TWO_VIEW_PANORAMIC, or a watermark with calibrated cameras.
+    # 3x3, X2 = R X1 + t; set if E is set (planar pair: one of the two motions compatible with the
+    # plane, unless matches off the plane decide), or if the camera only rotates
+    # (TWO_VIEW_PANORAMIC). None for a planar pair of which only H was accepted, see `rotations`.
     R: _Double
     t: _Double  # the translation that belongs to R, 3x1, unit length; 0 for a pure rotation
     # k x 3 x 3: for cameras with known focal lengths, the k rotations compatible with the matches; if
