@@ -101,12 +101,15 @@ class RowTest(SinkCase):
             self.assertEqual([name for name in ("F", "E", "H", "qvec", "tvec") if other[name] is None], ["H"])
             self.assertEqual([row[name] for name in row if name.startswith("camera")], [None, None] if schema == "4.2" else [])
 
-    def test_motion_of_a_plane(self):
-        """A planar pair is compatible with two motions, so its motion must not be written. The motion of a
-        panoramic pair must be written."""
+    def test_motion_that_is_not_known(self):
+        """A planar pair is compatible with two motions, and the motion of a watermark is not that of the
+        cameras, so these motions must not be written. The motion of a panoramic pair must be written."""
         smallDatabase(self.path)
-        self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC)])
-        self.assertEqual([self.row(1, 2)[name] for name in ("qvec", "tvec")], [None, None])
+        self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC),
+                            found(1, 4, configuration=Configuration.WATERMARK)])
+        for other in (2, 4):
+            self.assertEqual([self.row(1, other)[name] for name in ("qvec", "tvec")], [None, None])
+            self.assertEqual(len(self.row(1, other)["E"]), 72)
         self.assertEqual([len(self.row(1, 3)[name]) for name in ("qvec", "tvec")], [32, 24])
 
     def test_refused(self):

@@ -39,6 +39,7 @@ iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB)""".
 )
 _NEEDED = ("pair_id", "rows", "cols", "data", "config")
 _LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # configurations with a unique, well-determined rotation
+_NO_MOTION = (Configuration.PLANAR, Configuration.WATERMARK)  # configurations whose motion is not written, see _row
 _MATRICES = ("F", "E", "H", "qvec", "tvec")  # COLMAP before 3.8 has only some of these columns
 # Prefix of the reasons of pairs that contradict other pairs. --resume estimates these pairs again,
 # because new pairs may support them.
@@ -259,9 +260,11 @@ class DatabaseSink:
         as a pose; COLMAP 3.8 writes zeros, but also reads NULL. The motion of a PLANAR pair is one
         of two possible motions and is not written: COLMAP 4's global mapper would use a stored
         motion as the true one, but determines the motion from other pairs if none is stored (AUC at
-        1 degree of 20 synthetic images: 0.957 without the motion, 0.627 with it)."""
+        1 degree of 20 synthetic images: 0.957 without the motion, 0.627 with it). The motion of a
+        WATERMARK pair is that of a mark in the images, not of the cameras; COLMAP stores none
+        either."""
         count = len(result.inliers)
-        motion = (None, None) if result.configuration == Configuration.PLANAR else (result.quaternion, result.translation)
+        motion = (None, None) if result.configuration in _NO_MOTION else (result.quaternion, result.translation)
         given = {"F": result.F, "E": result.E, "H": result.H, "qvec": motion[0], "tvec": motion[1]}
         data = np.ascontiguousarray(result.inliers, "<u4").tobytes() if count else None
         matrices = [_blob(given[name], _SIZES[name]) if count else None for name in self._matrices]
