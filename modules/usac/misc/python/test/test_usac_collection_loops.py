@@ -116,8 +116,8 @@ class LoopsOfDatabaseTest(DatabaseCase):
         sink = DatabaseSink(self.path, {})
         self.assertEqual(sink.edges(), [])
         turn = rotationOf([0, 1, 0])
-        sink.commit([self.result(1, 2, 50, turn), self.result(1, 3, 20, turn, 3), self.result(2, 3, 0, turn),
-                     self.result(2, 4, 30, turn, 7)._replace(rotations=None)])
+        sink.commit(self.hashed(self.result(1, 2, 50, turn), self.result(1, 3, 20, turn, 3), self.result(2, 3, 0, turn),
+                                self.result(2, 4, 30, turn, 7)._replace(rotations=None)))
         edges = sink.edges()
         self.assertEqual([(edge.first, edge.second, edge.inliers, edge.link) for edge in edges], [(1, 2, 50, True), (1, 3, 20, False)])
         np.testing.assert_array_equal(edges[0].rotations, quaternion(turn)[None])
@@ -137,13 +137,17 @@ class LoopsOfDatabaseTest(DatabaseCase):
         sink = DatabaseSink(self.path, {})
         sink.close()
         change(self.path, "ALTER TABLE usacv20_pairs DROP COLUMN rotations")
+        change(self.path, "ALTER TABLE usacv20_pairs DROP COLUMN matches_hash")
         change(self.path, "UPDATE usacv20_runs SET version = 2")
-        with self.assertRaisesRegex(CollectionError, "another version"):
+        with self.assertRaisesRegex(CollectionError, "another version of this tool: verify without --resume"):
             DatabaseSink(self.path, {}, resume=True)
         sink = DatabaseSink(self.path, {}, keep=True)
-        sink.commit([self.result(1, 2, 50, np.eye(3))])
+        sink.commit(self.hashed(self.result(1, 2, 50, np.eye(3))))
         self.assertEqual(len(sink.edges()), 1)
         sink.close()
+        sink = DatabaseSink(self.path, {}, resume=True)
+        self.addCleanup(sink.close)
+        self.assertTrue(sink.done(pairId(1, 2)))
 
 
 @once

@@ -91,6 +91,23 @@ class GrowthTest(RunCase):
         self.verify(output=at_once, threshold=threshold)
         self.assertEqual(after, dump(at_once, TABLE)[TABLE])
 
+    def test_matches_of_another_run(self) -> None:
+        """If COLMAP has matched or verified some pairs again, --resume must verify these pairs again: the
+        table must be that of a run that begins with the changed database."""
+        self.verify(threshold=4.0)
+        inliers = rows(self.path, "SELECT pair_id, rows, data FROM {} WHERE rows > 20 ORDER BY 1 LIMIT 4".format(TABLE))
+        empty, fewer, mixed, verified = (key for key, _, _ in inliers)
+        change(self.path, "UPDATE matches SET rows = 0, data = NULL WHERE pair_id = ?", empty)
+        change(self.path, "UPDATE matches SET rows = ?, data = ? WHERE pair_id = ?", *inliers[1][1:], fewer)
+        change(self.path, "UPDATE matches SET data = CAST(substr(data, 9) || substr(data, 1, 8) AS BLOB) WHERE pair_id = ?", mixed)
+        change(self.path, "UPDATE {} SET rows = 1, data = zeroblob(8), config = 3 WHERE pair_id = ?".format(TABLE), verified)
+        whole = self.path + ".copy"
+        self.verify(output=whole, threshold=4.0)
+        self.verify(threshold=4.0, resume=True)
+        self.assertEqual((self.summary.pairs, self.summary.skipped), (4, PAIRS + LATER - 4))
+        self.assertEqual(rows(self.path, "SELECT rows, data, config FROM {} WHERE pair_id = ?".format(TABLE), empty), [(0, None, 1)])
+        self.assertEqual(dump(self.path, TABLE), dump(whole, TABLE))
+
     def test_copy_of_another_state(self) -> None:
         """A run on a copy must not be resumed if the database has changed since the copy was made."""
         copy = self.path + ".copy"

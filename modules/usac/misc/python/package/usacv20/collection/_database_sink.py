@@ -16,14 +16,15 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._database import IMAGES
+from ._database import IMAGES, matchesHash
 from ._loops import Edge
 from ._pair import CollectionError, Configuration, Key, TwoView
 from ._sqlite import checkInput, columns, connect, explained
 
 # Version of the additional tables and of the contents of rows. Version 1 stored zeros for
-# unknown matrices; versions 1 and 2 stored no rotations.
-VERSION = 3
+# unknown matrices; versions 1 and 2 stored no rotations; versions 1 to 3 stored no hash of the matches,
+# and the motion of WATERMARK pairs.
+VERSION = 4
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
 
@@ -35,8 +36,9 @@ _OWN = (
 state TEXT NOT NULL, started TEXT NOT NULL, updated TEXT NOT NULL)""".format(RUNS),
     """CREATE TABLE IF NOT EXISTS {} (pair_id INTEGER PRIMARY KEY NOT NULL, run_id INTEGER NOT NULL,
 configuration INTEGER NOT NULL, reason TEXT NOT NULL, matches INTEGER NOT NULL, inliers INTEGER NOT NULL,
-iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB)""".format(PAIRS),
+iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB, matches_hash INTEGER)""".format(PAIRS),
 )
+_ADDED = (("rotations", "BLOB"), ("matches_hash", "INTEGER"))  # columns that tables of earlier versions do not have
 _NEEDED = ("pair_id", "rows", "cols", "data", "config")
 _LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # configurations with a unique, well-determined rotation
 _NO_MOTION = (Configuration.PLANAR, Configuration.WATERMARK)  # configurations whose motion is not written, see _row
@@ -100,13 +102,17 @@ class DatabaseSink:
     def done(self, key: Key) -> bool:
         """Returns True if a resumed run has no work left for a pair. Faults count as not done, because
         the database may have been repaired. Pairs that contradict other pairs count as not done
-        either, because new pairs may support them."""
+        either, because new pairs may support them. A pair must be done again if its matches have
+        changed, or if its row in two_view_geometries has other numbers than this tool has written."""
         if not self._resumed:
             return False
         with explained(self.path):
-            return bool(self._connection.execute(
-                "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ? AND run_id IN ({}) "
-                "AND reason NOT GLOB '{}*'".format(PAIRS, self._same, CONTRADICTED), (int(key),)).fetchall())
+            found = self._connection.execute(
+                "SELECT p.matches_hash, m.rows, m.cols, m.data FROM {} AS p JOIN two_view_geometries AS g USING (pair_id) "
+                "JOIN matches AS m USING (pair_id) WHERE pair_id = ? AND p.run_id IN ({}) AND p.configuration != {:d} "
+                "AND p.configuration = g.config AND p.inliers = g.rows AND p.reason NOT GLOB '{}*'".format(
+                    PAIRS, self._same, Configuration.UNDEFINED, CONTRADICTED), (int(key),)).fetchall()
+        return bool(found) and found[0][0] == matchesHash(*found[0][1:])
 
     def commit(self, results: typing.Sequence[TwoView]) -> None:
         if self._closed:
@@ -209,7 +215,8 @@ class DatabaseSink:
             return
         _, version, settings = stored[-1]
         if version != VERSION:
-            raise CollectionError("{}: --resume: the last run is of another version of this tool".format(self.path))
+            raise CollectionError("{}: --resume: the last run is of another version of this tool: verify without --resume to begin "
+                                  "anew".format(self.path))
         before = json.loads(settings)
         differing = ["{} is {} and was {}".format(name, json.dumps(self._settings.get(name)), json.dumps(before.get(name)))
                      for name in sorted(set(before) | set(self._settings)) if before.get(name) != self._settings.get(name)]
@@ -229,9 +236,10 @@ class DatabaseSink:
             (self._row(result) for result in results if result.configuration != Configuration.UNDEFINED))
         self._connection.executemany(
             "INSERT OR REPLACE INTO {} (pair_id, run_id, configuration, reason, matches, inliers, iterations, chance, "
-            "milliseconds, rotations) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
+            "milliseconds, rotations, matches_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
             ((result.key, self._run, int(result.configuration), result.reason, int(result.matches), len(result.inliers),
-              int(result.iterations), float(result.chance), float(result.milliseconds), _rotations(result)) for result in results))
+              int(result.iterations), float(result.chance), float(result.milliseconds), _rotations(result), result.matchesHash)
+             for result in results))
         self._connection.execute("UPDATE {} SET state = ?, updated = ? WHERE run_id = ?".format(RUNS),
                                  (RUNNING, _now(), self._run))
 
@@ -241,8 +249,10 @@ class DatabaseSink:
         begun = self._resumed or self._keep
         for statement in (_GEOMETRIES,) + (() if begun else ("DROP TABLE IF EXISTS {}".format(PAIRS),)) + _OWN:
             self._connection.execute(statement)
-        if "rotations" not in columns(self._connection, PAIRS):  # the table was made by an older version of this tool
-            self._connection.execute("ALTER TABLE {} ADD COLUMN rotations BLOB".format(PAIRS))
+        there = columns(self._connection, PAIRS)
+        for name, kind in _ADDED:
+            if name not in there:  # the table was made by an older version of this tool
+                self._connection.execute("ALTER TABLE {} ADD COLUMN {} {}".format(PAIRS, name, kind))
         if not begun:
             self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
         self._newest = self._run = self._connection.execute(

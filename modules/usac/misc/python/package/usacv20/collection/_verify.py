@@ -44,7 +44,8 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     pairs -- file with two image names on each line: only these pairs are verified, and rows of
     other pairs do not change
     resume -- True: pairs that a run with the same settings has processed are skipped, except for
-    pairs that could not be read and pairs that were refused because they contradict other pairs
+    pairs that could not be read, pairs that were refused because they contradict other pairs, and
+    pairs whose matches or results another program has changed
     scores -- source of the scores of the matches; None: there are no scores
     loops -- False: pairs whose rotation contradicts that of pairs with more inliers are not refused
     threads -- number of threads of this process; 0: one for each core
