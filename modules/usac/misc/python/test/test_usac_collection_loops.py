@@ -200,6 +200,19 @@ class CourtTest(unittest.TestCase):
         one, two = (dump(os.path.join(self.folder, name), RESULTS[0]) for name in ("one.db", "two.db"))
         self.assertEqual(one, two)
 
+    def test_refused_pairs_again(self):
+        """A run of only the pairs that the loop check has refused must refuse them again, because the other
+        pairs of the table contradict them."""
+        self.verified("again.db")
+        wrong, before = self.summary.contradicted, dump(os.path.join(self.folder, "again.db"), RESULTS[0])
+        names = os.path.join(self.folder, "refused.txt")
+        with open(names, "w") as file:
+            file.writelines("{:03}.png {:03}.png\n".format(key // 2147483647, key % 2147483647) for key, in rows(
+                os.path.join(self.folder, "again.db"), "SELECT pair_id FROM usacv20_pairs WHERE reason LIKE 'loop: %'"))
+        self.verified("again.db", pairs=names)
+        self.assertEqual((self.summary.pairs, self.summary.contradicted, self.summary.verified), (wrong, wrong, 0))
+        self.assertEqual(dump(os.path.join(self.folder, "again.db"), RESULTS[0]), before)
+
     def test_pairs_that_are_not_selected(self):
         """First the pairs without a common point are verified, then the others. The rows of the former must
         not change, although the latter contradict them, until a run includes them."""

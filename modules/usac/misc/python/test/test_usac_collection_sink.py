@@ -294,6 +294,26 @@ class RunTest(SinkCase):
         sink = self.sink({"threshold": 3.0}, resume=True)
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
 
+    def test_graph_of_some_pairs(self):
+        """With keep=True, the graph must contain the pairs of all earlier runs with the same settings,
+        whether a run is resumed or not; otherwise only those of the new run."""
+        one = np.array([[1.0, 0, 0, 0]])
+        for settings, second in (({"threshold": 2.0}, 2), ({"threshold": 3.0}, 3), ({"threshold": 2.0}, 4)):
+            sink = self.sink(settings, keep=True)
+            sink.commit([found(1, second, rotations=one)])
+            sink.close()
+        for keywords, others in ((dict(keep=True), [2, 4]), (dict(keep=True, resume=True), [2, 4]), ({}, [])):
+            sink = self.sink(**keywords)
+            self.assertEqual([edge.second for edge in sink.edges()], others)
+            self.assertEqual(sink.resumed, "resume" in keywords)
+            self.assertFalse(sink.done(pairId(1, 9)))
+            sink.close(finished=False)
+        sink = self.sink(keep=True)
+        sink.commit([found(1, 5, rotations=one)])
+        self.assertEqual([edge.second for edge in sink.edges()], [2, 4, 5])
+        change(self.path, "UPDATE usacv20_runs SET version = version - 1 WHERE run_id = 1")
+        self.assertEqual([edge.second for edge in self.sink(keep=True).edges()], [4, 5])
+
     def test_nothing_to_resume(self):
         sink = self.sink(resume=True)
         self.assertFalse(sink.resumed)

@@ -57,7 +57,8 @@ class DatabaseSink:
     resume -- True: results of earlier runs with the same settings are kept. Raises CollectionError
     if the last run had other settings or was made by another version of the tool. If there was no
     run, a new run is started
-    keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them.
+    keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them,
+    and `edges` also returns pairs of earlier runs with the same settings, although no run is resumed.
     If `keep` is false and no run is resumed, the first commit removes all old rows of
     two_view_geometries
 
@@ -87,8 +88,7 @@ class DatabaseSink:
                     self._connection.execute("PRAGMA synchronous = NORMAL")
                 self._matrices = self._checkTable()
                 self._newest = self._newestRun()
-                if resume:
-                    self._resume()
+                self._readRuns(resume)
                 self._try()
         except BaseException:
             self._connection.close()
@@ -121,7 +121,8 @@ class DatabaseSink:
             self._transaction(lambda: self._write(results))
 
     def edges(self) -> List[Edge]:
-        """Returns the accepted pairs with known rotations, of this run and of the runs that it continues."""
+        """Returns the accepted pairs with known rotations, of this run and, if rows of earlier runs are
+        kept, of those of these runs that have the same settings."""
         runs = ", ".join(filter(None, [self._same, "" if self._run is None else str(self._run)]))
         with explained(self.path):
             if not runs or not columns(self._connection, PAIRS):
@@ -207,24 +208,32 @@ class DatabaseSink:
             raise CollectionError("{}: its table two_view_geometries has no column {}".format(self.path, missing[0]))
         return [name for name in _MATRICES if name in found]
 
-    def _resume(self) -> None:
-        if not columns(self._connection, RUNS) or not columns(self._connection, PAIRS):
+    def _readRuns(self, resume: bool) -> None:
+        """Finds the earlier runs whose results are used. `resume` as in __init__."""
+        if not (resume or self._keep) or not columns(self._connection, RUNS) or not columns(self._connection, PAIRS):
             return
-        stored = self._connection.execute("SELECT run_id, version, settings FROM {} ORDER BY run_id".format(RUNS)).fetchall()
-        if not stored:
-            return
-        _, version, settings = stored[-1]
+        stored = [(run, version, json.loads(settings)) for run, version, settings in self._connection.execute(
+            "SELECT run_id, version, settings FROM {} ORDER BY run_id".format(RUNS))]
+        if resume and stored:
+            self._checkLast(*stored[-1][1:])
+            self._resumed = True
+        self._same = ", ".join(str(int(run)) for run, version, used in stored if version == VERSION and not self._differing(used))
+
+    def _checkLast(self, version: int, before: typing.Mapping[str, Any]) -> None:
+        """Raises CollectionError if the last run cannot be resumed; `version` and `before` are its version
+        and settings."""
         if version != VERSION:
             raise CollectionError("{}: --resume: the last run is of another version of this tool: verify without --resume to begin "
                                   "anew".format(self.path))
-        before = json.loads(settings)
         differing = ["{} is {} and was {}".format(name, json.dumps(self._settings.get(name)), json.dumps(before.get(name)))
-                     for name in sorted(set(before) | set(self._settings)) if before.get(name) != self._settings.get(name)]
+                     for name in self._differing(before)]
         if differing:
             raise CollectionError("{}: --resume: the settings are not those of the last run: {}".format(
                 self.path, "; ".join(differing)))
-        self._same = ", ".join(str(int(run)) for run, used, text in stored if used == VERSION and json.loads(text) == before)
-        self._resumed = True
+
+    def _differing(self, before: typing.Mapping[str, Any]) -> List[str]:
+        """Returns the names of the settings that differ from those of an earlier run."""
+        return [name for name in sorted(set(before) | set(self._settings)) if before.get(name) != self._settings.get(name)]
 
     def _write(self, results: typing.Sequence[TwoView]) -> None:
         self._begin()
