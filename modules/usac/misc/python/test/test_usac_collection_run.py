@@ -103,13 +103,15 @@ class GrowthTest(RunCase):
         empty, fewer, mixed, verified = (key for key, _, _ in inliers)
         change(self.path, "UPDATE matches SET rows = 0, data = NULL WHERE pair_id = ?", empty)
         change(self.path, "UPDATE matches SET rows = ?, data = ? WHERE pair_id = ?", *inliers[1][1:], fewer)
-        change(self.path, "UPDATE matches SET data = CAST(substr(data, 9) || substr(data, 1, 8) AS BLOB) WHERE pair_id = ?", mixed)
+        change(self.path, "UPDATE matches SET data = CAST(substr(data, 9) || substr(data, 1, 8) AS BLOB) WHERE pair_id = ?",
+               mixed)
         change(self.path, "UPDATE {} SET rows = 1, data = zeroblob(8), config = 3 WHERE pair_id = ?".format(TABLE), verified)
         whole = self.path + ".copy"
         self.verify(output=whole, threshold=4.0)
         self.verify(threshold=4.0, resume=True)
         self.assertEqual((self.summary.pairs, self.summary.skipped), (4, PAIRS + LATER - 4))
-        self.assertEqual(rows(self.path, "SELECT rows, data, config FROM {} WHERE pair_id = ?".format(TABLE), empty), [(0, None, 1)])
+        self.assertEqual(rows(self.path, "SELECT rows, data, config FROM {} WHERE pair_id = ?".format(TABLE), empty),
+                         [(0, None, 1)])
         self.assertEqual(dump(self.path, TABLE), dump(whole, TABLE))
 
     def test_copy_of_another_state(self) -> None:
@@ -239,7 +241,8 @@ class FunctionTest(RunCase):
                 self.verify(**options)
 
     def test_numbers_of_numpy(self) -> None:
-        self.verify(threshold=np.float32(3), minInliers=np.int64(20), watermarks=np.bool_(True), loops=np.bool_(True), seed=np.uint8(3))
+        self.verify(threshold=np.float32(3), minInliers=np.int64(20), watermarks=np.bool_(True), loops=np.bool_(True),
+                    seed=np.uint8(3))
         self.verify(threshold=3.0, minInliers=20, watermarks=True, loops=True, seed=3, resume=True)
         self.assertEqual(self.summary.skipped, PAIRS + LATER)
 

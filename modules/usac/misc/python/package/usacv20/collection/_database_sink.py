@@ -223,8 +223,8 @@ class DatabaseSink:
         """Raises CollectionError if the last run cannot be resumed; `version` and `before` are its version
         and settings."""
         if version != VERSION:
-            raise CollectionError("{}: --resume: the last run is of another version of this tool: verify without --resume to begin "
-                                  "anew".format(self.path))
+            raise CollectionError("{}: --resume: the last run is of another version of this tool: verify without --resume to "
+                                  "begin anew".format(self.path))
         differing = ["{} is {} and was {}".format(name, json.dumps(self._settings.get(name)), json.dumps(before.get(name)))
                      for name in self._differing(before)]
         if differing:

@@ -88,12 +88,14 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
                 say("{} pairs of {} have no matches in the database".format(chosen.missing, pairs))
             if not len(chosen):
                 raise CollectionError("{}: none of its pairs has matches in the database: run a matcher first".format(pairs))
-        copy = None if resume and os.path.exists(output or "") else output  # copy to make; None: none, or an existing copy is continued
+        # The copy to make; None: the database itself is written, or an existing copy is continued.
+        copy = None if resume and os.path.exists(output or "") else output
         if output and not copy:
             _checkCopy(source, output)
         stored = _stored(path if copy else output or path) if resume else None
         settings = settle(source, threshold, options, stored, say)
-        used = dict(settings.asDict(), scores=scores.describe((stored or {}).get("scores")) if scores else None, loops=bool(loops))
+        described = scores.describe((stored or {}).get("scores")) if scores else None
+        used = dict(settings.asDict(), scores=described, loops=bool(loops))
         with copied(path, copy):
             sink = DatabaseSink(output or path, used, resume, keep=pairs is not None)
         summary = go(chosen, sink, settings, say, sink if loops else None, pairs is not None, **engine)
