@@ -116,8 +116,8 @@ class LoopsOfDatabaseTest(DatabaseCase):
         sink = DatabaseSink(self.path, {})
         self.assertEqual(sink.edges(), [])
         turn = rotationOf([0, 1, 0])
-        sink.commit([self.result(1, 2, 50, turn), self.result(1, 3, 20, turn, 3), self.result(2, 3, 0, turn),
-                     self.result(2, 4, 30, turn, 7)._replace(rotations=None)])
+        sink.commit(self.hashed(self.result(1, 2, 50, turn), self.result(1, 3, 20, turn, 3), self.result(2, 3, 0, turn),
+                                self.result(2, 4, 30, turn, 7)._replace(rotations=None)))
         edges = sink.edges()
         self.assertEqual([(edge.first, edge.second, edge.inliers, edge.link) for edge in edges], [(1, 2, 50, True), (1, 3, 20, False)])
         np.testing.assert_array_equal(edges[0].rotations, quaternion(turn)[None])
@@ -137,13 +137,17 @@ class LoopsOfDatabaseTest(DatabaseCase):
         sink = DatabaseSink(self.path, {})
         sink.close()
         change(self.path, "ALTER TABLE usacv20_pairs DROP COLUMN rotations")
+        change(self.path, "ALTER TABLE usacv20_pairs DROP COLUMN matches_hash")
         change(self.path, "UPDATE usacv20_runs SET version = 2")
-        with self.assertRaisesRegex(CollectionError, "another version"):
+        with self.assertRaisesRegex(CollectionError, "another version of this tool: verify without --resume"):
             DatabaseSink(self.path, {}, resume=True)
         sink = DatabaseSink(self.path, {}, keep=True)
-        sink.commit([self.result(1, 2, 50, np.eye(3))])
+        sink.commit(self.hashed(self.result(1, 2, 50, np.eye(3))))
         self.assertEqual(len(sink.edges()), 1)
         sink.close()
+        sink = DatabaseSink(self.path, {}, resume=True)
+        self.addCleanup(sink.close)
+        self.assertTrue(sink.done(pairId(1, 2)))
 
 
 @once
@@ -195,6 +199,19 @@ class CourtTest(unittest.TestCase):
         self.assertGreater(self.summary.skipped, 20)
         one, two = (dump(os.path.join(self.folder, name), RESULTS[0]) for name in ("one.db", "two.db"))
         self.assertEqual(one, two)
+
+    def test_refused_pairs_again(self):
+        """A run of only the pairs that the loop check has refused must refuse them again, because the other
+        pairs of the table contradict them."""
+        self.verified("again.db")
+        wrong, before = self.summary.contradicted, dump(os.path.join(self.folder, "again.db"), RESULTS[0])
+        names = os.path.join(self.folder, "refused.txt")
+        with open(names, "w") as file:
+            file.writelines("{:03}.png {:03}.png\n".format(key // 2147483647, key % 2147483647) for key, in rows(
+                os.path.join(self.folder, "again.db"), "SELECT pair_id FROM usacv20_pairs WHERE reason LIKE 'loop: %'"))
+        self.verified("again.db", pairs=names)
+        self.assertEqual((self.summary.pairs, self.summary.contradicted, self.summary.verified), (wrong, wrong, 0))
+        self.assertEqual(dump(os.path.join(self.folder, "again.db"), RESULTS[0]), before)
 
     def test_pairs_that_are_not_selected(self):
         """First the pairs without a common point are verified, then the others. The rows of the former must

@@ -21,6 +21,9 @@ import threading
 import time
 import unittest
 from typing import Any, Dict, List
+from unittest import mock
+
+import numpy as np
 
 from usac_collection import Collection, Recipe
 from usac_collection_database import change, dump, rows
@@ -28,8 +31,9 @@ from usac_common import IN_TREE, once, package
 
 if not IN_TREE:
     import usacv20.collection
-    from usacv20.collection import CollectionError, verify
+    from usacv20.collection import CollectionError, _sqlite, verify
     from usacv20.collection._command import main
+    from usacv20.collection._scores import ColumnScores
 
 PAIRS, LATER = 234, 66  # numbers of pairs that are verified first and that are added later; together all pairs of 25 images
 TABLE = "two_view_geometries"
@@ -91,6 +95,25 @@ class GrowthTest(RunCase):
         self.verify(output=at_once, threshold=threshold)
         self.assertEqual(after, dump(at_once, TABLE)[TABLE])
 
+    def test_matches_of_another_run(self) -> None:
+        """If COLMAP has matched or verified some pairs again, --resume must verify these pairs again: the
+        table must be that of a run that begins with the changed database."""
+        self.verify(threshold=4.0)
+        inliers = rows(self.path, "SELECT pair_id, rows, data FROM {} WHERE rows > 20 ORDER BY 1 LIMIT 4".format(TABLE))
+        empty, fewer, mixed, verified = (key for key, _, _ in inliers)
+        change(self.path, "UPDATE matches SET rows = 0, data = NULL WHERE pair_id = ?", empty)
+        change(self.path, "UPDATE matches SET rows = ?, data = ? WHERE pair_id = ?", *inliers[1][1:], fewer)
+        change(self.path, "UPDATE matches SET data = CAST(substr(data, 9) || substr(data, 1, 8) AS BLOB) WHERE pair_id = ?",
+               mixed)
+        change(self.path, "UPDATE {} SET rows = 1, data = zeroblob(8), config = 3 WHERE pair_id = ?".format(TABLE), verified)
+        whole = self.path + ".copy"
+        self.verify(output=whole, threshold=4.0)
+        self.verify(threshold=4.0, resume=True)
+        self.assertEqual((self.summary.pairs, self.summary.skipped), (4, PAIRS + LATER - 4))
+        self.assertEqual(rows(self.path, "SELECT rows, data, config FROM {} WHERE pair_id = ?".format(TABLE), empty),
+                         [(0, None, 1)])
+        self.assertEqual(dump(self.path, TABLE), dump(whole, TABLE))
+
     def test_copy_of_another_state(self) -> None:
         """A run on a copy must not be resumed if the database has changed since the copy was made."""
         copy = self.path + ".copy"
@@ -110,6 +133,35 @@ class GrowthTest(RunCase):
         self.assertEqual(dump(copy, TABLE), before)
         self.verify(copy, threshold=4.0, resume=True)
         self.assertEqual(self.summary.skipped, PAIRS + LATER)
+
+    def test_copy_of_a_run(self) -> None:
+        """--resume with a new copy must continue the run of the database, with its threshold."""
+        copy = self.path + ".copy"
+        self.verify(threshold=3.0)
+        before = dump(self.path, TABLE, "usacv20_pairs", "usacv20_runs")
+        change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), before[TABLE][7][0])
+        said = self.verify(output=copy, resume=True)
+        self.assertEqual(said[0], "threshold: 3 px, that of the run that goes on")
+        self.assertEqual((self.summary.pairs, self.summary.skipped), (1, PAIRS + LATER - 1))
+        self.assertEqual(dump(copy, TABLE)[TABLE], before[TABLE])
+        self.assertEqual(len(dump(self.path, TABLE)[TABLE]), PAIRS + LATER - 1)
+
+    def test_copy_that_cannot_be_used(self) -> None:
+        """If a run cannot start, no copy must remain. A column that does not exist must be found before the
+        database is copied."""
+        copy = self.path + ".copy"
+        self.verify(threshold=3.0)
+        with self.assertRaisesRegex(CollectionError, "the settings are not those of the last run: threshold is 2.0 and was 3.0"):
+            self.verify(output=copy, threshold=2.0, resume=True)
+        self.assertFalse(os.path.exists(copy))
+        change(self.path, "CREATE TABLE usacv20_trial (a)")  # the sink cannot create its table of the same name
+        with self.assertRaisesRegex(CollectionError, "usacv20_trial"):
+            self.verify(output=copy, threshold=2.0)
+        self.assertFalse(os.path.exists(copy))
+        for threshold in (None, 2.0):
+            with mock.patch.object(_sqlite, "copyDatabase", side_effect=AssertionError), self.assertRaisesRegex(
+                    CollectionError, r"^--scores-column: the table matches of .*\.db has no column nothing$"):
+                self.verify(output=copy, threshold=threshold, scores=ColumnScores("nothing", True))
 
     def test_own_threshold_of_each_pair(self) -> None:
         self.verify(threshold=4.0)
@@ -187,6 +239,12 @@ class FunctionTest(RunCase):
                               (dict(threshold=-1.0), "threshold")):
             with self.assertRaisesRegex(CollectionError, said):
                 self.verify(**options)
+
+    def test_numbers_of_numpy(self) -> None:
+        self.verify(threshold=np.float32(3), minInliers=np.int64(20), watermarks=np.bool_(True), loops=np.bool_(True),
+                    seed=np.uint8(3))
+        self.verify(threshold=3.0, minInliers=20, watermarks=True, loops=True, seed=3, resume=True)
+        self.assertEqual(self.summary.skipped, PAIRS + LATER)
 
     def test_numbers(self) -> None:
         self.verify(threshold=4.0)

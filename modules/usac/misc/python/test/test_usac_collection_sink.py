@@ -101,12 +101,15 @@ class RowTest(SinkCase):
             self.assertEqual([name for name in ("F", "E", "H", "qvec", "tvec") if other[name] is None], ["H"])
             self.assertEqual([row[name] for name in row if name.startswith("camera")], [None, None] if schema == "4.2" else [])
 
-    def test_motion_of_a_plane(self):
-        """A planar pair is compatible with two motions, so its motion must not be written. The motion of a
-        panoramic pair must be written."""
+    def test_motion_that_is_not_known(self):
+        """A planar pair is compatible with two motions, and the motion of a watermark is not that of the
+        cameras, so these motions must not be written. The motion of a panoramic pair must be written."""
         smallDatabase(self.path)
-        self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC)])
-        self.assertEqual([self.row(1, 2)[name] for name in ("qvec", "tvec")], [None, None])
+        self.sink().commit([found(1, 2, configuration=Configuration.PLANAR), found(1, 3, configuration=Configuration.PANORAMIC),
+                            found(1, 4, configuration=Configuration.WATERMARK)])
+        for other in (2, 4):
+            self.assertEqual([self.row(1, other)[name] for name in ("qvec", "tvec")], [None, None])
+            self.assertEqual(len(self.row(1, other)["E"]), 72)
         self.assertEqual([len(self.row(1, 3)[name]) for name in ("qvec", "tvec")], [32, 24])
 
     def test_refused(self):
@@ -206,7 +209,7 @@ class RunTest(SinkCase):
 
     def test_resume(self):
         sink = self.sink()
-        sink.commit([found(1, 2), refused(1, 3), refused(1, 4, Configuration.UNDEFINED, "broken")])
+        sink.commit(self.hashed(found(1, 2), refused(1, 3), refused(1, 4, Configuration.UNDEFINED, "broken")))
         sink.close(finished=False)
         self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("interrupted",)])
         sink = self.sink(resume=True)
@@ -214,7 +217,7 @@ class RunTest(SinkCase):
         keys = [pairId(1, i) for i in range(2, 6)]
         # The third pair could not be read and must be processed again; the fourth pair is new.
         self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])
-        sink.commit([found(1, 4), found(1, 5)])
+        sink.commit(self.hashed(found(1, 4), found(1, 5)))
         self.assertEqual((self.pairs(), sink.removed), (keys, 0))
         self.assertEqual(rows(self.path, "SELECT run_id, configuration FROM usacv20_pairs ORDER BY pair_id"),
                          [(1, 2), (1, 1), (2, 2), (2, 2)])
@@ -227,10 +230,32 @@ class RunTest(SinkCase):
     def test_rows_that_were_taken_away(self):
         """If another program has removed the rows of some pairs, a resumed run must process these
         pairs again."""
-        self.sink().commit([found(1, 2), found(1, 3)])
+        self.sink().commit(self.hashed(found(1, 2), found(1, 3)))
         change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), pairId(1, 2))
         sink = self.sink(resume=True)
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
+
+    def test_rows_that_were_changed(self):
+        """If another program has changed the matches of a pair, even without a change of their number, or
+        the number of inliers or the configuration, a resumed run must process the pair again."""
+        results = [found(1, i) for i in range(2, 7)] + [refused(2, i) for i in (3, 4)]
+        statements = (("UPDATE matches SET data = ? WHERE pair_id = ?", bytes(59 * 8)),
+                      ("UPDATE matches SET rows = 0, data = ? WHERE pair_id = ?", None),
+                      ("UPDATE matches SET rows = ? WHERE pair_id = ?", 58),
+                      ("UPDATE two_view_geometries SET rows = ? WHERE pair_id = ?", 29),
+                      ("UPDATE two_view_geometries SET config = ? WHERE pair_id = ?", 3),
+                      ("UPDATE two_view_geometries SET config = ? WHERE pair_id = ?", 0))
+        self.sink().commit(self.hashed(*results))
+        for result, (statement, value) in zip(results, statements):
+            change(self.path, statement, value, result.key)
+        sink = self.sink(resume=True)
+        self.assertEqual([sink.done(result.key) for result in results], [False] * 6 + [True])
+
+    def test_fault_in_a_row_of_colmap(self):
+        """A fault must not count as done if COLMAP has stored a row without a geometry for this pair."""
+        self.sink().commit(self.hashed(refused(1, 2, Configuration.UNDEFINED, "broken")))
+        change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (?, 0, 2, 0)".format(TABLE), pairId(1, 2))
+        self.assertFalse(self.sink(resume=True).done(pairId(1, 2)))
 
     def test_two_at_once(self):
         """A run begins with the first commit of its sink. Other sinks that were opened before must then
@@ -259,15 +284,35 @@ class RunTest(SinkCase):
         Pairs that were processed with other settings must be processed again by a resumed run."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink(keep=True)
-        sink.commit([found(1, 2)])
+        sink.commit(self.hashed(found(1, 2)))
         sink.close()
         self.assertEqual((self.pairs(), sink.removed), ([5, pairId(1, 2)], 0))
         other = self.sink({"threshold": 3.0}, keep=True)
-        other.commit([found(1, 3)])
+        other.commit(self.hashed(found(1, 3)))
         other.close()
         self.assertEqual(self.pairs(), [5, pairId(1, 2), pairId(1, 3)])
         sink = self.sink({"threshold": 3.0}, resume=True)
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
+
+    def test_graph_of_some_pairs(self):
+        """With keep=True, the graph must contain the pairs of all earlier runs with the same settings,
+        whether a run is resumed or not; otherwise only those of the new run."""
+        one = np.array([[1.0, 0, 0, 0]])
+        for settings, second in (({"threshold": 2.0}, 2), ({"threshold": 3.0}, 3), ({"threshold": 2.0}, 4)):
+            sink = self.sink(settings, keep=True)
+            sink.commit([found(1, second, rotations=one)])
+            sink.close()
+        for keywords, others in ((dict(keep=True), [2, 4]), (dict(keep=True, resume=True), [2, 4]), ({}, [])):
+            sink = self.sink(**keywords)
+            self.assertEqual([edge.second for edge in sink.edges()], others)
+            self.assertEqual(sink.resumed, "resume" in keywords)
+            self.assertFalse(sink.done(pairId(1, 9)))
+            sink.close(finished=False)
+        sink = self.sink(keep=True)
+        sink.commit([found(1, 5, rotations=one)])
+        self.assertEqual([edge.second for edge in sink.edges()], [2, 4, 5])
+        change(self.path, "UPDATE usacv20_runs SET version = version - 1 WHERE run_id = 1")
+        self.assertEqual([edge.second for edge in self.sink(keep=True).edges()], [4, 5])
 
     def test_nothing_to_resume(self):
         sink = self.sink(resume=True)

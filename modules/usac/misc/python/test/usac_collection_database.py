@@ -16,7 +16,7 @@ import numpy as np
 from usac_common import IN_TREE
 
 if not IN_TREE:
-    from usacv20.collection._database import DatabaseSource
+    from usacv20.collection._database import DatabaseSource, matchesHash
     from usacv20.collection._pair import CollectionError
 
 IMAGES = 2147483647
@@ -145,6 +145,12 @@ class DatabaseCase(unittest.TestCase):
     def load(self, **keywords):
         source = self.source(**keywords)
         return source.load(list(source.keys()))
+
+    def hashed(self, *results):
+        """Returns results with the hashes of the matches in the database, as the engine passes them to a
+        sink."""
+        matches = "SELECT rows, cols, data FROM matches WHERE pair_id = ?"
+        return [result._replace(matchesHash=matchesHash(*rows(self.path, matches, result.key)[0])) for result in results]
 
     def refused(self, words, function, *args, **keywords):
         """Asserts that a call raises a CollectionError whose message is one line and contains all of

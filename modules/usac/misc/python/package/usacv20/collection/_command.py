@@ -76,8 +76,8 @@ def _addEstimation(parser: argparse.ArgumentParser) -> None:
 def _addEngine(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("engine")
     group.add_argument("--resume", action="store_true",
-                       help="continue the last run: pairs that are done are skipped; new pairs, and pairs that were not done, "
-                            "are processed")
+                       help="continue the last run: pairs that are done are skipped; new pairs, pairs that were not done and, in "
+                            "a database, pairs that another program has changed are processed")
     where = group.add_mutually_exclusive_group()
     where.add_argument("--threads", type=_count, default=0, metavar="N",
                        help="number of threads of this process (default 0: one for each core)")

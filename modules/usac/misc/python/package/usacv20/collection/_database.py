@@ -212,7 +212,7 @@ class DatabaseSource:
                     raise _Wrong(image.fault)
             if numbers[0] == numbers[1]:
                 raise _Wrong("an image is matched with itself")
-            matches = _matches(connection, key)
+            matches, stored = _matches(connection, key)
             for side, image in enumerate((first, second)):
                 _check(matches, side, image)
             scores = self._scores(connection, key, first.name, second.name, matches)
@@ -222,7 +222,7 @@ class DatabaseSource:
         if seen is not None:
             matches, scores = matches[seen], None if scores is None else scores[seen]
         views = [_view(image, matches[:, side]) for side, image in enumerate((first, second))]
-        return Pair(key, views[0], views[1], matches, scores, self.scores is None or self.scores.higherIsBetter)
+        return Pair(key, views[0], views[1], matches, scores, self.scores is None or self.scores.higherIsBetter, stored)
 
     def _scores(self, connection: sqlite3.Connection, key: int, first: str, second: str, matches: _Matches) -> Optional[_Array]:
         if self.scores is None:
@@ -285,7 +285,15 @@ def _readKeypoints(connection: sqlite3.Connection, name: str, number: int) -> np
     return table[:, :2].astype(np.float32)
 
 
-def _matches(connection: sqlite3.Connection, key: int) -> _Matches:
+def matchesHash(rows: Any, columns: Any, data: Any) -> int:
+    """Returns a hash of a row of the table `matches`; the arguments are its columns rows, cols and data."""
+    digest = hashlib.blake2b(repr((rows, columns)).encode(), digest_size=8)
+    digest.update(data if isinstance(data, bytes) else b"")
+    return int.from_bytes(digest.digest(), "little", signed=True)
+
+
+def _matches(connection: sqlite3.Connection, key: int) -> Tuple[_Matches, int]:
+    """Returns the matches of a pair and their hash."""
     stored = connection.execute("SELECT rows, cols, data FROM matches WHERE pair_id = ?", (key,)).fetchall()
     if not stored:
         raise _Wrong("the pair is no longer in the table matches")
@@ -293,7 +301,7 @@ def _matches(connection: sqlite3.Connection, key: int) -> _Matches:
     blob = data or b""
     if not isinstance(blob, bytes) or not isinstance(rows, int) or (columns != 2 and rows) or len(blob) != 8 * rows:
         raise _Wrong("{} rows of {} numbers do not fit into {} bytes of matches".format(rows, columns, len(blob)))
-    return np.frombuffer(blob, "<u4").reshape(rows, 2).astype(np.uint32)
+    return np.frombuffer(blob, "<u4").reshape(rows, 2).astype(np.uint32), matchesHash(rows, columns, data)
 
 
 def _check(matches: _Matches, side: int, image: _Image) -> None:

@@ -16,14 +16,15 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._database import IMAGES
+from ._database import IMAGES, matchesHash
 from ._loops import Edge
 from ._pair import CollectionError, Configuration, Key, TwoView
 from ._sqlite import checkInput, columns, connect, explained
 
 # Version of the additional tables and of the contents of rows. Version 1 stored zeros for
-# unknown matrices; versions 1 and 2 stored no rotations.
-VERSION = 3
+# unknown matrices; versions 1 and 2 stored no rotations; versions 1 to 3 stored no hash of the matches,
+# and the motion of WATERMARK pairs.
+VERSION = 4
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
 
@@ -35,10 +36,12 @@ _OWN = (
 state TEXT NOT NULL, started TEXT NOT NULL, updated TEXT NOT NULL)""".format(RUNS),
     """CREATE TABLE IF NOT EXISTS {} (pair_id INTEGER PRIMARY KEY NOT NULL, run_id INTEGER NOT NULL,
 configuration INTEGER NOT NULL, reason TEXT NOT NULL, matches INTEGER NOT NULL, inliers INTEGER NOT NULL,
-iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB)""".format(PAIRS),
+iterations INTEGER NOT NULL, chance REAL, milliseconds REAL, rotations BLOB, matches_hash INTEGER)""".format(PAIRS),
 )
+_ADDED = (("rotations", "BLOB"), ("matches_hash", "INTEGER"))  # columns that tables of earlier versions do not have
 _NEEDED = ("pair_id", "rows", "cols", "data", "config")
 _LINKS = (Configuration.CALIBRATED, Configuration.PANORAMIC)  # configurations with a unique, well-determined rotation
+_NO_MOTION = (Configuration.PLANAR, Configuration.WATERMARK)  # configurations whose motion is not written, see _row
 _MATRICES = ("F", "E", "H", "qvec", "tvec")  # COLMAP before 3.8 has only some of these columns
 # Prefix of the reasons of pairs that contradict other pairs. --resume estimates these pairs again,
 # because new pairs may support them.
@@ -55,7 +58,8 @@ class DatabaseSink:
     resume -- True: results of earlier runs with the same settings are kept. Raises CollectionError
     if the last run had other settings or was made by another version of the tool. If there was no
     run, a new run is started
-    keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them.
+    keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them,
+    and `edges` also returns pairs of earlier runs with the same settings, although no run is resumed.
     If `keep` is false and no run is resumed, the first commit removes all old rows of
     two_view_geometries
 
@@ -85,8 +89,7 @@ class DatabaseSink:
                     self._connection.execute("PRAGMA synchronous = NORMAL")
                 self._matrices = self._checkTable()
                 self._newest = self._newestRun()
-                if resume:
-                    self._resume()
+                self._readRuns(resume)
                 self._try()
         except BaseException:
             self._connection.close()
@@ -100,13 +103,17 @@ class DatabaseSink:
     def done(self, key: Key) -> bool:
         """Returns True if a resumed run has no work left for a pair. Faults count as not done, because
         the database may have been repaired. Pairs that contradict other pairs count as not done
-        either, because new pairs may support them."""
+        either, because new pairs may support them. A pair must be done again if its matches have
+        changed, or if its row in two_view_geometries has other numbers than this tool has written."""
         if not self._resumed:
             return False
         with explained(self.path):
-            return bool(self._connection.execute(
-                "SELECT 1 FROM {} JOIN two_view_geometries USING (pair_id) WHERE pair_id = ? AND run_id IN ({}) "
-                "AND reason NOT GLOB '{}*'".format(PAIRS, self._same, CONTRADICTED), (int(key),)).fetchall())
+            found = self._connection.execute(
+                "SELECT p.matches_hash, m.rows, m.cols, m.data FROM {} AS p JOIN two_view_geometries AS g USING (pair_id) "
+                "JOIN matches AS m USING (pair_id) WHERE pair_id = ? AND p.run_id IN ({}) AND p.configuration != {:d} "
+                "AND p.configuration = g.config AND p.inliers = g.rows AND p.reason NOT GLOB '{}*'".format(
+                    PAIRS, self._same, Configuration.UNDEFINED, CONTRADICTED), (int(key),)).fetchall()
+        return bool(found) and found[0][0] == matchesHash(*found[0][1:])
 
     def commit(self, results: typing.Sequence[TwoView]) -> None:
         if self._closed:
@@ -115,7 +122,8 @@ class DatabaseSink:
             self._transaction(lambda: self._write(results))
 
     def edges(self) -> List[Edge]:
-        """Returns the accepted pairs with known rotations, of this run and of the runs that it continues."""
+        """Returns the accepted pairs with known rotations, of this run and, if rows of earlier runs are
+        kept, of those of these runs that have the same settings."""
         runs = ", ".join(filter(None, [self._same, "" if self._run is None else str(self._run)]))
         with explained(self.path):
             if not runs or not columns(self._connection, PAIRS):
@@ -201,23 +209,32 @@ class DatabaseSink:
             raise CollectionError("{}: its table two_view_geometries has no column {}".format(self.path, missing[0]))
         return [name for name in _MATRICES if name in found]
 
-    def _resume(self) -> None:
-        if not columns(self._connection, RUNS) or not columns(self._connection, PAIRS):
+    def _readRuns(self, resume: bool) -> None:
+        """Finds the earlier runs whose results are used. `resume` as in __init__."""
+        if not (resume or self._keep) or not columns(self._connection, RUNS) or not columns(self._connection, PAIRS):
             return
-        stored = self._connection.execute("SELECT run_id, version, settings FROM {} ORDER BY run_id".format(RUNS)).fetchall()
-        if not stored:
-            return
-        _, version, settings = stored[-1]
+        stored = [(run, version, json.loads(settings)) for run, version, settings in self._connection.execute(
+            "SELECT run_id, version, settings FROM {} ORDER BY run_id".format(RUNS))]
+        if resume and stored:
+            self._checkLast(*stored[-1][1:])
+            self._resumed = True
+        self._same = ", ".join(str(int(run)) for run, version, used in stored if version == VERSION and not self._differing(used))
+
+    def _checkLast(self, version: int, before: typing.Mapping[str, Any]) -> None:
+        """Raises CollectionError if the last run cannot be resumed; `version` and `before` are its version
+        and settings."""
         if version != VERSION:
-            raise CollectionError("{}: --resume: the last run is of another version of this tool".format(self.path))
-        before = json.loads(settings)
+            raise CollectionError("{}: --resume: the last run is of another version of this tool: verify without --resume to "
+                                  "begin anew".format(self.path))
         differing = ["{} is {} and was {}".format(name, json.dumps(self._settings.get(name)), json.dumps(before.get(name)))
-                     for name in sorted(set(before) | set(self._settings)) if before.get(name) != self._settings.get(name)]
+                     for name in self._differing(before)]
         if differing:
             raise CollectionError("{}: --resume: the settings are not those of the last run: {}".format(
                 self.path, "; ".join(differing)))
-        self._same = ", ".join(str(int(run)) for run, used, text in stored if used == VERSION and json.loads(text) == before)
-        self._resumed = True
+
+    def _differing(self, before: typing.Mapping[str, Any]) -> List[str]:
+        """Returns the names of the settings that differ from those of an earlier run."""
+        return [name for name in sorted(set(before) | set(self._settings)) if before.get(name) != self._settings.get(name)]
 
     def _write(self, results: typing.Sequence[TwoView]) -> None:
         self._begin()
@@ -229,9 +246,10 @@ class DatabaseSink:
             (self._row(result) for result in results if result.configuration != Configuration.UNDEFINED))
         self._connection.executemany(
             "INSERT OR REPLACE INTO {} (pair_id, run_id, configuration, reason, matches, inliers, iterations, chance, "
-            "milliseconds, rotations) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
+            "milliseconds, rotations, matches_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
             ((result.key, self._run, int(result.configuration), result.reason, int(result.matches), len(result.inliers),
-              int(result.iterations), float(result.chance), float(result.milliseconds), _rotations(result)) for result in results))
+              int(result.iterations), float(result.chance), float(result.milliseconds), _rotations(result), result.matchesHash)
+             for result in results))
         self._connection.execute("UPDATE {} SET state = ?, updated = ? WHERE run_id = ?".format(RUNS),
                                  (RUNNING, _now(), self._run))
 
@@ -241,8 +259,10 @@ class DatabaseSink:
         begun = self._resumed or self._keep
         for statement in (_GEOMETRIES,) + (() if begun else ("DROP TABLE IF EXISTS {}".format(PAIRS),)) + _OWN:
             self._connection.execute(statement)
-        if "rotations" not in columns(self._connection, PAIRS):  # the table was made by an older version of this tool
-            self._connection.execute("ALTER TABLE {} ADD COLUMN rotations BLOB".format(PAIRS))
+        there = columns(self._connection, PAIRS)
+        for name, kind in _ADDED:
+            if name not in there:  # the table was made by an older version of this tool
+                self._connection.execute("ALTER TABLE {} ADD COLUMN {} {}".format(PAIRS, name, kind))
         if not begun:
             self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
         self._newest = self._run = self._connection.execute(
@@ -260,9 +280,11 @@ class DatabaseSink:
         as a pose; COLMAP 3.8 writes zeros, but also reads NULL. The motion of a PLANAR pair is one
         of two possible motions and is not written: COLMAP 4's global mapper would use a stored
         motion as the true one, but determines the motion from other pairs if none is stored (AUC at
-        1 degree of 20 synthetic images: 0.957 without the motion, 0.627 with it)."""
+        1 degree of 20 synthetic images: 0.957 without the motion, 0.627 with it). The motion of a
+        WATERMARK pair is that of a mark in the images, not of the cameras; COLMAP stores none
+        either."""
         count = len(result.inliers)
-        motion = (None, None) if result.configuration == Configuration.PLANAR else (result.quaternion, result.translation)
+        motion = (None, None) if result.configuration in _NO_MOTION else (result.quaternion, result.translation)
         given = {"F": result.F, "E": result.E, "H": result.H, "qvec": motion[0], "tvec": motion[1]}
         data = np.ascontiguousarray(result.inliers, "<u4").tobytes() if count else None
         matrices = [_blob(given[name], _SIZES[name]) if count else None for name in self._matrices]

@@ -60,6 +60,7 @@ class Pair(typing.NamedTuple):
     matches: npt.NDArray[np.uint32]  # M x 2: indices of the keypoints in both images
     scores: Optional[npt.NDArray[np.float64]]  # M scores of the matches; None: there are no scores
     higherIsBetter: bool  # True: matches with higher scores are better
+    matchesHash: Optional[int] = None  # hash of the matches as they are stored in a database; None: not from a database
 
 
 class Fault(typing.NamedTuple):
@@ -89,6 +90,7 @@ class TwoView(typing.NamedTuple):
     # are correct, one of the k rotations is the true one. None: unknown, for example because the
     # focal lengths are unknown.
     rotations: Optional[npt.NDArray[np.float64]] = None
+    matchesHash: Optional[int] = None  # that of the Pair; None: unknown
 
 
 class Source(typing.Protocol):

@@ -9,6 +9,8 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, Dict, Tuple
 
+import numpy as np
+
 from .._enumerations import ScoreOrder, UsacV20Method
 from .._params import Params
 from .._two_view import TwoViewRules
@@ -56,6 +58,9 @@ class Settings:
     watermarks: bool = True  # True: detects pairs whose matches belong to a frame or mark in the images
 
     def __post_init__(self) -> None:
+        for name, value in vars(self).copy().items():
+            if isinstance(value, np.generic):  # such as numpy.float32, which cannot be stored as JSON
+                object.__setattr__(self, name, value.item())
         if self.method not in METHODS:
             raise CollectionError("method: one of {} is expected, not {}".format(", ".join(METHODS), self.method))
         if self.minInliers < 1:

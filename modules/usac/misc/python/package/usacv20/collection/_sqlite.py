@@ -11,7 +11,7 @@ import os
 import pathlib
 import sqlite3
 import typing
-from typing import Dict, List
+from typing import Dict, List, Optional
 
 from ._pair import CollectionError
 
@@ -141,10 +141,28 @@ def copyDatabase(source: str, target: str) -> None:
                 reader.backup(writer, pages=4096)
             tidy(target)
         except BaseException:
-            for name in (target, target + "-journal", target + "-wal", target + "-shm"):  # they remain if the disk is full
-                with contextlib.suppress(FileNotFoundError):
-                    os.remove(name)
+            _remove(target)
             raise
     finally:
         reader.close()
         tidy(source)
+
+
+@contextlib.contextmanager
+def copied(source: str, target: Optional[str]) -> typing.Iterator[None]:
+    """Copies a database as copyDatabase does; None as `target`: no copy is made. If the body of the `with` statement
+    raises an exception, the copy is removed."""
+    if target:
+        copyDatabase(source, target)
+    try:
+        yield
+    except BaseException:
+        if target:
+            _remove(target)
+        raise
+
+
+def _remove(path: str) -> None:
+    for name in (path, path + "-journal", path + "-wal", path + "-shm"):  # they remain if the disk is full
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(name)

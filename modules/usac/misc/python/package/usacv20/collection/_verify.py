@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import sqlite3
 import time
 import typing
 from typing import Any, Callable, Dict, Optional, Union
@@ -22,7 +23,7 @@ from ._pair import CollectionError, Source
 from ._scores import ColumnScores, HlocScores
 from ._selection import Selection
 from ._settings import Settings
-from ._sqlite import connect, copyDatabase, explained
+from ._sqlite import connect, copied, explained
 from ._threshold import WIDEST, estimateThreshold, samplePairs
 
 Say = Callable[[str], Any]
@@ -44,7 +45,8 @@ def verify(path: str, output: Optional[str] = None, *, threshold: Optional[float
     pairs -- file with two image names on each line: only these pairs are verified, and rows of
     other pairs do not change
     resume -- True: pairs that a run with the same settings has processed are skipped, except for
-    pairs that could not be read and pairs that were refused because they contradict other pairs
+    pairs that could not be read, pairs that were refused because they contradict other pairs, and
+    pairs whose matches or results another program has changed
     scores -- source of the scores of the matches; None: there are no scores
     loops -- False: pairs whose rotation contradicts that of pairs with more inliers are not refused
     threads -- number of threads of this process; 0: one for each core
@@ -78,6 +80,7 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
     checkNumbers(**engine)
     with contextlib.closing(DatabaseSource(path, scores)) as source:
         _checkMatches(source)
+        _checkColumn(source)
         chosen: Any = source
         if pairs is not None:
             chosen = Selection(source, pairs)
@@ -85,15 +88,16 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
                 say("{} pairs of {} have no matches in the database".format(chosen.missing, pairs))
             if not len(chosen):
                 raise CollectionError("{}: none of its pairs has matches in the database: run a matcher first".format(pairs))
-        target = output or path
-        if output and resume and os.path.exists(output):
+        # The copy to make; None: the database itself is written, or an existing copy is continued.
+        copy = None if resume and os.path.exists(output or "") else output
+        if output and not copy:
             _checkCopy(source, output)
-        stored = _stored(target) if resume else None
+        stored = _stored(path if copy else output or path) if resume else None
         settings = settle(source, threshold, options, stored, say)
-        if output and not (resume and os.path.exists(output)):
-            copyDatabase(path, output)
-        used = dict(settings.asDict(), scores=scores.describe((stored or {}).get("scores")) if scores else None, loops=loops)
-        sink = DatabaseSink(target, used, resume, keep=pairs is not None)
+        described = scores.describe((stored or {}).get("scores")) if scores else None
+        used = dict(settings.asDict(), scores=described, loops=bool(loops))
+        with copied(path, copy):
+            sink = DatabaseSink(output or path, used, resume, keep=pairs is not None)
         summary = go(chosen, sink, settings, say, sink if loops else None, pairs is not None, **engine)
     summary.threshold = settings.threshold
     if sink.removed:
@@ -161,8 +165,6 @@ def _refuseContradicted(graph: DatabaseSink, summary: Summary, only: Optional[So
 
 def _stored(path: str) -> Optional[Dict[str, Any]]:
     """Returns the settings of the last run on a database; None if there was no run."""
-    if not os.path.exists(path):
-        return None
     with explained(path), contextlib.closing(connect(path)) as connection:
         last = lastRun(connection)
     return last["settings"] if last else None
@@ -187,3 +189,17 @@ def _checkMatches(source: DatabaseSource) -> None:
     with explained(source.path):
         if not source.connection().execute("SELECT 1 FROM matches WHERE rows > 0 LIMIT 1").fetchall():
             raise CollectionError("{}: no pair has matches: run a matcher first, colmap exhaustive_matcher, say".format(source.path))
+
+
+def _checkColumn(source: DatabaseSource) -> None:
+    """Raises CollectionError if the scores are to be read from a column that does not exist."""
+    if not isinstance(source.scores, ColumnScores):
+        return
+    with explained(source.path):
+        try:
+            source.connection().execute('SELECT matches."{}" FROM matches LIMIT 0'.format(source.scores.column))
+        except sqlite3.OperationalError as error:
+            if "no such column" not in str(error):
+                raise
+            raise CollectionError("--scores-column: the table matches of {} has no column {}".format(
+                source.path, source.scores.column)) from error

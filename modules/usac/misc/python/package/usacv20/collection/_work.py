@@ -80,7 +80,7 @@ def finish(items: typing.Sequence[Union[Pair, Fault]], verify: Verify, settings:
     found = verify(pairs, settings) if pairs else []
     if [result.key for result in found] != [pair.key for pair in pairs]:
         raise RuntimeError("the results belong to other pairs than the given ones")
-    results = (_named(result, pair) for result, pair in zip(found, pairs))
+    results = (_named(result, pair)._replace(matchesHash=pair.matchesHash) for result, pair in zip(found, pairs))
     return Outcome([next(results) if isinstance(item, Pair) else faulty(item) for item in items], reading,
                    time.perf_counter() - start)
 
