@@ -145,6 +145,28 @@ class CommandTest(unittest.TestCase):
         self.assertRegex(err, "day/a.jpg.*day/b.jpg.*column scores has 5 bytes, not 4 or 8 for each of 2500 matches")
         self.assertRegex(err, "night/c.jpg.*d.jpg.*column scores has 0 bytes")
 
+    def refused(self, pair, reason):
+        """Asserts that this pair was refused for the reason and that the other pair was accepted."""
+        self.assertEqual(self.configurations(), {pairId(1, 2): 2, pairId(3, 4): 2, pairId(*pair): 1})
+        with contextlib.closing(sqlite3.connect(self.path)) as connection:
+            self.assertEqual(connection.execute("SELECT reason FROM usacv20_pairs WHERE pair_id = ?", (pairId(*pair),)).fetchall(),
+                             [(reason,)])
+
+    def test_column_of_a_pair_without_matches(self):
+        """COLMAP stores a row with 0 matches for a pair without matches. An added column is NULL there
+        (or 0 if this is its default). The pair must be refused like others with too few matches."""
+        matches, right = collection(self.path)
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            connection.execute("UPDATE matches SET rows = 0, data = NULL WHERE pair_id = ?", (pairId(3, 4),))
+            for column, null in (("scores BLOB", "NULL"), ("zeros BLOB DEFAULT 0", "0")):
+                connection.execute("ALTER TABLE matches ADD COLUMN " + column)
+                connection.execute("UPDATE matches SET {} = ? WHERE pair_id = ?".format(column.split()[0]),
+                                   (scoresOf(right[1, 2]).tobytes(), pairId(1, 2)))
+        for column in ("scores", "zeros"):
+            code, _, err = self.verify("--scores-column", column)
+            self.assertEqual((code, err), (0, ""))
+            self.refused((3, 4), "0 matches, 15 are needed")
+
     def hloc(self, matches, right, joint="/", swapped=False):
         path = self.file("matches.h5")
         with h5py.File(path, "w") as file:
@@ -213,6 +235,42 @@ class CommandTest(unittest.TestCase):
             code, _, err = self.verify("--scores", path)
             self.assertEqual(code, 2)
             self.assertIn(path, err)
+
+    @needsH5py
+    def test_hloc_of_a_pair_without_matches(self):
+        matches, right = collection(self.path)
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            connection.execute("UPDATE matches SET rows = 0, data = NULL WHERE pair_id = ?", (pairId(3, 4),))
+        code, _, err = self.verify("--scores", self.hloc({(1, 2): matches[1, 2]}, right))
+        self.assertEqual((code, err), (0, ""))
+        self.refused((3, 4), "0 matches, 15 are needed")
+
+    @needsH5py
+    def test_damaged_groups_of_hloc(self):
+        """A damaged group, or something else in its place, must be a fault of its pair only."""
+        matches, right = collection(self.path)
+        for name in ("day-a.jpg", "day-a.jpg/day-b.jpg", "night-c.jpg/d.jpg"):
+            pair, images = ("night-c.jpg/d.jpg", "night/c.jpg - d.jpg") if "night" in name else ("day-a.jpg/day-b.jpg", "day/a.jpg - day/b.jpg")
+            for wrong in (None, 5, np.arange(4), "text", h5py.Empty("f4")):
+                path = self.hloc(matches, right)
+                if wrong is None:
+                    with h5py.File(path, "r") as file:
+                        place = h5py.h5o.get_info(file[name].id).addr
+                    with open(path, "r+b") as file:
+                        file.seek(place)
+                        file.write(b"\xee" * 40)
+                    said = "the group {} is damaged".format(pair)
+                else:
+                    with h5py.File(path, "a") as file:
+                        del file[name]
+                        file[name] = wrong
+                    said = "has no scores of this pair" if name == "day-a.jpg" else "expected in " + pair
+                with self.subTest(name=name, wrong=wrong):
+                    code, _, err = self.verify("--scores", path)
+                    self.assertEqual(code, 1)
+                    self.assertRegex(err, "^cannot be read: {}: .*matches.h5:? .*{}.*\n$".format(images, said))
+                    self.assertEqual(list(self.configurations().values()), [2])
+                    self.assertEqual(self.verify("--scores", path, "--resume")[0], 1)
 
     def test_mistakes(self):
         collection(self.path)
