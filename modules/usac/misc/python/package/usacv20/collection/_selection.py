@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import typing
-from typing import TYPE_CHECKING, Dict, List, Optional, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Union
 
 import numpy as np
 
@@ -28,7 +28,8 @@ class Selection:
     each line; empty lines and lines that begin with # are skipped. Raises CollectionError if an
     image is not in the database
 
-    `missing` is the number of listed pairs that have no row in the table of matches."""
+    `missing` is the number of listed pairs that have no row in the table of matches. A pickled
+    selection has no keys: workers only load pairs, and a pickled source goes with each chunk."""
 
     def __init__(self, source: DatabaseSource, path: str) -> None:
         self.source = source
@@ -41,6 +42,9 @@ class Selection:
                     "SELECT pair_id FROM matches WHERE pair_id IN ({})".format(", ".join("?" * len(page))), page)]
         self._keys: npt.NDArray[np.int64] = np.sort(np.array(found, np.int64))
         self.missing = len(asked) - len(found)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return dict(self.__dict__, _keys=np.empty(0, np.int64))
 
     def keys(self) -> typing.Iterator[Key]:
         return iter(typing.cast(List[int], self._keys.tolist()))
