@@ -209,6 +209,26 @@ class ThreadsTest(EngineCase):
         self.assertEqual((third.pairs, third.skipped), (0, PAIRS))
 
 
+    def test_interrupted_while_pairs_are_skipped(self):
+        """The first Ctrl-C must also stop a resumed run that is still skipping pairs, and the pairs that it
+        has found so far must not be begun."""
+        path = self.fresh()
+        self.run_engine(path)
+        change(path, "DELETE FROM two_view_geometries WHERE pair_id = ?", pairId(1, 4))
+        source, asked = self.source(path), []
+
+        class Asked(DatabaseSink):
+            def done(self, key):
+                asked.append(key)
+                if len(asked) == 10:
+                    os.kill(os.getpid(), signal.SIGINT)
+                return super().done(key)
+
+        with contextlib.closing(Asked(path, {}, True)) as sink:
+            summary = _engine.run(source, sink, {}, stand.fails, threads=1)
+        self.assertEqual((len(asked), summary.skipped, summary.pairs, summary.interrupted), (10, 9, 0, True))
+
+
 @once
 @package
 class ProgressTest(EngineCase):
