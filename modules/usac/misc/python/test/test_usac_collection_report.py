@@ -365,6 +365,12 @@ class PicturesTest(Reports):
         self.text(self.path("o.db"), pictures=self.path("p"))
         self.assertEqual(sorted(os.listdir(self.path("p"))), ["inlierRatio.png", "iterations.png", "milliseconds.png"])
 
+    def test_a_file_in_place_of_the_folder(self):
+        path = self.verified(results(neighbors))
+        for folder in (self.write("file", "text"), os.path.join(self.path("file"), "p")):
+            self.assertMistake("--pictures {}: this folder cannot be created".format(re.escape(folder)), path, pictures=folder)
+        self.assertEqual(self.read("file"), b"text")
+
     def test_without_matplotlib(self):
         path = self.verified(results(neighbors))
         names = [name for name in sys.modules if name.startswith("matplotlib")] + ["matplotlib", "matplotlib.figure"]
