@@ -278,6 +278,7 @@ class CommandTest(unittest.TestCase):
                                 (["verify", __file__], "not a database of sqlite"),
                                 (["verify", self.path, "--threshold", "-1"], "threshold"),
                                 (["verify", self.path, "--confidence", "2", "--threshold", "2"], "confidence"),
+                                (["verify", self.path, "--significance", "0", "--threshold", "2"], "significance: a number above 0"),
                                 (["verify", self.path, "--chunk", "0", "--threshold", "2"], "chunk"),
                                 (["verify", self.path, "--threshold", "2", "--lower-is-better"], "--lower-is-better: goes with"),
                                 (["verify", self.path, "--scores", self.path, "--lower-is-better"], "--lower-is-better: goes with"),
