@@ -145,6 +145,28 @@ class CommandTest(unittest.TestCase):
         self.assertRegex(err, "day/a.jpg.*day/b.jpg.*column scores has 5 bytes, not 4 or 8 for each of 2500 matches")
         self.assertRegex(err, "night/c.jpg.*d.jpg.*column scores has 0 bytes")
 
+    def test_names_that_are_not_utf_8(self):
+        """COLMAP stores the names of files as they are, so names in Latin-1 must be usable: bytes that are
+        not UTF-8 become escapes, in the output and in the stored reasons."""
+        collection(self.path, wrong=0.4)
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            for image, name in ((1, "\u00e9.jpg"), (3, "\u00e8 1.jpg"), (4, "\u00ea 1.jpg")):
+                connection.execute("UPDATE images SET name = CAST(? AS TEXT) WHERE image_id = ?", (name.encode("latin-1"), image))
+            connection.execute("UPDATE matches SET rows = 5 WHERE pair_id = ?", (pairId(3, 4),))
+        self.assertEqual(self.verify()[::2], (1, "cannot be read: \\xe8 1.jpg - \\xea 1.jpg: 5 rows of 2 numbers do not fit into "
+                                                 "20000 bytes of matches\n"))
+        self.assertEqual(self.verify("--resume")[0], 1)
+        code, out, err = self.run_main("report", self.path, "--json", self.file("a.json"), "--csv", self.file("a.csv"))
+        self.assertEqual((code, err), (0, ""))
+        # The reason does not begin with the names, so that the same reason of several pairs is one.
+        self.assertRegex(out, r"\n +1  N rows of N numbers do not fit into N bytes of matches +for example \\xe8 1.jpg - \\xea 1.jpg\n")
+        with open(self.file("a.csv"), encoding="utf-8") as file:
+            self.assertRegex(file.read(), r"\n\\xe9.jpg - day/b.jpg,CALIBRATED,")
+        with open(self.file("list"), "wb") as file:
+            file.write("\u00e9.jpg day/b.jpg\n".encode("latin-1") + b"\\xe8 1.jpg \\xea 1.jpg\n")
+        self.assertEqual(self.verify("--pairs", self.file("list"))[0], 1)
+        self.assertEqual(self.configurations(), {pairId(1, 2): 2})
+
     def refused(self, pair, reason):
         """Asserts that this pair was refused for the reason and that the other pair was accepted."""
         self.assertEqual(self.configurations(), {pairId(1, 2): 2, pairId(3, 4): 2, pairId(*pair): 1})
