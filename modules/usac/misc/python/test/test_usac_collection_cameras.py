@@ -116,8 +116,10 @@ class CamerasTest(unittest.TestCase):
             for direction in ((1, 0), (-0.6, 0.8)):
                 points = np.tan(angles)[:, None] * direction
                 expected = np.c_[points, np.ones(len(points))] @ lens.matrix[:2].T
-                np.testing.assert_allclose(lens.ideal(seen(lens, points)), expected, rtol=1e-6, atol=1e-6, err_msg=str(coefficients))
-                beyond = lens.matrix[:2, 2] + 1.01 * (seen(lens, np.tan(np.radians([[edge - 0.01]])) * direction) - lens.matrix[:2, 2])
+                np.testing.assert_allclose(lens.ideal(seen(lens, points)), expected, rtol=1e-6, atol=1e-6,
+                                           err_msg=str(coefficients))
+                center, last = lens.matrix[:2, 2], seen(lens, np.tan(np.radians([[edge - 0.01]])) * direction)
+                beyond = center + 1.01 * (last - center)
                 self.assertTrue(np.isnan(lens.ideal(beyond)).all(), coefficients)
 
     def test_edge_of_a_fisheye(self):

@@ -114,7 +114,8 @@ class HlocScores:
             group = file[name]
             complete = hasattr(group, "keys") and all(member in group for member in _MEMBERS)
         except _UNREADABLE as mistake:
-            raise CollectionError("{}: the group {} is damaged: {}".format(self.path, name, " ".join(str(mistake).split()))) from None
+            raise CollectionError("{}: the group {} is damaged: {}".format(
+                self.path, name, " ".join(str(mistake).split()))) from None
         if not complete:
             raise CollectionError("{}: matches0 and matching_scores0 are expected in {}".format(self.path, name))
         return group
