@@ -314,23 +314,6 @@ TEST_P(UsacGiven, too_few_points)
     }
 }
 
-//! As many points as a minimal sample has determine the model, even if the refinement begins with a
-//! model far from them.
-TEST_P(UsacGiven, refinement_of_a_minimal_sample)
-{
-    const Matches matches(problem()), others(problem(), 0, 1, 2);
-    const int m = Usac::create(problem(), matches.first, matches.second, matches.params, matches.K)
-                      ->components()
-                      .minimalSolver->sampleSize();
-    std::vector<uchar> chosen(matches.truth.size());
-    std::fill(chosen.begin(), chosen.begin() + m, (uchar)1);
-    Report report;
-    const Mat model = matches.refine(others.fit(report), report, chosen);
-    if (model.empty())
-        return;  // the fit has found no minimum and the minimal solver no model
-    EXPECT_LT(sumOfSquares(matches.errors(model), chosen), 1e-6);
-}
-
 //! Except for translations, copies of one match determine no model; a fit must either fail or
 //! return finite numbers.
 TEST_P(UsacGiven, degenerate_points)

@@ -47,6 +47,37 @@ TEST(Usac_GivenModels, fitOfAnotherSampleReplacesAFitThatFails)
     EXPECT_GT(cvtest::norm(squareModel(fitted) - Matx33d(refused), NORM_INF), 1e-6);
 }
 
+//! A least-squares solver that always fails.
+class Refuses : public NonMinimalSolver
+{
+public:
+    bool fit(const Correspondences&, const int*, int, const double*, Model&, int) const CV_OVERRIDE
+    {
+        return false;
+    }
+};
+
+//! If the least-squares solver fails, as many points as in a minimal sample still determine the
+//! model: the result must be that of the minimal solver, not the model that the caller has given.
+TEST(Usac_GivenModels, minimalSampleWithoutAFit)
+{
+    for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY})
+    {
+        const Scene scene = makeScene(problem, 50, 0), other = makeScene(problem, 50, 0, 2);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        const Mat given = createUsac(other, Params())->fit();
+        usac->components().nonMinimalSolver = makePtr<Refuses>();
+        const int m = usac->components().minimalSolver->sampleSize();
+        std::vector<int> chosen(scene.size(), 0);
+        std::fill(chosen.begin(), chosen.begin() + m, 1);
+        const Mat refined = usac->refine(given, chosen);
+        ASSERT_FALSE(refined.empty()) << (int)problem;
+        const Mat errors = usac->errors(refined);
+        for (int i = 0; i < m; ++i)
+            EXPECT_LT(errors.at<double>(i), 1e-4) << (int)problem;
+    }
+}
+
 //! If there are fewer points than in a minimal sample, Usac::refine must return no model, also
 //! without a list of chosen points.
 TEST(Usac_GivenModels, refineWithoutEnoughPoints)

@@ -27,6 +27,11 @@ FISHEYES = ((5, "OPENCV_FISHEYE", [400, 410, 400, 300, -.02, .006, 1e-3, -2e-3])
             (8, "SIMPLE_RADIAL_FISHEYE", [400, 400, 300, .05]), (9, "RADIAL_FISHEYE", [400, 400, 300, .05, -.01]),
             (14, "SIMPLE_FISHEYE", [400, 400, 300]), (15, "FISHEYE", [400, 410, 400, 300]))
 
+# For each of these fisheye lenses: k1 to k4, and the angle (degrees) at which the distorted radius has
+# its first maximum; 90: it increases up to 90 degrees. Plain Newton's method fails for the first four.
+STEEP = (((.4, -.1, 0, 0), 90), ((.5, -.15, 0, 0), 90), ((.33, .13, -.2, 0), 66.9), ((1, -.5, 0, 0), 69.5),
+         ((-.4, .05, 0, 0), 59.3), ((0, 0, 0, -1e-320), 90))
+
 
 def camera(model, params, known=1):
     return Camera.fromColmap(7, model, 800, 600, np.array(params, np.float64).tobytes(), known)
@@ -103,6 +108,59 @@ class CamerasTest(unittest.TestCase):
         got = fisheye.ideal(np.array([[400 + 400 * 1.5, 300], [400 + 400 * 1.6, 300]]))
         np.testing.assert_allclose(got[0], [400 + 400 * np.tan(1.5), 300], rtol=1e-9)
         self.assertTrue(np.isnan(got[1]).all())
+
+    def test_fisheyes_up_to_the_edge(self):
+        for coefficients, edge in STEEP:
+            lens = camera(5, [400, 410, 400, 300] + list(coefficients))
+            angles = np.radians(np.concatenate([np.linspace(0, edge - 0.5, 500), [edge - 0.1]]))
+            for direction in ((1, 0), (-0.6, 0.8)):
+                points = np.tan(angles)[:, None] * direction
+                expected = np.c_[points, np.ones(len(points))] @ lens.matrix[:2].T
+                np.testing.assert_allclose(lens.ideal(seen(lens, points)), expected, rtol=1e-6, atol=1e-6,
+                                           err_msg=str(coefficients))
+                center, last = lens.matrix[:2, 2], seen(lens, np.tan(np.radians([[edge - 0.01]])) * direction)
+                beyond = center + 1.01 * (last - center)
+                self.assertTrue(np.isnan(lens.ideal(beyond)).all(), coefficients)
+
+    def test_edge_of_a_fisheye(self):
+        """The derivative is 0 at the edge, where an error of the distorted radius of 10^-12 is one of 10^-6 of the angle."""
+        lens = camera(5, [400, 400, 400, 300, 1, -0.5, 0, 0])
+        edge = np.sqrt((3 + np.sqrt(19)) / 5)  # the positive solution of 1 + 3 s - 2.5 s^2 = 0 is the square of the angle
+        angles = edge - 10.0**-np.arange(1, 9)
+        got = lens.ideal(seen(lens, np.tan(np.r_[angles, 0.1])[:, None] * (1, 0)))
+        np.testing.assert_allclose(np.arctan((got[:-1, 0] - 400) / 400), angles, atol=1e-5)
+
+    def test_random_fisheyes(self):
+        rng = np.random.RandomState(5)
+        angles = np.linspace(0, np.radians(89.9), 900)
+        for _ in range(300):
+            lens = camera(5, [400, 400, 400, 300] + (rng.uniform(-1, 1, 4) * 10**rng.uniform(-3, 1, 4)).tolist())
+            points = np.tan(angles)[:, None] * (1, 0)
+            taken = seen(lens, points)
+            falls = np.flatnonzero(np.diff(taken[:, 0]) <= 0)
+            count = max(falls[0] - 1, 1) if len(falls) else len(angles)
+            got = np.arctan((lens.ideal(taken[:count])[:, 0] - 400) / 400)
+            np.testing.assert_allclose(got, angles[:count], atol=1e-6, err_msg=str(lens.distortion))
+
+    def test_common_fisheyes(self):
+        """For common lenses, the result must be that of plain Newton's method."""
+        for coefficients in ((-.02, .006, 1e-3, -2e-3), (.05, 0, 0, 0), (.05, -.01, 0, 0)):
+            lens = camera(5, [400, 400, 400, 300] + list(coefficients))
+            center, powers, factors = np.array([400, 300]), 2 * np.arange(5), np.array((1,) + coefficients)
+            distorted = (seen(lens, grid(1.5)) - center) / 400
+            radius = np.hypot(*distorted.T)
+            angle = radius.copy()
+            for _ in range(20):
+                s = angle[:, None]**powers
+                angle -= (angle * (s @ factors) - radius) / (s @ (factors * (powers + 1)))
+            expected = distorted * np.where(radius > 0, np.tan(angle) / np.where(radius > 0, radius, 1), 1)[:, None]
+            got = (lens.ideal(400 * distorted + center) - center) / 400
+            np.testing.assert_allclose(got, expected, rtol=1e-12, atol=1e-12, err_msg=str(coefficients))
+
+    def test_fisheyes_with_absurd_numbers(self):
+        for coefficients in ([1e308] * 4, [-1e308, 1e308, 0, 0], [0, 0, 0, -1e308]):
+            got = camera(5, [400, 410, 400, 300] + coefficients).ideal(np.array([[400., 300], [800, 300]]))
+            np.testing.assert_array_equal(got[0], [400, 300])
 
     def test_plain_fisheyes(self):
         """In a plain fisheye model (SIMPLE_FISHEYE, FISHEYE) the distance from the center, in units of

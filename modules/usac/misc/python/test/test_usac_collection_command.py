@@ -145,6 +145,51 @@ class CommandTest(unittest.TestCase):
         self.assertRegex(err, "day/a.jpg.*day/b.jpg.*column scores has 5 bytes, not 4 or 8 for each of 2500 matches")
         self.assertRegex(err, "night/c.jpg.*d.jpg.*column scores has 0 bytes")
 
+    def test_names_that_are_not_utf_8(self):
+        """COLMAP stores the names of files as they are, so names in Latin-1 must be usable: bytes that are
+        not UTF-8 become escapes, in the output and in the stored reasons."""
+        collection(self.path, wrong=0.4)
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            for image, name in ((1, "\u00e9.jpg"), (3, "\u00e8 1.jpg"), (4, "\u00ea 1.jpg")):
+                connection.execute("UPDATE images SET name = CAST(? AS TEXT) WHERE image_id = ?", (name.encode("latin-1"), image))
+            connection.execute("UPDATE matches SET rows = 5 WHERE pair_id = ?", (pairId(3, 4),))
+        self.assertEqual(self.verify()[::2], (1, "cannot be read: \\xe8 1.jpg - \\xea 1.jpg: 5 rows of 2 numbers do not fit into "
+                                                 "20000 bytes of matches\n"))
+        self.assertEqual(self.verify("--resume")[0], 1)
+        code, out, err = self.run_main("report", self.path, "--json", self.file("a.json"), "--csv", self.file("a.csv"))
+        self.assertEqual((code, err), (0, ""))
+        # The reason does not begin with the names, so that the same reason of several pairs is one.
+        self.assertRegex(out, r"\n +1  N rows of N numbers do not fit into N bytes of matches +"
+                              r"for example \\xe8 1.jpg - \\xea 1.jpg\n")
+        with open(self.file("a.csv"), encoding="utf-8") as file:
+            self.assertRegex(file.read(), r"\n\\xe9.jpg - day/b.jpg,CALIBRATED,")
+        with open(self.file("list"), "wb") as file:
+            file.write("\u00e9.jpg day/b.jpg\n".encode("latin-1") + b"\\xe8 1.jpg \\xea 1.jpg\n")
+        self.assertEqual(self.verify("--pairs", self.file("list"))[0], 1)
+        self.assertEqual(self.configurations(), {pairId(1, 2): 2})
+
+    def refused(self, pair, reason):
+        """Asserts that this pair was refused for the reason and that the other pair was accepted."""
+        self.assertEqual(self.configurations(), {pairId(1, 2): 2, pairId(3, 4): 2, pairId(*pair): 1})
+        with contextlib.closing(sqlite3.connect(self.path)) as connection:
+            found = connection.execute("SELECT reason FROM usacv20_pairs WHERE pair_id = ?", (pairId(*pair),)).fetchall()
+        self.assertEqual(found, [(reason,)])
+
+    def test_column_of_a_pair_without_matches(self):
+        """COLMAP stores a row with 0 matches for a pair without matches. An added column is NULL there
+        (or 0 if this is its default). The pair must be refused like others with too few matches."""
+        matches, right = collection(self.path)
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            connection.execute("UPDATE matches SET rows = 0, data = NULL WHERE pair_id = ?", (pairId(3, 4),))
+            for column, null in (("scores BLOB", "NULL"), ("zeros BLOB DEFAULT 0", "0")):
+                connection.execute("ALTER TABLE matches ADD COLUMN " + column)
+                connection.execute("UPDATE matches SET {} = ? WHERE pair_id = ?".format(column.split()[0]),
+                                   (scoresOf(right[1, 2]).tobytes(), pairId(1, 2)))
+        for column in ("scores", "zeros"):
+            code, _, err = self.verify("--scores-column", column)
+            self.assertEqual((code, err), (0, ""))
+            self.refused((3, 4), "0 matches, 15 are needed")
+
     def hloc(self, matches, right, joint="/", swapped=False):
         path = self.file("matches.h5")
         with h5py.File(path, "w") as file:
@@ -214,12 +259,50 @@ class CommandTest(unittest.TestCase):
             self.assertEqual(code, 2)
             self.assertIn(path, err)
 
+    @needsH5py
+    def test_hloc_of_a_pair_without_matches(self):
+        matches, right = collection(self.path)
+        with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+            connection.execute("UPDATE matches SET rows = 0, data = NULL WHERE pair_id = ?", (pairId(3, 4),))
+        code, _, err = self.verify("--scores", self.hloc({(1, 2): matches[1, 2]}, right))
+        self.assertEqual((code, err), (0, ""))
+        self.refused((3, 4), "0 matches, 15 are needed")
+
+    @needsH5py
+    def test_damaged_groups_of_hloc(self):
+        """A damaged group, or something else in its place, must be a fault of its pair only."""
+        matches, right = collection(self.path)
+        day, night = ("day-a.jpg/day-b.jpg", "day/a.jpg - day/b.jpg"), ("night-c.jpg/d.jpg", "night/c.jpg - d.jpg")
+        for name, (pair, images) in (("day-a.jpg", day), (day[0], day), (night[0], night)):
+            for wrong in (None, 5, np.arange(4), "text", h5py.Empty("f4")):
+                path = self.hloc(matches, right)
+                if wrong is None:
+                    with h5py.File(path, "r") as file:
+                        place = h5py.h5o.get_info(file[name].id).addr
+                    with open(path, "r+b") as file:
+                        file.seek(place)
+                        file.write(b"\xee" * 40)
+                    said = "the group {} is damaged".format(pair)
+                else:
+                    with h5py.File(path, "a") as file:
+                        del file[name]
+                        file[name] = wrong
+                    said = "has no scores of this pair" if name == "day-a.jpg" else "expected in " + pair
+                with self.subTest(name=name, wrong=wrong):
+                    code, _, err = self.verify("--scores", path)
+                    self.assertEqual(code, 1)
+                    self.assertRegex(err, "^cannot be read: {}: .*matches.h5:? .*{}.*\n$".format(images, said))
+                    self.assertEqual(list(self.configurations().values()), [2])
+                    self.assertEqual(self.verify("--scores", path, "--resume")[0], 1)
+
     def test_mistakes(self):
         collection(self.path)
         for arguments, said in ((["verify", self.file("missing.db")], "there is no such file"),
                                 (["verify", __file__], "not a database of sqlite"),
                                 (["verify", self.path, "--threshold", "-1"], "threshold"),
                                 (["verify", self.path, "--confidence", "2", "--threshold", "2"], "confidence"),
+                                (["verify", self.path, "--significance", "0", "--threshold", "2"],
+                                 "significance: a number above 0"),
                                 (["verify", self.path, "--chunk", "0", "--threshold", "2"], "chunk"),
                                 (["verify", self.path, "--threshold", "2", "--lower-is-better"], "--lower-is-better: goes with"),
                                 (["verify", self.path, "--scores", self.path, "--lower-is-better"], "--lower-is-better: goes with"),

@@ -78,6 +78,15 @@ class SourceTest(DatabaseCase):
                 np.testing.assert_allclose(view.points, camera.ideal(view.taken), atol=1e-6)
         self.assertTrue(0 < left < sum(len(pair.matches) for pair in before))
 
+    def test_names_that_are_not_utf_8(self):
+        smallDatabase(self.path)
+        change(self.path, "UPDATE images SET name = CAST(X'E92E6A7067' AS TEXT) WHERE image_id = 2")
+        change(self.path, "UPDATE images SET name = CAST(X'EA2E6A7067' AS TEXT) WHERE image_id = 3")
+        self.assertEqual([(pair.first.name, pair.second.name) for pair in self.load() if pair.key == pairId(2, 3)],
+                         [(r"\xe9.jpg", r"\xea.jpg")])
+        self.assertEqual(self.source().fingerprint(), self.source().fingerprint())
+        self.assertEqual(_sqlite.decoded("\u00e9\u4e2d.jpg".encode()), "\u00e9\u4e2d.jpg")
+
     def test_pages_of_keys(self):
         smallDatabase(self.path, images=8)
         keys = list(self.source().keys())

@@ -29,6 +29,7 @@ if not IN_TREE:
     from usacv20.collection._database import DatabaseSource
     from usacv20.collection._database_sink import DatabaseSink
     from usacv20.collection._pair import CollectionError
+    from usacv20.collection._selection import Selection
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 PAIRS = 190  # number of pairs of 20 images
@@ -208,6 +209,26 @@ class ThreadsTest(EngineCase):
         self.assertEqual((third.pairs, third.skipped), (0, PAIRS))
 
 
+    def test_interrupted_while_pairs_are_skipped(self):
+        """The first Ctrl-C must also stop a resumed run that is still skipping pairs, and the pairs that it
+        has found so far must not be begun."""
+        path = self.fresh()
+        self.run_engine(path)
+        change(path, "DELETE FROM two_view_geometries WHERE pair_id = ?", pairId(1, 4))
+        source, asked = self.source(path), []
+
+        class Asked(DatabaseSink):
+            def done(self, key):
+                asked.append(key)
+                if len(asked) == 10:
+                    os.kill(os.getpid(), signal.SIGINT)
+                return super().done(key)
+
+        with contextlib.closing(Asked(path, {}, True)) as sink:
+            summary = _engine.run(source, sink, {}, stand.fails, threads=1)
+        self.assertEqual((len(asked), summary.skipped, summary.pairs, summary.interrupted), (10, 9, 0, True))
+
+
 @once
 @package
 class ProgressTest(EngineCase):
@@ -331,6 +352,22 @@ class DaskTest(ProcessCase):
         self.assertEqual(table, self.reference())
         self.assertEqual(summary.pairs, PAIRS)
         self.assertNotIn("do not see the same files", told)
+
+    def test_selected_pairs(self):
+        """The keys of a selection must not be sent to the workers: the source is sent with each chunk."""
+        path, expected = self.fresh(), self.reference()["two_view_geometries"]
+        listed = os.path.join(self.folder, "pairs.txt")
+        with open(listed, "w") as file:
+            file.writelines("image{}.jpg image{}.jpg\n".format(i, j) for i in range(1, 21) for j in range(i + 1, 21, 2))
+        source = Selection(self.source(path), listed)
+        chosen = set(source.keys())
+        self.assertEqual(len(chosen), 100)
+        self.assertLess(len(pickle.dumps(source)), len(pickle.dumps(source.source)) + 500)
+        told = io.StringIO()
+        with contextlib.closing(DatabaseSink(path, {})) as sink, contextlib.redirect_stderr(told):
+            summary = _engine.run(source, sink, {}, stand.verify, scheduler=self.address, chunk=5, progress=False)
+        self.assertEqual((summary.pairs, len(source), told.getvalue()), (100, 100, ""))
+        self.assertEqual(self.table(path)["two_view_geometries"], [row for row in expected if row[0] in chosen])
 
     def test_files_that_are_not_shared(self):
         killed = []

@@ -61,6 +61,14 @@ class CorrTest(Files):
         self.write("pairs/x/here.list", "one\n")  # paths are relative to the folder of the list, unless this folder is called lists
         self.check(self.only(self.path("pairs/x/here.list")), 0)
 
+    def test_names_that_occur_twice(self):
+        names = ["pairs/{}".format(i) for i in range(40)]
+        self.write("x.list", "\n".join(names + names[5:30:5] + names[20:] + ["pairs/last"] + names[:1]))
+        source = self.source(self.path("x.list"))
+        self.assertEqual(list(source.keys()), names + ["pairs/last"])
+        self.assertEqual(list(source.keys()), names + ["pairs/last"])
+        self.assertEqual(len(source), 41)
+
     def test_without_scores(self):
         self.corr("a", 3, scores=False)
         self.check(self.only(self.folder), 3, scores=False)

@@ -365,6 +365,18 @@ class PicturesTest(Reports):
         self.text(self.path("o.db"), pictures=self.path("p"))
         self.assertEqual(sorted(os.listdir(self.path("p"))), ["inlierRatio.png", "iterations.png", "milliseconds.png"])
 
+    def test_names_that_are_not_utf_8(self):
+        path = self.verified(results(neighbors))
+        change(path, "UPDATE images SET name = CAST(CAST('z' || image_id AS BLOB) || X'E9' AS TEXT)")
+        self.assertIn(r"\xe9", self.text(path, pictures=self.path("p")))
+        self.assertIn("pairs.png", os.listdir(self.path("p")))
+
+    def test_a_file_in_place_of_the_folder(self):
+        path = self.verified(results(neighbors))
+        for folder in (self.write("file", "text"), os.path.join(self.path("file"), "p")):
+            self.assertMistake("--pictures {}: this folder cannot be created".format(re.escape(folder)), path, pictures=folder)
+        self.assertEqual(self.read("file"), b"text")
+
     def test_without_matplotlib(self):
         path = self.verified(results(neighbors))
         names = [name for name in sys.modules if name.startswith("matplotlib")] + ["matplotlib", "matplotlib.figure"]

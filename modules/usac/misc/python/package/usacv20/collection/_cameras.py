@@ -47,8 +47,8 @@ _REFUSED: Dict[int, str] = {7: "FOV", 10: "THIN_PRISM_FISHEYE", 11: "RAD_TAN_THI
                             13: "DIVISION", 16: "EUCM", 17: "EQUIRECTANGULAR"}
 _DISTORTIONS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 # Maximum number of steps of Newton's method. Each step doubles the number of correct digits; common
-# lenses need 3 to 6 steps for full precision.
-_STEPS = 30
+# lenses need 3 to 6 steps for full precision, points close to a maximum of the polynomial up to 25.
+_STEPS = 60
 # Newton's method has converged if the radius of the distorted point differs by less than this value
 # from the given radius, in units of the focal length; 10^-6 pixels for a focal length of 10^4 pixels.
 _TOLERANCE = 1e-10
@@ -101,7 +101,7 @@ class Camera(typing.NamedTuple):
         points -- N x 2, pixels of the original (distorted) image
 
         Returns N x 2; NaN for points that are not the image of any direction in front of the
-        camera."""
+        camera, because they are outside of the field of view of the lens."""
         taken = np.asarray(points, np.float64)
         if not self.fisheye:
             return removeDistortion(taken, self.matrix, np.array(self.distortion))
@@ -112,22 +112,56 @@ class Camera(typing.NamedTuple):
 
 
 def _withoutFisheye(distorted: _Array, distortion: Tuple[float, ...]) -> _Array:
-    """Returns the points without fisheye distortion, in units of the focal length, by Newton's
-    method for the angle to the optical axis; NaN for points outside the field of view of the lens.
-    """
-    k1, k2, _, _, k3, k4, _, _ = distortion
-    target = np.hypot(distorted[:, 0], distorted[:, 1])
-    angle = target.copy()
-    for _ in range(_STEPS):
-        s = angle * angle
-        error = angle * (1 + s * (k1 + s * (k2 + s * (k3 + s * k4)))) - target
-        slope = 1 + s * (3 * k1 + s * (5 * k2 + s * (7 * k3 + s * 9 * k4)))
-        angle -= error / slope
-        if np.all(np.abs(error) < _TOLERANCE):
-            break
-    # If the polynomial decreases at the solution, the solution is beyond the maximum of the
-    # polynomial, where the lens forms no image.
-    angle[~((np.abs(error) < _TOLERANCE) & (slope > 0) & (angle >= 0) & (angle < np.pi / 2))] = np.nan
-    scale = np.where(target > 0, np.tan(angle) / np.where(target > 0, target, 1), 1)
+    """Returns the points without fisheye distortion, in units of the focal length; NaN for points
+    outside the field of view of the lens."""
+    coefficients = [distortion[i] for i in (0, 1, 4, 5)]  # k1 to k4
+    limit = _fieldOfView(coefficients)
+    radius = np.hypot(distorted[:, 0], distorted[:, 1])
+    inside = radius < _polynomials(np.array(limit), coefficients)[0]
+    angle = np.full(len(radius), np.nan)
+    angle[inside] = _angles(radius[inside], coefficients, limit)
+    scale = np.where(radius > 0, np.tan(angle) / np.where(radius > 0, radius, 1), 1)
     result: _Array = distorted * scale[:, None]
     return result
+
+
+def _polynomials(angle: _Array, coefficients: typing.Sequence[float]) -> Tuple[_Array, _Array]:
+    """Returns the radius of the distorted point, a polynomial in the angle, and its derivative."""
+    k1, k2, k3, k4 = coefficients
+    s = angle * angle
+    radius: _Array = angle * (1.0 + s * (k1 + s * (k2 + s * (k3 + s * k4))))
+    slope: _Array = 1.0 + s * (3 * k1 + s * (5 * k2 + s * (7 * k3 + s * 9 * k4)))
+    return radius, slope
+
+
+def _fieldOfView(coefficients: typing.Sequence[float]) -> float:
+    """Returns the angle up to which the lens forms an image: the smallest angle at which the
+    derivative of the polynomial is 0, at most pi / 2."""
+    k1, k2, k3, k4 = coefficients
+    # The unknown is 1 / angle^2, not angle^2, so that the leading coefficient is 1.
+    roots = np.roots(np.nan_to_num([1, 3 * k1, 5 * k2, 7 * k3, 9 * k4]))
+    found = roots.real[(roots.imag == 0) & (roots.real > (2 / np.pi)**2)]
+    return float(found.max()**-0.5) if len(found) else np.pi / 2
+
+
+def _angles(radius: _Array, coefficients: typing.Sequence[float], limit: float) -> _Array:
+    """Returns the angles at which the polynomial has the given values, by Newton's method. The
+    polynomial increases up to `limit`, and its value there is larger than each radius. So the
+    solution is always known to be in an interval, which is halved in place of a step that would leave
+    the interval, or after a step that has not halved the error."""
+    low, high = np.zeros_like(radius), np.full_like(radius, limit)
+    angle, before = np.minimum(radius, limit), np.full_like(radius, np.inf)
+    for _ in range(_STEPS):
+        value, slope = _polynomials(angle, coefficients)
+        error = value - radius
+        low, high = np.where(error < 0, angle, low), np.where(error < 0, high, angle)
+        size, step = np.abs(error), angle - error / slope
+        good = (step >= low) & (step <= high) & (size <= before / 2)
+        found = size < _TOLERANCE
+        # The last step of a point is limited, because the derivative is close to 0 at the edge of the field of view.
+        angle = np.where(found, angle - error / np.maximum(slope, 1e-3), np.where(good, step, (low + high) / 2))
+        before = size
+        if np.all(found):
+            return angle
+    angle[~found] = np.nan
+    return angle

@@ -43,9 +43,9 @@ class Scores(typing.Protocol):
 
     def of(self, key: int, first: str, second: str, matches: _Matches,
            connection: sqlite3.Connection) -> Optional[_Array]:
-        """Returns a score for each match, or None if there are no scores. `key` is the pair_id;
-        `first` and `second` are the names of the images. If this method raises CollectionError, the
-        pair becomes a Fault."""
+        """Returns a score for each match, of which there is at least one, or None if there are no
+        scores. `key` is the pair_id; `first` and `second` are the names of the images. If this method
+        raises CollectionError, the pair becomes a Fault."""
 
 
 class _Image(typing.NamedTuple):
@@ -225,7 +225,7 @@ class DatabaseSource:
         return Pair(key, views[0], views[1], matches, scores, self.scores is None or self.scores.higherIsBetter, stored)
 
     def _scores(self, connection: sqlite3.Connection, key: int, first: str, second: str, matches: _Matches) -> Optional[_Array]:
-        if self.scores is None:
+        if self.scores is None or not len(matches):  # COLMAP's rows without matches have no scores
             return None
         try:
             found = self.scores.of(key, first, second, matches, connection)

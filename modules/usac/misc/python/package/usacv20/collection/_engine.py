@@ -158,7 +158,7 @@ class _Run:
                 self.workers.drop([future for future in self.pending.values() if not future.done()])
             while more and len(self.pending) < self.workers.capacity() and not self.interrupts.asked:
                 chunk = next(chunks, None)
-                if chunk is None:
+                if chunk is None or self.interrupts.asked:
                     more = False
                 else:
                     future = self.workers.submit(chunk)
@@ -207,7 +207,11 @@ class _Run:
             self.progress.advance(len(outcome.results))
 
     def remaining(self, keys: typing.Iterator[Key]) -> typing.Iterator[Key]:
+        """Yields the keys of the pairs that are not done, until an interruption: many pairs can be skipped
+        before a chunk is full."""
         for key in keys:
+            if self.interrupts.asked:
+                return
             if self.sink.done(key):
                 self.summary.skipped += 1
                 self.progress.skip(1)

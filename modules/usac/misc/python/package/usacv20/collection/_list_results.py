@@ -27,7 +27,7 @@ import numpy as np
 from . import _list_columns
 from ._list_files import fail
 from ._pair import CollectionError, Configuration, Key, TwoView
-from ._sqlite import PATIENCE, columns, connect, explained
+from ._sqlite import columns, connect, explained, opened
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -105,7 +105,7 @@ class SqliteSink:
         self._connection: Optional[sqlite3.Connection] = None
         try:
             with explained(path):
-                self._connection = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None, check_same_thread=False)
+                self._connection = opened(path)
                 self._create(settingsText(run))
         except BaseException:
             self.close()

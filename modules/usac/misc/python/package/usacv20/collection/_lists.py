@@ -11,7 +11,8 @@ LIST is one of
   files for the sizes and camera matrices of the images (see doc/benchmark.md); or `.npz` files; or
   `.h5` or `.hdf5` files,
 - a `.list` file that names such files without extension, one on each line. The names are relative
-  to the folder of the list or, if that folder is called `lists`, to its parent folder,
+  to the folder of the list or, if that folder is called `lists`, to its parent folder. A repeated
+  name counts once,
 - an `.npz` file with arrays PAIR/NAME, or an `.h5` or `.hdf5` file with arrays NAME in groups PAIR
   (for each NAME see below); or such a file with the arrays of a single pair,
 - hloc's `.h5` file of matches together with its file of features.
@@ -178,8 +179,25 @@ class ListFile:
         folder = os.path.dirname(os.path.abspath(path))
         self._path = path
         self._base = os.path.dirname(folder) if os.path.basename(folder) == "lists" else folder
+        self._repeated = self._findRepeated()
+
+    def _findRepeated(self) -> typing.Set[str]:
+        """Returns the names that occur more than once. Of the other names, only the hashes are kept in
+        memory."""
+        hashes = np.sort(np.fromiter(map(hash, self._lines()), np.int64))
+        repeated = set(hashes[1:][hashes[1:] == hashes[:-1]].tolist())
+        return {name for name in self._lines() if hash(name) in repeated} if repeated else set()
 
     def names(self) -> typing.Iterator[str]:
+        seen = set()
+        for name in self._lines():
+            if name in self._repeated:
+                if name in seen:
+                    continue
+                seen.add(name)
+            yield name
+
+    def _lines(self) -> typing.Iterator[str]:
         try:
             with open(self._path, encoding="utf-8") as lines:
                 for line in lines:

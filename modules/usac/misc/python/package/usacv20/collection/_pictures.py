@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Dict
 import numpy as np
 
 from ._optional import need
+from ._pair import CollectionError
 from ._report_graph import indexed, matrixOf
 from ._report_table import VERIFIED, Results
 
@@ -35,12 +36,15 @@ class Pictures:
     """Draws PNG files in a folder: a histogram of each measure, `<name>.png`, and `pairs.png`."""
 
     def __init__(self, folder: str) -> None:
-        """Creates the folder. Raises CollectionError if matplotlib is missing."""
+        """Creates the folder. Raises CollectionError if this fails, or if matplotlib is missing."""
         # pyplot is not used, because it can require a display and keeps all figures in memory.
         self._figure = need("matplotlib.figure", "for --pictures").Figure
         self._canvas = need("matplotlib.backends.backend_agg", "for --pictures").FigureCanvasAgg
         self._colors = need("matplotlib.colors", "for --pictures")
-        os.makedirs(folder, exist_ok=True)
+        try:
+            os.makedirs(folder, exist_ok=True)
+        except OSError as error:
+            raise CollectionError("--pictures {}: this folder cannot be created: {}".format(folder, error.strerror)) from error
         self._folder = folder
 
     def _new(self, width: float, height: float) -> Any:

@@ -17,7 +17,7 @@ import numpy as np
 
 from ._list_results import RUNS, TABLE
 from ._pair import CollectionError, Configuration
-from ._sqlite import columns, connect, explained, tidy
+from ._sqlite import columns, connect, decoded, explained, tidy
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -105,6 +105,7 @@ class Results:
 
     def _prepare(self) -> None:
         self._connection.create_function("withoutNumbers", 1, withoutNumbers, deterministic=True)
+        self._connection.create_function("decoded", 1, decoded, deterministic=True)
         if self.kind == PAIRS:
             self._connection.execute("CREATE TEMP TABLE nodes (number INTEGER PRIMARY KEY, image TEXT UNIQUE)")
             self._connection.execute(
@@ -144,8 +145,9 @@ class Results:
         """Returns (reason, count, example) for each kind of reason of the pairs that are not
         verified, the most frequent kinds first. In the reason, N replaces numbers, and the name of
         the pair is removed. The example is the name of such a pair."""
-        prefix = "substr(reason, 1, length(name) + 2) = name || ': '"
-        kind = "withoutNumbers(CASE WHEN {} THEN substr(reason, length(name) + 3) ELSE reason END)".format(prefix)
+        name = "decoded(CAST(name AS BLOB))"  # reasons contain the decoded names
+        prefix = "substr(reason, 1, length({0}) + 2) = {0} || ': '".format(name)
+        kind = "withoutNumbers(CASE WHEN {} THEN substr(reason, length({}) + 3) ELSE reason END)".format(prefix, name)
         return [(reason, count, example) for reason, count, example in self.rows(
             "SELECT {} AS kind, COUNT(*), MIN(name) FROM results WHERE state != {} GROUP BY kind ORDER BY 2 DESC, 1 "
             "LIMIT {:d}".format(kind, VERIFIED, most))]

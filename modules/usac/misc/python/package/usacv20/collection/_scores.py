@@ -63,11 +63,14 @@ class HlocScores:
 
     def _firstGroup(self) -> str:
         """Returns the name of the first group that contains arrays; an empty string if there are no
-        groups."""
+        groups. If a group is damaged, returns the name of the group that contains it."""
         name, group = "", self._open()
         while True:
-            member = next(iter(group), None)
-            child = None if member is None else group.get(member)
+            try:
+                member = next(iter(group), None)
+                child = None if member is None else group.get(member)
+            except _UNREADABLE:
+                child = None
             if not hasattr(child, "keys"):
                 return name.lstrip("/")
             name, group = "{}/{}".format(name, member), child
@@ -96,13 +99,28 @@ class HlocScores:
         pair, or if one of the matches is not among its matches of the pair."""
         for first, second, order in ((name1, name2, (0, 1)), (name2, name1, (1, 0))):
             for name in _groupNames(first, second):
-                if name in self._open():
-                    return self._read(self._open()[name], matches[:, order[0]], matches[:, order[1]], name)
+                group = self._group(name)
+                if group is not None:
+                    return self._read(group, matches[:, order[0]], matches[:, order[1]], name)
         raise CollectionError("{} has no scores of this pair".format(self.path))
 
-    def _read(self, group: Any, first: npt.NDArray[np.uint32], second: npt.NDArray[np.uint32], name: str) -> _Array:
-        if any(member not in group for member in _MEMBERS):
+    def _group(self, name: str) -> Any:
+        """Returns the group of a pair; None if there is no such group. Raises CollectionError if the
+        group is damaged or does not have the two arrays."""
+        file = self._open()
+        try:
+            if name not in file:
+                return None
+            group = file[name]
+            complete = hasattr(group, "keys") and all(member in group for member in _MEMBERS)
+        except _UNREADABLE as mistake:
+            raise CollectionError("{}: the group {} is damaged: {}".format(
+                self.path, name, " ".join(str(mistake).split()))) from None
+        if not complete:
             raise CollectionError("{}: matches0 and matching_scores0 are expected in {}".format(self.path, name))
+        return group
+
+    def _read(self, group: Any, first: npt.NDArray[np.uint32], second: npt.NDArray[np.uint32], name: str) -> _Array:
         try:
             partners, scores = (np.asarray(group[member][:], np.float64) for member in _MEMBERS)
         except _UNREADABLE:

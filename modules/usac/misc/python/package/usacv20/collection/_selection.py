@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import typing
-from typing import TYPE_CHECKING, Dict, List, Optional, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Union
 
 import numpy as np
 
@@ -25,10 +25,12 @@ class Selection:
     """A Source of those pairs of a database that are in a list.
 
     path -- text file in the format of COLMAP's importer of matches and of hloc: two image names on
-    each line; empty lines and lines that begin with # are skipped. Raises CollectionError if an
-    image is not in the database
+    each line; empty lines and lines that begin with # are skipped. Names that are not UTF-8 can be
+    in the bytes of the database or with the escapes that the tool prints. Raises CollectionError if
+    an image is not in the database
 
-    `missing` is the number of listed pairs that have no row in the table of matches."""
+    `missing` is the number of listed pairs that have no row in the table of matches. A pickled
+    selection has no keys: workers only load pairs, and a pickled source goes with each chunk."""
 
     def __init__(self, source: DatabaseSource, path: str) -> None:
         self.source = source
@@ -41,6 +43,9 @@ class Selection:
                     "SELECT pair_id FROM matches WHERE pair_id IN ({})".format(", ".join("?" * len(page))), page)]
         self._keys: npt.NDArray[np.int64] = np.sort(np.array(found, np.int64))
         self.missing = len(asked) - len(found)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return dict(self.__dict__, _keys=np.empty(0, np.int64))
 
     def keys(self) -> typing.Iterator[Key]:
         return iter(typing.cast(List[int], self._keys.tolist()))
@@ -63,14 +68,13 @@ def _read(source: DatabaseSource, path: str) -> List[int]:
         images: Dict[str, int] = dict(source.connection().execute("SELECT name, image_id FROM images"))
     keys = []
     try:
-        with open(path, encoding="utf-8") as file:
+        with open(path, encoding="utf-8", errors="backslashreplace") as file:  # as names of the database are decoded
             for number, line in enumerate(file, 1):
                 words = line.strip()
                 if words and not words.startswith("#"):
                     keys.append(_key(words, images, "{}: line {}".format(path, number)))
-    except (OSError, UnicodeDecodeError) as error:
-        raise CollectionError("{}: the list of pairs cannot be read: {}".format(
-            path, getattr(error, "strerror", None) or "it is not UTF-8")) from error
+    except OSError as error:
+        raise CollectionError("{}: the list of pairs cannot be read: {}".format(path, error.strerror)) from error
     return keys
 
 

@@ -65,6 +65,8 @@ class Settings:
             raise CollectionError("method: one of {} is expected, not {}".format(", ".join(METHODS), self.method))
         if self.minInliers < 1:
             raise CollectionError("min-inliers: a positive number is expected, not {}".format(self.minInliers))
+        if self.significance == 0:  # in Params, 0 means the default
+            raise CollectionError("significance: a number above 0 and at most 1 is expected, not 0")
         try:
             self.params().check()
             self.rules.check()

@@ -81,8 +81,21 @@ def connect(path: str, write: bool = False) -> sqlite3.Connection:
 
 
 def _open(path: str, options: str) -> sqlite3.Connection:
-    uri = "{}?{}".format(pathlib.Path(os.path.abspath(path)).as_uri(), options)
-    return sqlite3.connect(uri, uri=True, timeout=PATIENCE, isolation_level=None, check_same_thread=False)
+    return opened("{}?{}".format(pathlib.Path(os.path.abspath(path)).as_uri(), options), uri=True)
+
+
+def opened(path: str, uri: bool = False) -> sqlite3.Connection:
+    """Returns a connection in the mode that all connections of the tool have."""
+    connection = sqlite3.connect(path, uri=uri, timeout=PATIENCE, isolation_level=None, check_same_thread=False)
+    connection.text_factory = decoded
+    return connection
+
+
+def decoded(text: bytes) -> str:
+    """Converts a text of a database. Bytes that are not UTF-8 become escapes such as \\xe9: COLMAP stores
+    the names of image files as they are, in any encoding. Unlike surrogates, escapes can be printed
+    and stored everywhere, and unlike replacement characters, they keep different names different."""
+    return text.decode("utf-8", "backslashreplace")
 
 
 def columns(connection: sqlite3.Connection, table: str) -> List[str]:
