@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 /** The order of the caller's arrays, which the caller has sorted so that the best matches come
-first; repeated matches come last. If there are scores, ScoreOrdering is used instead. */
+first. If there are scores, ScoreOrdering is used instead. */
 class InputOrderOrdering : public Ordering
 {
 public:
@@ -23,11 +23,9 @@ public:
         std::fill(place, place + rows, -1);
         for (int i = 0; i < context.points.size; ++i)
             place[context.points.inputIndex[i]] = i;
-        int count = 0;
         for (int i = 0; i < rows; ++i)
             if (place[i] >= 0)
-                order[count++] = place[i];
-        repeatedLast(context, order);
+                *order++ = place[i];
     }
 };
 

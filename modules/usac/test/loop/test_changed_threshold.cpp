@@ -212,10 +212,9 @@ TEST(Usac_ChangedThreshold, checksAreTold)
         options.setSize(24, 0.7);
         options.noise = kind == 1 ? 1 : 0.2;
         const Scene scene = makeScene(HOMOGRAPHY, options);
-        Params params = kind == 2 ? Params::automatic() : Params();
+        Params params = kind == 0 ? Params::lmeds() : kind == 1 ? Params() : Params::automatic();
         params.threshold = kind == 1 ? 0.3 : 3;
         params.widestReach = std::max(kind == 1 ? 8. : 0., params.reach);
-        params.quality = kind == 0 ? (int)QUALITY_LMEDS : params.quality;
         const Ptr<Usac> usac = createUsac(scene, params);
         const Ptr<Informed> check = makePtr<Informed>();
         usac->components().degeneracies.push_back(check);

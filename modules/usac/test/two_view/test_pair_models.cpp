@@ -160,7 +160,7 @@ TEST(Usac_PairModels, significance_whose_square_is_zero)
 TEST(Usac_TwoViewGeometry, onlyH)
 {
     int only = 0;
-    for (int i = 0; i < 24; ++i)
+    for (int i = 0; i < 60; ++i)
     {
         SceneOptions options;
         options.seed = 1 + i / 2;
@@ -168,7 +168,7 @@ TEST(Usac_TwoViewGeometry, onlyH)
         options.outliers = 200;
         options.planeFraction = 1;
         options.baseline = 0.3;
-        Params params = twoPixels();
+        Params params;
         params.threshold = 4;
         TwoViewRules rules;
         rules.minInliers = 12;
