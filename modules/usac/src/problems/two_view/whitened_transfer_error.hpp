@@ -104,9 +104,10 @@ struct WhitenedTransferError
         coordinate `k` of the homogeneous x1, and d the derivative of a with respect to the entry in
         the first row of H. Then d is also the derivative of b with respect to the entry in the
         second row, and the derivatives of a and b with respect to the entry in the third row are
-        -u d - (w p) a and -v d - (w p) b. */
+        -u d - (w p) a and -v d - (w p) b. Always inlined, because clang does not vectorize a loop
+        with a call. */
         template <class Out>
-        void column(int k, const Whitening& whitening, Out& out) const
+        CV_ALWAYS_INLINE void column(int k, const Whitening& whitening, Out& out) const
         {
             const T wp = t.w * t.p(k);
             const T d0 = t.w * ((k == 0 ? T(1) : T(0)) - wp * h0),
