@@ -212,9 +212,10 @@ TEST(Usac_ChangedThreshold, checksAreTold)
         options.setSize(24, 0.7);
         options.noise = kind == 1 ? 1 : 0.2;
         const Scene scene = makeScene(HOMOGRAPHY, options);
-        Params params = kind == 0 ? Params::lmeds() : kind == 1 ? Params() : Params::automatic();
+        Params params = kind == 0   ? Params::lmeds()
+                        : kind == 1 ? Params::magsac()
+                                    : Params::automatic();
         params.threshold = kind == 1 ? 0.3 : 3;
-        params.widestReach = std::max(kind == 1 ? 8. : 0., params.reach);
         const Ptr<Usac> usac = createUsac(scene, params);
         const Ptr<Informed> check = makePtr<Informed>();
         usac->components().degeneracies.push_back(check);
