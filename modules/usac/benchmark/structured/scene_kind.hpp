@@ -44,7 +44,7 @@ struct Cell
     planar     in the horizontal plane, 12 degrees
     forward    along the optical axis, 2 degrees
     forward0   along the optical axis, no rotation
-    car        on a circle, up to 12 degrees
+    car        forward, turning up to 12 degrees
     narrow     general with 1/100 of the distance between the cameras
     rotation   general with 1/1000 of this distance
     baselineN  general with N percent of this distance

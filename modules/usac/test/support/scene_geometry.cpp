@@ -69,7 +69,7 @@ void makeMotion(Scene& scene, RNG& rng, const SceneOptions& options)
     case MOTION_FORWARD: scene.t = Vec3d(0, 0, -1); break;
     case MOTION_SIDEWAYS: scene.t = Vec3d(std::cos(heading), std::sin(heading), 0); break;
     case MOTION_PLANAR: scene.t = Vec3d(std::cos(heading), 0, std::sin(heading)); break;
-    case MOTION_CAR: scene.t = Vec3d(-std::sin(turn / 2), 0, -std::cos(turn / 2)); break;
+    case MOTION_CAR: scene.t = Vec3d(std::sin(turn / 2), 0, -std::cos(turn / 2)); break;
     default: scene.t = Vec3d(-1, 0, 0);
     }
 }

@@ -63,8 +63,8 @@ enum Motion {
     MOTION_SIDEWAYS,   //!< parallel to the image plane, with a rotation about a random axis
     MOTION_RECTIFIED,  //!< along the image rows, without rotation
     MOTION_PLANAR,  //!< in a random horizontal direction, with a rotation about the vertical axis
-    MOTION_CAR      //!< on a horizontal circle: the direction of motion is at half the angle of the
-                    //!< rotation about the vertical axis
+    MOTION_CAR      //!< forward in a horizontal plane, in a direction turned by 1.5 times the angle
+                    //!< of the rotation about the vertical axis
 };
 
 //! What a synthetic scene looks like.
