@@ -179,7 +179,12 @@ class StopTest(unittest.TestCase):
             with self.assertRaisesRegex(ERRORS, "progress"):
                 usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
 
+        calls = []
+
         def nested(report):
+            calls.append(report)
+            if len(calls) > 1:  # the estimation below calls this function, too
+                return True
             with usac.progress(lambda report: True):  # a scope that the function itself has entered can end
                 usac.estimateHomography(*hard(), usac.Params(maxTime=20, **ENDLESS))
             return False
