@@ -148,7 +148,7 @@ TEST(Usac_InitialModel, shapes)
     }
     EXPECT_EQ(9u, params.initialModel.size());
     EXPECT_EQ(64u, params.initialCovariance.size());
-    const Mat right = (Mat_<double>(2, 3) << 1, 2, 3, 4, 5, 6);
+    const Mat right = Mat(Matx23d(1, 2, 3, 4, 5, 6));
     for (const Mat& given : {right, right.reshape(1, 1), right.reshape(1, 6)})
     {
         params.setInitialModel(given);
