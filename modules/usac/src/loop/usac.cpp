@@ -288,13 +288,10 @@ private:
     //! Sets the threshold of the mask and of the steps after the search.
     void settleThreshold(const Context& context, State& state)
     {
-        const double before = context.points.threshold;
         if (automatic)
             state.report.sigma = automatic->settle(data);
         else
             data.setThreshold(parts.score->threshold(context, state.best));
-        for (size_t d = 0; d < parts.degeneracies.size() && context.points.threshold != before; ++d)
-            parts.degeneracies[d]->thresholdChanged(context);
     }
 
     //! The solver for the original image points; empty if polishAsSeen() does not use them.

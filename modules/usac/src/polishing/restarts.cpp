@@ -47,6 +47,8 @@ void Restarts::improve(Model& model, Quality& quality)
 {
     if (!parts.nonMinimalSolver || !look(model))
         return;
+    for (size_t d = 0; d < parts.degeneracies.size(); ++d)
+        parts.degeneracies[d]->thresholdChanged(search);  // polishing has a threshold of its own
     for (int before = 0; before < count && !context.stop(); look(model))
     {
         before = count;

@@ -275,7 +275,7 @@ public:
     true */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model,
                          Quality& quality);
-    //! Called when Correspondences::threshold has changed since start(), before recover() and
+    //! Called when Correspondences::threshold can have changed since start(), before recover() and
     //! discount() are called again. For checks that store results that depend on the threshold.
     //! Default: does nothing.
     virtual void thresholdChanged(const Context& context);

@@ -41,7 +41,7 @@ has returned false, the estimation takes up to 0.1 s to return. If the function 
 the result is bit-identical to that without a ProgressScope. An exception from the function ends the
 run and is passed on to the caller; a Usac can be run again afterward. Scopes can be nested: their
 functions are called from the innermost outward until one returns false. They can be destroyed in
-any order, but only by the thread that created them, and not by their own functions. */
+any order, but only by the thread that created them, and not by a progress function. */
 class CV_EXPORTS ProgressScope
 {
 public:
