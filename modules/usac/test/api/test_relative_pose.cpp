@@ -22,8 +22,7 @@ TEST(Usac_RelativePose, exact_points)
         RelativePose pose;
         Params params;
         params.threshold = 0.01;  // so small that hardly any wrong match is an inlier
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), params, R, t, mask, pose));
+        ASSERT_TRUE(relativePose(scene, params, R, t, mask, pose));
         EXPECT_LT(angleBetween(R, scene.R), 1e-4 * DEGREE) << seed;
         EXPECT_LT(angleBetween(t, scene.t), 1e-3 * DEGREE) << seed;
         EXPECT_NEAR(1, cv::norm(t), 1e-12);
@@ -54,8 +53,7 @@ TEST(Usac_RelativePose, as_recoverPose)
         const Scene scene = makeScene(ESSENTIAL, options);
         Mat R, t, mask, theirR, theirT;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), Params(), R, t, mask, pose));
+        ASSERT_TRUE(relativePose(scene, Params(), R, t, mask, pose));
         Mat theirMask;
         estimateEssential(scene.points1, scene.points2, scene.K, Params(), theirMask);
         recoverPose(pose.essential, scene.points1, scene.points2, scene.K, theirR, theirT,
@@ -124,8 +122,7 @@ TEST(Usac_RelativePose, points_behind)
     RelativePose pose;
     Params params;
     estimateEssential(scene.points1, scene.points2, scene.K, params, inliers);
-    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
-                                     noArray(), params, R, t, mask, pose));
+    ASSERT_TRUE(relativePose(scene, params, R, t, mask, pose));
     for (int i = 0; i < scene.size(); ++i)
         EXPECT_EQ(i >= behind, mask.at<uchar>(i) != 0) << i;
     EXPECT_EQ(behind, pose.behind);
@@ -152,8 +149,7 @@ TEST(Usac_RelativePose, independentInliers)
     params.threshold = 0.01;  // different points are in different cells
     Mat R, t, mask;
     RelativePose pose;
-    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
-                                     noArray(), params, R, t, mask, pose));
+    ASSERT_TRUE(relativePose(scene, params, R, t, mask, pose));
     EXPECT_EQ(size + repeated - behind, pose.report.inliers);
     EXPECT_EQ(size - behind, pose.report.independentInliers);
 }
@@ -175,8 +171,7 @@ TEST(Usac_RelativePose, points_at_infinity)
     }
     Mat R, t, mask;
     RelativePose pose;
-    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
-                                     noArray(), Params(), R, t, mask, pose));
+    ASSERT_TRUE(relativePose(scene, Params(), R, t, mask, pose));
     EXPECT_GE(countNonZero(mask), scene.size() - 4);
     EXPECT_LE(pose.behind, 2);
     EXPECT_LT(angleBetween(R, scene.R), 0.5 * DEGREE);

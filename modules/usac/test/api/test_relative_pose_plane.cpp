@@ -24,8 +24,7 @@ void checkPlanes(const Params& params)
         const Scene scene = makeScene(ESSENTIAL, options);
         Mat R, t, mask;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), params, R, t, mask, pose));
+        ASSERT_TRUE(relativePose(scene, params, R, t, mask, pose));
         ++scenes;
         right += angleBetween(R, scene.R) < 2 * DEGREE && angleBetween(t, scene.t) < 15 * DEGREE;
         if (pose.otherR.empty())
@@ -69,8 +68,7 @@ TEST(Usac_RelativePosePlane, nothing_but_a_plane)
         const Scene scene = makeScene(ESSENTIAL, options);
         Mat R, t, mask;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), Params(), R, t, mask, pose));
+        ASSERT_TRUE(relativePose(scene, Params(), R, t, mask, pose));
         bool found = angleBetween(R, scene.R) < 2 * DEGREE &&
                      angleBetween(t, scene.t) < 15 * DEGREE;
         if (!pose.otherR.empty())
@@ -100,8 +98,7 @@ TEST(Usac_RelativePosePlane, reportDescribesTheReturnedMotion)
         params.covariance = true;
         Mat R, t, mask;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), params, R, t, mask, pose));
+        ASSERT_TRUE(relativePose(scene, params, R, t, mask, pose));
         const Ptr<Usac> usac = Usac::create(ESSENTIAL, scene.points1, scene.points2, params,
                                             scene.K);
         Mat inliers;
@@ -156,13 +153,11 @@ TEST(Usac_RelativePosePlane, stopped)
     const Scene scene = nearlyPlanar(0.3);
     Mat R, t;
     RelativePose pose;
-    ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
-                                     noArray(), Params(), R, t, noArray(), pose));
+    ASSERT_TRUE(relativePose(scene, Params(), R, t, noArray(), pose));
     ASSERT_GT(pose.onPlane, 0);
     Params params;
     params.maxTime = 1e-3;
-    estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(), noArray(),
-                         params, R, t, noArray(), pose);
+    relativePose(scene, params, R, t, noArray(), pose);
     EXPECT_EQ((int)STOP_TIME, pose.report.stop);
     EXPECT_EQ(0, pose.onPlane);
     EXPECT_TRUE(pose.otherR.empty());
@@ -187,8 +182,7 @@ TEST(Usac_RelativePosePlane, canceledInTheSearchForThePlane)
             last = report.searchMs;
             return !canceled;
         });
-        EXPECT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), Params(), R, t, mask, pose));
+        EXPECT_TRUE(relativePose(scene, Params(), R, t, mask, pose));
     }
     ASSERT_TRUE(canceled);
     EXPECT_EQ((int)STOP_CANCELLED, pose.report.stop);
@@ -228,8 +222,7 @@ TEST(Usac_RelativePosePlane, planeWithSigmas)
         }
         Mat R, t, mask;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), params, R, t, mask, pose));
+        ASSERT_TRUE(relativePose(scene, params, R, t, mask, pose));
         EXPECT_EQ(0, pose.onPlane) << numbers;
         EXPECT_TRUE(pose.otherR.empty()) << numbers;
     }
@@ -251,8 +244,7 @@ TEST(Usac_RelativePosePlane, planeWithEqualNoiseInAllForms)
                 params.sigmas.push_back(k % 3 == 1 ? 0.f : 1.f);
         Mat R, t;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), params, R, t, noArray(), pose));
+        ASSERT_TRUE(relativePose(scene, params, R, t, noArray(), pose));
         planes.push_back(pose.onPlane);
     }
     EXPECT_GT(planes[0], 0);
@@ -263,8 +255,7 @@ TEST(Usac_RelativePosePlane, planeWithEqualNoiseInAllForms)
         params.sigmas.push_back(i % 2 ? 1e-6f : 3.f);
     Mat R, t;
     RelativePose pose;
-    EXPECT_NO_THROW(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), params, R, t, noArray(), pose));
+    EXPECT_NO_THROW(relativePose(scene, params, R, t, noArray(), pose));
 }
 
 //! The homography of a dominant plane is compatible with two motions. The second motion is refined
@@ -284,8 +275,7 @@ TEST(Usac_RelativePosePlane, second_motion_that_is_the_first)
         const Scene scene = makeScene(ESSENTIAL, options);
         Mat R, t, mask;
         RelativePose pose;
-        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
-                                         noArray(), noArray(), Params(), R, t, mask, pose));
+        ASSERT_TRUE(relativePose(scene, Params(), R, t, mask, pose));
         alone += pose.onPlane > 0 && pose.otherR.empty();
         if (pose.otherR.empty())
         {

@@ -348,6 +348,13 @@ Report reportOf(const Scene& scene, const Params& params, OutputArray mask)
     return report;
 }
 
+bool relativePose(const Scene& scene, const Params& params, Mat& R, Mat& t, OutputArray mask,
+                  RelativePose& pose)
+{
+    return estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(), noArray(),
+                                noArray(), params, R, t, mask, pose);
+}
+
 Matx33d toInternal(const Correspondences& points, const Matx33d& model)
 {
     const Matx33d T1 = points.frame[0].matrix(), T2 = points.frame[1].matrix();

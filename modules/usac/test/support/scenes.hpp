@@ -181,6 +181,10 @@ cv::Mat estimate(const Scene& scene, const cv::usacv20::Params& params,
 cv::usacv20::Report reportOf(const Scene& scene, const cv::usacv20::Params& params,
                              cv::OutputArray mask = cv::noArray());
 
+//! Calls estimateRelativePose() for a scene of E whose lenses have no distortion.
+bool relativePose(const Scene& scene, const cv::usacv20::Params& params, cv::Mat& R, cv::Mat& t,
+                  cv::OutputArray mask, cv::usacv20::RelativePose& pose);
+
 //! The model in the internal (normalized) coordinates of `points`, with unit Frobenius norm.
 cv::Matx33d toInternal(const cv::usacv20::Correspondences& points, const cv::Matx33d& model);
 //! The model scaled to unit Frobenius norm.
