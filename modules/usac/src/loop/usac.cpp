@@ -84,7 +84,7 @@ public:
                               watch.isActive() ? &watch : 0);
         State state;
         sampled = false;
-        watch.begin(state, data.points().size);
+        watch.begin(state, context.points.size);
         const bool enough = data.points().size >= parts.minimalSolver->sampleSize();
         Model guess;
         const bool guessed = automatic && enough && automatic->guess(context, data, guess);

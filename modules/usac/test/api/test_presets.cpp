@@ -187,9 +187,10 @@ TEST(Usac_Presets, from_the_polisher_of_calib3d)
     for (int value = 0; value < 4; ++value)
     {
         cv::UsacParams other;
-        const bool known = setPolisher(other, value);
+        if (!setPolisher(other, value))
+            USAC_SKIP("this version of OpenCV has no final_polisher");
         const Params params = Params::fromUsacParams(other);
-        EXPECT_EQ(known ? expected[value] : (int)POLISHING_ROBUST, params.polishing);
+        EXPECT_EQ(expected[value], params.polishing) << value;
         EXPECT_NO_THROW(params.check());
     }
 }

@@ -115,6 +115,8 @@ TEST(Usac_RelativePosePlane, reportDescribesTheReturnedMotion)
             EXPECT_TRUE(near || !mask.at<uchar>(k)) << i << " " << k;
         }
         EXPECT_EQ(within, pose.report.inliers + pose.behind) << i;
+        EXPECT_LE(pose.report.independentInliers, pose.report.inliers) << i;
+        EXPECT_GT(pose.report.independentInliers, 0.8 * pose.report.inliers) << i;
         EXPECT_EQ(other ? std::vector<int>() : search.sample, pose.report.sample) << i;
         EXPECT_NO_THROW(covarianceOfPose(pose.essential, pose.report.covariance, R, t));
         if (!other)
@@ -164,7 +166,8 @@ TEST(Usac_RelativePosePlane, stopped)
 }
 
 //! A run that is canceled while the plane is searched says so, and returns the motion of E. The
-//! progress function recognizes the second search by its time, which begins at 0 again.
+//! progress function recognizes the second search by Report::setupMs, which does not change within
+//! a search.
 TEST(Usac_RelativePosePlane, canceledInTheSearchForThePlane)
 {
     SceneOptions options;
@@ -172,14 +175,14 @@ TEST(Usac_RelativePosePlane, canceledInTheSearchForThePlane)
     options.setSize(200000, 0.9);
     options.planeFraction = 0.95;
     const Scene scene = makeScene(ESSENTIAL, options);
-    double last = 0;
+    double setup = 0;
     bool canceled = false;
     Mat R, t, mask;
     RelativePose pose;
     {
         const ProgressScope scope([&](const Report& report) {
-            canceled = canceled || report.searchMs < last;
-            last = report.searchMs;
+            canceled = canceled || (setup > 0 && report.setupMs != setup);
+            setup = report.setupMs;
             return !canceled;
         });
         EXPECT_TRUE(relativePose(scene, Params(), R, t, mask, pose));
@@ -189,6 +192,7 @@ TEST(Usac_RelativePosePlane, canceledInTheSearchForThePlane)
     EXPECT_EQ(0, pose.onPlane);
     EXPECT_TRUE(pose.otherR.empty());
     EXPECT_GT(countNonZero(mask), scene.size() / 2);
+    EXPECT_LT(angleBetween(R, scene.R), DEGREE);
 }
 
 //! The baseline is so short that the parallax between near and far points is only a few pixels.

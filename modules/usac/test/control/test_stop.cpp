@@ -290,6 +290,26 @@ TEST(Usac_Stop, many_points)
         }
 }
 
+//! Of many points, only a random part is searched. The inlier ratio and cost that the progress
+//! function gets must be those of this part, not its inliers divided by the number of all points.
+TEST(Usac_Stop, progressOfManyPoints)
+{
+    SceneOptions options;
+    options.setSize(200000, 0.9);
+    const Scene scene = makeScene(ESSENTIAL, options);
+    int models = 0;
+    const ProgressScope scope([&](const Report& report) {
+        if (report.inliers == 0)
+            return true;
+        ++models;
+        EXPECT_GT(report.inlierRatio, 0.6);
+        EXPECT_LT(report.cost, 0.8);
+        return true;
+    });
+    EXPECT_FALSE(estimate(scene, Params()).empty());
+    EXPECT_GT(models, 0);
+}
+
 TEST(Usac_Stop, batches)
 {
     const Scene hard = hardScene(FUNDAMENTAL, 500);

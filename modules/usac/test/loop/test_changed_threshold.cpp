@@ -5,6 +5,7 @@
 #include "test_precomp.hpp"
 #include "loop/ransac.hpp"
 #include "problems/two_view/two_view.hpp"
+#include "support/problem_objects.hpp"
 #include "support/run_context.hpp"
 
 // Tests of what a search forgets when its threshold changes: samples that a criterion has counted,
@@ -75,7 +76,8 @@ Quality discounted(const Ptr<Degeneracy>& check, const Scene& scene, const Matx3
 //! Half of the matches have their points of image 2 in one square of side 12 pixels, and unrelated
 //! points in image 1. With a threshold of 6 pixels, the check for crowded places must take these
 //! matches for one place, so that they count as a single inlier. With a tenth of this threshold,
-//! they are not one place. The result must not depend on an earlier threshold.
+//! only ten of them are inliers, too few for a place. The result must not depend on an earlier
+//! threshold.
 TEST(Usac_ChangedThreshold, placesAreSearchedAgain)
 {
     RNG rng(3);
@@ -85,13 +87,15 @@ TEST(Usac_ChangedThreshold, placesAreSearchedAgain)
     for (int i = 0; i < 200; ++i)
     {
         scene.points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
-        scene.points2.push_back(i % 2 ? uniformPoint(rng, 0., 640., 0., 480.)
-                                      : Point2d(320, 240) + uniformPoint(rng, -6., 6.));
+        scene.points2.push_back(
+            i % 2 ? uniformPoint(rng, 0., 640., 0., 480.)
+                  : Point2d(320, 240) + uniformPoint(rng, i < 20 ? -0.3 : -6., i < 20 ? 0.3 : 6.));
     }
     const Matx33d shrinks(1e-3, 0, 320, 0, 1e-3, 240, 0, 0, 1);
     const Quality wide = discounted(createCrowdedPlaces(), scene, shrinks, 6, 6),
                   narrow = discounted(createCrowdedPlaces(), scene, shrinks, 0.6, 0.6);
-    EXPECT_LT(wide.inliers, 20);
+    EXPECT_EQ(1, wide.inliers);
+    EXPECT_GE(narrow.inliers, 8);
     EXPECT_EQ(wide.cost, discounted(createCrowdedPlaces(), scene, shrinks, 0.6, 6).cost);
     EXPECT_EQ(narrow.cost, discounted(createCrowdedPlaces(), scene, shrinks, 6, 0.6).cost);
 }
@@ -201,32 +205,110 @@ public:
     int told, wrong;
 };
 
-//! A check must be told of each new threshold before it is asked about a model: of the estimated
-//! threshold, of a larger reach, and of the threshold of polishing and of refinements. With few
-//! points, polishing tries other initial models, which the checks examine.
-TEST(Usac_ChangedThreshold, checksAreTold)
+//! Runs an estimator with a check that must be told of each new threshold before it is asked about
+//! a model, and a refinement. @return how often it was told
+int timesTold(const Scene& scene, const Params& params)
 {
-    for (int kind : {0, 1, 2})
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Ptr<Informed> check = makePtr<Informed>();
+    usac->components().degeneracies.push_back(check);
+    Mat mask;
+    const Mat model = usac->run(mask);
+    EXPECT_FALSE(model.empty());
+    EXPECT_EQ(0, check->wrong);
+    if (!model.empty())
+    {
+        EXPECT_FALSE(usac->refine(model, noArray(), mask).empty());
+        EXPECT_EQ(0, check->wrong);
+    }
+    return check->told;
+}
+
+//! Polishing has a threshold of its own with #QUALITY_LMEDS. With few points, it tries other
+//! initial models, which the checks examine.
+TEST(Usac_ChangedThreshold, checksAreToldOfPolishing)
+{
+    SceneOptions options;
+    options.setSize(24, 0.7);
+    options.noise = 0.2;
+    Params params = Params::lmeds();
+    params.threshold = 3;
+    EXPECT_GT(timesTold(makeScene(HOMOGRAPHY, options), params), 0);
+}
+
+//! The threshold is a tenth of the noise, so that the reach must grow.
+TEST(Usac_ChangedThreshold, checksAreToldOfTheReach)
+{
+    SceneOptions options;
+    options.setSize(200, 0.7);
+    options.noise = 1;
+    Params params = Params::magsac();
+    params.threshold = 0.1;
+    EXPECT_GT(timesTold(makeScene(HOMOGRAPHY, options), params), 0);
+}
+
+//! In some of the scenes with a plane, the search continues with another estimated threshold. There
+//! is no polishing, which would tell the checks, too.
+TEST(Usac_ChangedThreshold, checksAreToldOfTheEstimate)
+{
+    int told = 0;
+    for (uint64 seed = 1; seed <= 40; ++seed)
     {
         SceneOptions options;
-        options.setSize(kind == 1 ? 200 : 24, 0.7);
-        options.noise = kind == 1 ? 1 : 0.2;
-        const Scene scene = makeScene(HOMOGRAPHY, options);
-        Params params = kind == 0   ? Params::lmeds()
-                        : kind == 1 ? Params::magsac()
-                                    : Params::automatic();
-        params.threshold = kind == 1 ? 0.1 : 3;
-        const Ptr<Usac> usac = createUsac(scene, params);
-        const Ptr<Informed> check = makePtr<Informed>();
-        usac->components().degeneracies.push_back(check);
-        Mat mask;
-        const Mat model = usac->run(mask);
-        ASSERT_FALSE(model.empty()) << kind;
-        EXPECT_GT(check->told, 0) << kind;
-        EXPECT_EQ(0, check->wrong) << kind;
-        EXPECT_FALSE(usac->refine(model, noArray(), mask).empty()) << kind;
-        EXPECT_EQ(0, check->wrong) << kind;
+        options.seed = seed;
+        options.outliers = 60;
+        options.planeFraction = 0.9;
+        Params params = Params::automatic();
+        params.threshold = 15;
+        params.polishing = POLISHING_NONE;
+        told += timesTold(makeScene(ESSENTIAL, options), params);
     }
+    EXPECT_GT(told, 0);
+}
+
+//! DEGENSAC knows the plane that it has handled last and the F that it has found. With another
+//! threshold, it must not return this F with the score of the old threshold.
+TEST(Usac_ChangedThreshold, planeIsHandledAgain)
+{
+    int replaced = 0, handled = 0;
+    for (uint64 seed = 1; seed <= 5; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.planeFraction = 0.8;
+        const Scene scene = makeScene(FUNDAMENTAL, options);
+        const Params params;
+        const Ptr<Usac> usac = createUsac(scene, params);
+        Correspondences points = usac->points();
+        const double unit = points.threshold / params.threshold;
+        const RunContext run(points, usac->components(), params);
+        int sample[MAX_SAMPLE_SIZE], on = 0, off = 6;
+        for (int i = 0; i < points.size && (on < 6 || off < 7); ++i)
+        {
+            const int row = points.inputIndex[i];
+            if (scene.onPlane[row] && on < 6)
+                sample[on++] = i;
+            else if (scene.truth[row] && !scene.onPlane[row] && off < 7)
+                sample[off++] = i;
+        }
+        Model models[MAX_MODELS];
+        ASSERT_GT(usac->components().minimalSolver->solve(points, sample, models), 0);
+        const Ptr<Degeneracy> degensac = createDegensac();
+        degensac->start(run);
+        for (double threshold : {3., 0.5})
+        {
+            points.threshold = unit * threshold;
+            degensac->thresholdChanged(run);
+            State state;
+            Model model = models[0];
+            Quality quality = run.context.rate(model);
+            EXPECT_TRUE(degensac->recover(run, state, sample, model, quality));
+            EXPECT_EQ(run.context.rate(model).cost, quality.cost) << seed;
+            (threshold == 3 ? replaced : handled) += state.degenerate && model != models[0];
+        }
+    }
+    EXPECT_GT(replaced, 0);
+    EXPECT_GT(handled, 0);
 }
 
 }  // namespace

@@ -385,26 +385,18 @@ TEST(Usac_TwoViewGeometry, reasons)
     EXPECT_EQ((int)STOP_TIME, found.report.stop);
 }
 
-//! There are so few right matches that H is significant, because its error has two components per
-//! match, but E and F are not. Whether the camera has only rotated must then be decided with the
-//! threshold estimated for H: within the given threshold of 15 pixels, a rotation would explain all
-//! matches of the plane, although the camera has moved.
+//! If only H is accepted, whether the camera has only rotated must be decided with the threshold
+//! estimated for H: within the given threshold of 15 pixels, a rotation would explain all matches
+//! of the plane, although the camera has moved.
 TEST(Usac_TwoViewGeometry, estimated_threshold_of_a_plane_alone)
 {
     int alone = 0;
     for (uint64 seed = 1; seed <= 12; ++seed)
     {
-        SceneOptions options;
-        options.seed = seed;
-        options.inliers = 18;
-        options.outliers = 200;
-        options.planeFraction = 1;
-        options.baseline = 0.3;
         Params params = twoPixels();
         params.threshold = 15;
         params.thresholdType = THRESHOLD_ESTIMATED;
-        const TwoViewGeometry found = estimateTwoViewGeometry(pairOf(makeScene(ESSENTIAL, options)),
-                                                              params);
+        const TwoViewGeometry found = estimateTwoViewGeometry(pairOf(planeAlone(seed)), params);
         if (found.H.empty() || !found.E.empty() || !found.F.empty())
             continue;
         ++alone;

@@ -26,6 +26,17 @@ Scene twoViewScene(uint64 seed, double planeFraction, int outliers)
     return makeScene(ESSENTIAL, options);
 }
 
+Scene planeAlone(uint64 seed)
+{
+    SceneOptions options;
+    options.seed = seed;
+    options.inliers = 18;
+    options.outliers = 200;
+    options.planeFraction = 1;
+    options.baseline = 0.3;
+    return makeScene(ESSENTIAL, options);
+}
+
 TwoViewPair pairOf(const Scene& scene, bool known)
 {
     const Mat K = known ? Mat(scene.K) : Mat();

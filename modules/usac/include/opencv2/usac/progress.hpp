@@ -18,8 +18,9 @@ namespace usacv20 {
 
 /** @brief Function that estimations call to report their progress. @return true: continue; false:
 stop, with the best model so far and #STOP_CANCELLED in the returned Report. In the argument
-`report`, `stop` is #STOP_NOT_RUN, `inliers` and `cost` are those of the best model before polishing
-(0 and 1 if there is none), and `searchMs` is the time since the run began. */
+`report`, `stop` is #STOP_NOT_RUN, `inliers`, `inlierRatio` and `cost` are those of the best model
+before polishing (0, 0 and 1 if there is none; of more than 32768 points, those of the random part
+that is searched), and `searchMs` is the time since the run began. */
 typedef std::function<bool(const Report& report)> Progress;
 
 /** @brief While an object exists, all estimations that its thread begins call a function every 5

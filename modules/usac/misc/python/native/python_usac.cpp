@@ -84,9 +84,10 @@ void PythonUsac::setScore(const py::object& score)
 void PythonUsac::setPoints(const py::object& points1, const py::object& points2)
 {
     checkIdle("setPoints");
-    first = own(points1, "points1");
-    second = own(points2, "points2");
-    usac->setPoints(first, second);
+    const Mat points1Read = own(points1, "points1"), points2Read = own(points2, "points2");
+    usac->setPoints(points1Read, points2Read);
+    first = points1Read;
+    second = points2Read;
 }
 
 void PythonUsac::renew(const py::object& points1, const py::object& points2, const Params& options)

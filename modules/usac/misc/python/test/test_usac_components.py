@@ -96,6 +96,8 @@ class UsacTest(unittest.TestCase):
             with self.assertRaises(usac.error) as context:
                 function()
             self.assertIn(word, str(context.exception))
+        usac_.params = usac_.params  # creates the estimator anew, with the last points that were valid
+        self.assertEqual(bits(usac_.run()[:2]), bits(create(usac.HOMOGRAPHY, PLANE).run()[:2]))
         for wrong in ("x", None, [1], True):
             score = Msac()
             score.inlierPart = wrong
