@@ -7,6 +7,7 @@
 interrupted and resumed runs."""
 
 import contextlib
+import gc
 import io
 import os
 import signal
@@ -283,6 +284,7 @@ class ResultsTest(Files):
                 tracemalloc.start()
                 for start in range(0, count, 100):
                     sink.commit([some[i % 97]._replace(key="pair {:06d}".format(i)) for i in range(start, start + 100)])
+                    gc.collect()  # objects in reference cycles must not count
                 sink.close()
                 self.assertEqual(sum(1 for _ in readResults(self.path("o{}.npz".format(count)))), count)
                 peaks.append(tracemalloc.get_traced_memory()[1])
