@@ -4,7 +4,8 @@
 
 # Rewrites the links of Markdown files for doxygen, whose pages are all in one folder:
 #   [text](#heading), [text](file.md#heading)  doxygen before 1.9.7 does not name headings as other readers of Markdown do: "## Own method"
-#                                              of file.md gets the name file-own-method, which no other page has
+#                                              of file.md gets the name file-own-method, which no other page has; links are
+#                                              written with @ref, because [text](#name) ends a list in doxygen 1.17
 #   [text](folder/name.hpp)                    the page of the source
 #   [text](folder/name.markdown)               the page whose label is in the first line of that file
 #   [text](folder/name.png), .cff, LICENSE     the file next to the page, see HTML_EXTRA_FILES
@@ -40,9 +41,9 @@ function target_of(link, at, base)
 {
     at = index(link, "#")
     if (at == 1)
-        return "#" file "-" substr(link, 2)
+        return "@ref " file "-" substr(link, 2)
     if (at > 1)
-        return "#" name_of(substr(link, 1, at - 1)) "-" substr(link, at + 1)
+        return "@ref " name_of(substr(link, 1, at - 1)) "-" substr(link, at + 1)
     base = FILENAME
     sub(/[^\/]*$/, "", base)
     if (link ~ /\.markdown$/ && label_of(base link) != "")

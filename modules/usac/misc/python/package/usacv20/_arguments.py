@@ -216,10 +216,10 @@ def count(given: npt.NDArray[Any], plane: bool = True) -> int:
     if given.size == 0:
         return 0
     if given.ndim == 3 and given.shape[2] > 1:
-        return given.shape[0] * given.shape[1]
+        return int(given.shape[0] * given.shape[1])
     rows, cols = (*given.shape, 1)[:2]
     perColumn = cols == 1 or 1 < rows < cols if plane else rows == 3 and cols != 3
-    return cols if perColumn else rows
+    return int(cols if perColumn else rows)
 
 
 # Constants of _looksLikeColumn, where w is the third column:
