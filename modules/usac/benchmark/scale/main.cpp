@@ -22,10 +22,9 @@ using namespace benchmark;
 
 namespace {
 
-void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods)
+void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods,
+               std::ofstream& csv)
 {
-    std::ofstream csv;
-    openOutput(csv, options.csv);
     std::vector<Sweep> sweeps;
     size_t scenes = 0;
     for (size_t p = 0; p < options.problems.size(); ++p)
@@ -54,10 +53,9 @@ void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& 
 
 //! Measures the lower bounds of the module's methods. OpenCV's methods are left out, because they
 //! do not report the numbers of samples and models.
-void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods)
+void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods,
+               std::ofstream& csv)
 {
-    std::ofstream csv;
-    openOutput(csv, options.boundCsv);
     SearchBound::markdownHeader(std::cout);
     if (csv.is_open())
         SearchBound::csvHeader(csv);
@@ -83,6 +81,11 @@ void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& 
 
 void run(const ScaleOptions& options)
 {
+    std::ofstream csv, boundCsv;
+    if (options.sweepSizes || options.sweepInliers)
+        openOutput(csv, options.csv);
+    if (options.bound)
+        openOutput(boundCsv, options.boundCsv);
     std::vector<cv::Ptr<Method>> methods;
     for (size_t i = 0; i < options.methods.size(); ++i)
         methods.push_back(createMethod(options.methods[i]));
@@ -95,9 +98,9 @@ void run(const ScaleOptions& options)
            "failures, %; -: not run, because the median call on easier scenes took more than "
         << options.limit << " ms.\n";
     if (options.sweepSizes || options.sweepInliers)
-        runSweeps(options, methods);
+        runSweeps(options, methods, csv);
     if (options.bound)
-        runBounds(options, methods);
+        runBounds(options, methods, boundCsv);
 }
 
 int program(int argc, char** argv)

@@ -117,15 +117,17 @@ void SearchBound::addScene(const Scene& scene, const Params& params)
                                      ": the solver alone finds a different number of models");
         kernel = std::min(kernel, kernelMsOf(context, solver->models()));
     }
+    // The solver also records samples that the final polishing solves, which are not of the search.
+    const int solvedHere = expected.iterations - expected.rejectedSamples;
+    const double solverMsOfOne = solver->solved() ? solving / solver->solved() : 0;
     samples += expected.iterations;
-    // solver->solved() would also count samples that the final polishing solves
-    solved += expected.iterations - expected.rejectedSamples;
+    solved += solvedHere;
     models += expected.models;
     points += verifier->tested();
     searchMs += search;
-    solverMs += solving;
+    solverMs += solverMsOfOne * solvedHere;
     kernelMs += kernel * verifier->tested();
-    allSolverMs += solver->solved() ? solving / solver->solved() * expected.iterations : 0;
+    allSolverMs += solverMsOfOne * expected.iterations;
 }
 
 void SearchBound::markdownHeader(std::ostream& out)

@@ -113,7 +113,7 @@ TEST(Usac_FindPose, guess_is_a_hypothesis)
     options.size = 400;
     options.coefficients = 4;
     const PoseScene s = makePoseScene(options);
-    Vec3d rvec, guess;
+    Vec3d rvec;
     Rodrigues(s.pose.get_minor<3, 3>(0, 0), rvec);
     const Vec3d tvec(s.pose(0, 3), s.pose(1, 3), s.pose(2, 3));
     for (int wrong = 0; wrong < 2; ++wrong)

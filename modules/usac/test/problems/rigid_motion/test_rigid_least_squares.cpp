@@ -255,10 +255,13 @@ TEST(Usac_RigidLeastSquares, refused)
             std::vector<double> two(scene.size(), 0.);
             two[5] = two[9] = 1;
             EXPECT_FALSE(Fit(scaled != 0, scene, two).found);
-            std::fill(scene.points2.begin(), scene.points2.end(), Point3d(1, 2, 3));
-            EXPECT_FALSE(Fit(scaled != 0, scene).found) << "all at one place";
+            const double y = scene.points2[7].y;
             scene.points2[7].y = NAN;
             EXPECT_FALSE(Fit(scaled != 0, scene).found);
+            scene.points2[7].y = y;
+            EXPECT_TRUE(Fit(scaled != 0, scene).found);
+            std::fill(scene.points2.begin(), scene.points2.end(), Point3d(1, 2, 3));
+            EXPECT_FALSE(Fit(scaled != 0, scene).found) << "all at one place";
         }
 }
 
