@@ -11,8 +11,8 @@
 namespace benchmark {
 
 //! Opens a file for writing unless its name is empty. Raises std::runtime_error if the file cannot
-//! be opened. Programs open their output files before they start, so that a wrong path is found
-//! early.
+//! be opened. Programs call this before they measure what they write to the file, so that a wrong
+//! path is found early.
 void openOutput(std::ofstream& out, const std::string& file);
 
 /** The body of a main() function: calls `program` and returns its exit code. An exception of

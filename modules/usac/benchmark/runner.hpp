@@ -26,7 +26,7 @@ struct ListResult
     ProblemType problem;
     std::vector<PairInfo> pairs;
     std::vector<std::vector<Run>>
-        runs;  //!< a vector of runs for each method; empty if the method does not solve the problem
+        runs;  //!< the runs of each method; none if the method does not solve the problem
 };
 
 /** Runs all methods on the pairs of a list.

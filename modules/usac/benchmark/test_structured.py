@@ -170,8 +170,8 @@ class StructuredTest(FolderTest):
                 self.assertTrue(0.9 < ratio < 10, (problem, motion, ratio))
 
     def test_pose(self):
-        """The baseline of the motion "narrow" is a hundredth of the usual one, so the parallax is hardly
-        a pixel. Without noise the least-squares pose must be right. With noise of one threshold this
+        """The baseline of the motion "narrow" is a hundredth of the usual one, so the parallax is only
+        about a pixel. Without noise the least-squares pose must be right. With noise of one threshold this
         pose must be wrong in all scenes."""
         rows, _ = self.rows("--mode=accuracy", "--problems=E", "--motions=narrow", "--noises=0,1", "--runs=10")
         poses = {(row["noise"], row["method"]): float(row["median_pose"]) for row in rows}

@@ -34,7 +34,7 @@ class TrackingTest(ProgramTest):
         only, so one sample per frame must often fail without an initial model. The previous frame's
         model is nearly right, except at the jump. The first samples of H are not uniform: they prefer
         matches with many similar matches nearby, which are inliers more often. So fewer failures are
-        required."""
+        required of H."""
         for problem, default, least in (("P", 1000, 80), ("H", 10000, 20)):
             rows = self.rows("--problems=" + problem, "--ratios=0.3", "--limits=1,8", "--frames=40", "--size=200", "--sequences=1",
                              "--speed=0.5")

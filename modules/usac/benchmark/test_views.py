@@ -172,8 +172,8 @@ class SyntheticViewTest(ProgramTest):
                 self.assertEqual(row["iterations"] != "", method in OWN)
                 self.assertLess(float(row["error"]), 0.5)
                 self.assertLess(float(row["center_error"]), 1)
-                # The mask of OpenCV's PnP methods can be that of a minimal sample's model, so the number
-                # of inliers can differ more from the number of right matches.
+                # The mask of OpenCV's PnP methods can be that of a minimal sample's model, so their
+                # number of inliers can differ more from the number of right matches than that of other methods.
                 self.assertLess(abs(int(row["inliers"]) - (210 if row["list"] == "view" else 240)),
                                 40 if method.startswith("cv:PNP") else 10, method)
                 self.assertLess(float(row["cost"]), 0.35)
@@ -198,7 +198,7 @@ class SyntheticViewTest(ProgramTest):
             self.assertLess(abs(int(row["inliers"]) - np.sum(errors < threshold)), 12)
 
     def test_columns_without_views(self):
-        """Files of problems without a pose must not have the columns that only poses need."""
+        """Files without results of P, R or M must not have the columns that only these problems need."""
         self.write_scenes("planar", "--pairs=1", "--size=50")
         runs, tables, text = self.benchmark(["cv:RANSAC"])
         self.assertEqual(list(runs["cv:RANSAC"][0])[-1], "cost")

@@ -15,8 +15,8 @@ namespace benchmark {
 The rotation of an estimated affine map is the rotation closest to its 3x3 part. centerError() is
 the root mean square distance between the right points of space 1 moved by the estimated and by the
 true motion, in percent of the size of the scene (ImagePair::depth); all points are used if it is
-unknown which are right. calib3d has no function for these problems; the functions of Rival are the
-most similar ones. */
+unknown which are right. calib3d has no robust estimator for these problems; the functions of Rival
+are the most similar ones. */
 class RigidMotion : public MotionKind
 {
 public:

@@ -11,7 +11,7 @@
 
 namespace benchmark {
 
-//! Converts a model of three columns to double. Only the first three rows are used, since some
+//! Converts a model with three columns to double. Only the first three rows are used, since some
 //! functions return several stacked models. @return false if the shape is wrong or a value is not
 //! finite.
 bool toMatrix(const cv::Mat& model, cv::Matx33d& matrix);

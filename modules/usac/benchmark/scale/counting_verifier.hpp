@@ -9,7 +9,7 @@
 
 namespace benchmark {
 
-/** A verifier that counts the points that models of minimal samples are tested with.
+/** A verifier that counts the points on which models of minimal samples are tested.
 
 A run calls the verifier before and after each block of points, so the verifier can count all tested
 points. Blocks and decisions are those of the wrapped verifier; if there is none, the blocks are

@@ -25,7 +25,7 @@ struct ScaleOptions
     double part;                       //!< inlier ratio in the sweep over sizes
     double noise;
     int repeats, seed, threads;
-    double limit;  //!< milliseconds; a method whose median time is longer skips harder scenes
+    double limit;  //!< milliseconds; methods with a longer median time do not run on harder scenes
     bool sweepSizes, sweepInliers, bound;
     std::string csv, boundCsv;  //!< output files; empty: none
 

@@ -14,8 +14,8 @@ namespace benchmark {
 
 namespace {
 
-//! A ratio of noise to threshold. With less noise the table shows the errors themselves: without
-//! noise, their ratios to the errors of least squares would reflect only rounding.
+//! Below this ratio of noise to threshold, the table shows the errors, not their ratios to those of
+//! least squares: without noise, the ratios would reflect only rounding errors.
 const double LITTLE_NOISE = 0.05;
 //! Inlier ratio for the motion "aerial", a plane with relief seen from a drone, unless the user
 //! sets ratios.

@@ -21,8 +21,8 @@ public:
     //! Unknown methods raise std::runtime_error.
     explicit AccuracyTable(const StructuredOptions& options);
 
-    //! Writes a table for each problem to `out`, and a row for each cell, noise level and method to
-    //! `csv` unless that pointer is null.
+    //! Writes a table for each problem to `out`, and a row for each cell, noise level and method
+    //! (also for least squares) to `csv` unless that pointer is null.
     void run(std::ostream& out, std::ostream* csv);
 
 private:

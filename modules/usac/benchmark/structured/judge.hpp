@@ -20,7 +20,7 @@ struct Verdict
                    //!< errors of more than two thresholds
     bool far;      //!< `error` is above three thresholds and above three standard deviations of the
                    //!< noise
-    bool wrong;    //!< H, F: `far`, even if the cost is lower; E: pose error above 5 degrees
+    bool wrong;    //!< H, F: same as `far`, whatever the cost is; E: pose error above 5 degrees
     bool none;     //!< there is no model; `worse`, `failed`, `far` and `wrong` are then true, too
     double error;  //!< RMS distance of the noise-free right matches from the model, pixels;
                    //!< infinite without a model

@@ -15,7 +15,7 @@ namespace {
 const int COPIES = 5;
 //! Kind `second`: number of matches of the other model divided by the number of right matches.
 const double SECOND = 0.9;
-//! Kind `partSecond`: the corresponding ratio; at most all wrong matches follow the other model.
+//! Kind `partSecond`: the same ratio; if there are fewer wrong matches, all follow the other model.
 const double PART_SECOND = 0.7;
 
 struct NamedScores
@@ -172,7 +172,7 @@ bool Cell::options(int spare, SceneOptions& result) const
     if (scored() && !setOrder(order, result))
         return false;
     if (result.scoreModel == SCORES_OF_SECOND && kind != "second" && kind != "partSecond")
-        return false;  // there is no second motion
+        return false;  // no wrong matches follow a second model
     if (problem == cv::usacv20::HOMOGRAPHY && planeOf(kind) > 0)
         return false;  // all right matches of H are on a plane
     if (result.structured != INT_MAX && result.structured > result.outliers)

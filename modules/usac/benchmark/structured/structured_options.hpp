@@ -24,9 +24,9 @@ struct StructuredOptions
     std::vector<double> ratios;
     std::vector<double> noises;  //!< ratios of noise to threshold for mode=accuracy
     bool ratiosGiven, brief;
-    bool startsTrue;  //!< true: if a method of this module misses the true model, this counts as a
-                      //!< search failure only if the same call, started from the true model,
-                      //!< does not miss it
+    bool startsTrue;  //!< true: if a method of this module returns a model that misses the true
+                      //!< one, this counts as a search failure only if the same call, started from
+                      //!< the true model, does not miss it
     double noise, threshold, confidence;
     int maxIterations, maxIterationsInverted, spare, runs, seed, threads;
     std::string csv;  //!< output file; empty: none

@@ -50,7 +50,7 @@ public:
     std::string csv() const;
 
 private:
-    //! Negative if the method does not report its number of iterations.
+    //! Negative if there are no calls, or if a call has not reported its number of iterations.
     double meanIterations() const;
 
     int calls, limited, failed, limitedFailed, worse, wrong, none;

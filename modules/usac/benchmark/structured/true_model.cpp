@@ -19,9 +19,9 @@ typedef cv::Vec<double, TrueModel::MAX_DIRECTIONS> Step;
 
 //! Step of the numeric derivatives in units of the normalized image plane. The error of a central
 //! difference is of the order of the squared step (1e-12), and its rounding error is about 1e-16 /
-//! step = 1e-10; both are far below what the last iterations need.
+//! step = 1e-10; both are small enough for the last iterations.
 const double DIFFERENCE = 1e-6;
-//! Far fewer steps suffice as a rule, since the search starts at the true model.
+//! Usually far fewer steps suffice, since the search starts at the true model.
 const int MAX_STEPS = 60;
 
 cv::Matx33d crossMatrix(const cv::Vec3d& v)
@@ -160,8 +160,8 @@ TrueModel TrueModel::leastSquares(const std::vector<int>& rows) const
             damping *= 10;
             continue;
         }
-        // The remaining decrease is quadratic in the distance to the minimum, so this distance is
-        // less than 1e-5 of the effect of the noise.
+        // Near its minimum the cost is quadratic. A relative decrease below 1e-10 therefore means
+        // that the distance to the minimum is less than 1e-5 of the effect of the noise.
         const bool arrived = cost - nextCost < 1e-10 * cost;
         best = next;
         cost = nextCost;

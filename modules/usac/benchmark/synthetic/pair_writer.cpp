@@ -16,8 +16,8 @@ namespace {
 //! slower, but hardly more accurate.
 const int MAX_TRUE_POINTS = 500;
 
-//! Writes the true model: for A, S and T the affine map between the images, otherwise the cameras,
-//! and for H also the homography.
+//! Writes the true model: for A, S and T the affine map between the images, otherwise the camera
+//! matrices and the relative pose, and for H also the homography.
 void writeModel(cv::FileStorage& out, const Scene& scene)
 {
     if (opencv_test::isAffine(scene.problem))

@@ -46,8 +46,8 @@ Cube randomCube(RNG& rng, double side)
     return cube;
 }
 
-/** Makes single matches without noise. The constructor draws the cloud's pose and the motion, which
-it writes to `scene`. All random numbers come from the generator that the caller passes. */
+/** Makes single matches without noise. The constructor draws the cloud's pose and the motion, and
+writes the motion to `scene`. All random numbers come from the generator that the caller passes. */
 class SpaceGeometry
 {
 public:

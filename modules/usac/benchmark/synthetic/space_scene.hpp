@@ -22,8 +22,8 @@ struct SpaceOptions
 
     int inliers, outliers;  //!< numbers of right and of wrong matches
     int duplicates;         //!< number of right matches that are copies of other right matches
-    double noise;      //!< standard deviation of each coordinate in space 2, where the width of the
-                       //!< cloud is 200 * scale
+    double noise;      //!< standard deviation of the noise of each coordinate in space 2, where the
+                       //!< width of the cloud is 200 * scale
     bool scaled;       //!< true: the scale is between 1/2 and 2; false: the scale is 1
     bool flat;         //!< true: points of space 1 on a plane; false: in a cube
     double thickness;  //!< if flat: standard deviation of the distances from the plane, as a

@@ -21,8 +21,8 @@ struct ViewOptions
 
     int inliers, outliers;  //!< numbers of right and of wrong matches
     int duplicates;         //!< number of right matches that are copies of other right matches
-    double noise;           //!< standard deviation of each image coordinate, pixels; uniform wrong
-                            //!< matches have no noise
+    double noise;           //!< standard deviation of the noise of each image coordinate, pixels;
+                            //!< uniform wrong matches have no noise
     bool onPlane;       //!< true: object points on a plane, tilted by at most 50 degrees from the
                         //!< image plane; false: depths from 4 to 9
     double thickness;   //!< if on a plane: standard deviation of the distances from the plane, as a

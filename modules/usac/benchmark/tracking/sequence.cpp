@@ -17,7 +17,7 @@ using cv::Vec3d;
 namespace {
 
 const double WIDTH = 640, HEIGHT = 480, FOCAL = 600, DISTANCE = 6.5;
-const double BOX_X = 3, BOX_Y = 2.2, BOX_Z = 1.5;  //!< half lengths of the box's sides
+const double BOX_X = 3, BOX_Y = 2.2, BOX_Z = 1.5;  //!< half the side lengths of the box
 const Matx33d CAMERA(FOCAL, 0, WIDTH / 2, 0, FOCAL, HEIGHT / 2, 0, 0, 1);
 
 Matx33d rotationOf(const Vec3d& vector)

@@ -15,7 +15,8 @@ struct SequenceOptions
     ProblemType problem;  //!< HOMOGRAPHY or ABSOLUTE_POSE
     int size;             //!< number of matches in a frame
     double inliers;       //!< inlier ratio
-    double noise;  //!< standard deviation of each coordinate of right matches in image 2, pixels
+    double noise;  //!< standard deviation of the noise of right matches in image 2, per coordinate,
+                   //!< pixels
     double speed;  //!< 1: image points move by about 1.4 pixels per frame
     int jump;      //!< number of the first frame after the camera has jumped to another place
     int seed;

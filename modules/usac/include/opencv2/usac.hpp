@@ -12,16 +12,16 @@ The RANSAC framework of @cite ivashechkin2021usacv20 behind the functions of the
 Three levels of use:
 
 1. A flag of cv::UsacV20Method in place of `cv::RANSAC`: `cv::findHomography(points1, points2,
-   cv::USACV20, 3.0, mask)`. A program that keeps its flag, one of this module or of OpenCV, in an
-   `int` calls `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`.
+   cv::USACV20, 3.0, mask)`. A program that keeps its flag (of this module or of OpenCV) in an `int`
+   calls `cv::usacv20::findHomography(points1, points2, method, 3.0, mask)`.
    The same holds for cv::estimateAffine2D, cv::estimateAffinePartial2D, cv::findFundamentalMat,
    cv::findEssentialMat and cv::solvePnPRansac.
 2. A usacv20::Params with all options, including match scores, and a usacv20::Report:
    usacv20::estimateHomography and similar functions, one for each usacv20::ProblemType, and
-   usacv20::estimateModel for any of them. Many of these estimations in one call, in parallel:
-   usacv20::estimateBatch, usacv20::estimateHomographies and so on. The relation
-   between two images (calibrated, planar, pure rotation and so on), determined from several of
-   these models: usacv20::estimateTwoViewGeometry.
+   usacv20::estimateModel for any of them. usacv20::estimateBatch, usacv20::estimateHomographies
+   and so on run many estimations in parallel. usacv20::estimateTwoViewGeometry estimates several
+   of these models, and determines from them the relation between two images (calibrated, planar,
+   pure rotation and so on).
 3. Components of your own: usacv20::Usac::create builds the default set, and each component can be
    replaced before usacv20::Usac::run. See @ref usacv20_extend.
 

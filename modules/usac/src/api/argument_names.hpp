@@ -6,8 +6,8 @@
 #define OPENCV_USACV20_ARGUMENT_NAMES_HPP
 
 // Some functions, for example those with the signatures of calib3d, call an estimation function
-// whose arguments have other names, for example Usac::create(), whose names are the same for all
-// problems. The functions of this file translate the names in its error messages.
+// whose arguments have other names, such as Usac::create(), which uses the same names for all
+// problems. This file translates the argument names in error messages of the called function.
 
 #include <opencv2/core.hpp>
 
@@ -31,7 +31,7 @@ String inWordsOf(const ArgumentName* names, size_t count, const String& text);
 void throwInWordsOf(const ArgumentName* names, size_t count, const Exception& mistake);
 
 //! Calls an estimation function and translates the argument names in its exceptions. A handler
-//! installed with cv::redirectError sees the original messages.
+//! installed with cv::redirectError receives the original messages.
 template <size_t COUNT, class Call>
 auto calling(const ArgumentName (&names)[COUNT], const Call& call) -> decltype(call())
 {

@@ -12,7 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// Names of the members of Task, and of the lists to which their values belong.
+// Names of members of Task, and of the list arguments from which their values are taken.
 const ArgumentName LISTS_OF_CAMERAS[] = {{"cameraMatrix1", "cameraMatrices1"},
                                          {"cameraMatrix2", "cameraMatrices2"}};
 const ArgumentName LISTS_OF_POSES[] = {{"points1", "objectPoints"},

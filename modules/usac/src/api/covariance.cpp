@@ -107,7 +107,7 @@ private:
     const Ptr<Problem> problem;
     const Ptr<Parameterization> rule;
     const Correspondences points;  //!< no points, and a frame that changes no coordinates
-    const bool isMap;              //!< the last entry of models is 1, unless it would be infinite
+    const bool isMap;              //!< homography: its last entry is 1, or nearly 0 (unit norm)
     Model normal, here;
     AnyParameterization::Basis basis;  //!< derivatives of `here`, see callerBasis()
 };

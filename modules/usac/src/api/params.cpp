@@ -67,9 +67,8 @@ void checkCombinations(const Params& p)
                      "termination: TERMINATION_SPRT needs verification VERIFICATION_SPRT");
     checkCombination((criteria & TERMINATION_PROSAC) && p.sampler != SAMPLER_PROSAC &&
                          p.sampler != SAMPLER_P_NAPSAC,
-                     "termination: TERMINATION_PROSAC needs a sampler with a growing set of "
-                     "points, SAMPLER_PROSAC or "
-                     "SAMPLER_P_NAPSAC");
+                     "termination: TERMINATION_PROSAC needs SAMPLER_PROSAC or SAMPLER_P_NAPSAC, "
+                     "whose set of points grows");
     checkCombination((criteria & TERMINATION_PROSAC) &&
                          !(p.ordering == ORDERING_INPUT_ORDER ||
                            (p.ordering == ORDERING_AUTO && !p.scores.empty())),
@@ -96,7 +95,8 @@ void checkCombinations(const Params& p)
                      "threshold yet");
     checkCombination(
         p.localOptimization != LOCAL_OPTIMIZATION_NONE,
-        "localOptimization: it selects inliers, for which QUALITY_LMEDS has no threshold yet");
+        "localOptimization: local optimization selects inliers, for which QUALITY_LMEDS has no "
+        "threshold yet");
     checkCombination((p.degeneracy & DEGENERACY_DEGENSAC) != 0,
                      "degeneracy: DEGENERACY_DEGENSAC selects inliers, for which QUALITY_LMEDS has "
                      "no threshold yet");
@@ -107,8 +107,8 @@ void checkCombinations(const Params& p)
 }
 
 //! Raises a cv::Exception if there are scores, but not one for each of the `count` correspondences
-//! (a negative `count`: unknown number), or if the sampler is #SAMPLER_IMPORTANCE and a score is
-//! not finite or is negative.
+//! (not checked if `count` is negative, that is, unknown), or if the sampler is #SAMPLER_IMPORTANCE
+//! and a score is not finite or is negative.
 void checkScores(const Params& p, int count)
 {
     if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)
@@ -205,7 +205,7 @@ void checkInitialModel(const Params& p)
     checkFinite("initialModel", p.initialModel, MAX_MODEL_SIZE);
     checkFinite("initialCovariance", p.initialCovariance, MAX_MODEL_SIZE * MAX_MODEL_SIZE);
     checkCombination(p.initialModel.empty() && !p.initialCovariance.empty(),
-                     "initialCovariance: it is that of initialModel, which is not given");
+                     "initialCovariance: it is the covariance of initialModel, which is empty");
 }
 
 //! Raises a cv::Exception if the model has as many numbers as the models of some built-in problem,

@@ -211,7 +211,7 @@ void useLmeds(Params& params)
 }
 
 //! `final_polisher` of the options, a PolishingMethod. Older versions of OpenCV have neither the
-//! field nor the type; the result is then that of the default, COV_POLISHER.
+//! field nor the type; the result is then COV_POLISHER (3), the default of newer versions.
 template <class T>
 auto polisherOf(const T& options, int) -> decltype((int)options.final_polisher)
 {

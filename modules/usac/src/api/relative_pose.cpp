@@ -100,7 +100,7 @@ public:
     }
 
     //! Number of inliers of the final mask without repetitions, see Report::independentInliers.
-    //! Cells are squares on the normalized image planes.
+    //! The cells of this count are squares on the normalized image planes.
     int independentInliers(const Solution& solution) const
     {
         Arena arena;
@@ -203,9 +203,9 @@ private:
     }
 
     //! Options of the search for the plane among the inliers in the given rows: among others, the
-    //! time that is left and, if there are Params::sigmas, one sigma for each inlier. It is divided
-    //! by the mean sigma, because plane() passes points in units of the mean sigma, and clamped to
-    //! the limits of Params::sigmas.
+    //! time that is left and, if there are Params::sigmas, one sigma for each inlier. Each sigma is
+    //! divided by the mean sigma, because plane() passes points in units of the mean sigma, and
+    //! clamped to the limits of Params::sigmas.
     Params optionsOfPlane(const Solution& found, const std::vector<int>& rows) const
     {
         Params options;
@@ -238,8 +238,9 @@ private:
                                 //!< matches that are not finite
 };
 
-//! The report of a search whose model has been replaced with a refined one: what describes the
-//! model is from the report of the refinement; threshold and statistics are those of the search.
+//! The report of a search whose model has been replaced with a refined one: the fields that
+//! describe the model come from the report of the refinement (`sample` is empty); the threshold and
+//! the statistics are those of the search.
 Report reportOf(const Report& search, const Report& refinement)
 {
     Report report = search;

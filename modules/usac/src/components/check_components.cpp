@@ -55,9 +55,10 @@ void checkProblem(const Problem& problem, int residual)
     const String name = problem.name();
     const Ptr<MinimalSolver> solver = problem.createMinimalSolver();
     if (!solver || !problem.createResidual(residual))
-        CV_Error_(Error::StsNullPtr,
-                  ("problem %s: createResidual() or createMinimalSolver() has returned nothing",
-                   name.c_str()));
+        CV_Error_(
+            Error::StsNullPtr,
+            ("problem %s: createResidual() or createMinimalSolver() has returned a null pointer",
+             name.c_str()));
     const int dimensions = problem.errorDimension(), m = solver->sampleSize();
     const int first = problem.coordinates(0), second = problem.coordinates(1);
     if (first < 1 || first > 3 || second < 0 || second > 3)

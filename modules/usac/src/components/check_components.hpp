@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Raises a cv::Exception with the name of a problem if it is invalid: it must create a
+/** @brief Raises a cv::Exception that names the problem if it is invalid: it must create a
 residual and a minimal solver, points must have one to three coordinates (in the second array: zero
 to three), errors must have one to three dimensions, but not more than a point has, a sample must
 determine a model, and Problem::sampleCost must be positive.

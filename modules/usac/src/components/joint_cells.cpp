@@ -16,7 +16,7 @@ int division(float value, float low, float scale)
     return (int)(inside < CELL_DIVISIONS - 1.f ? inside : CELL_DIVISIONS - 1.f);
 }
 
-//! Index of the enlarged cell, of `merged` times the side, that contains a given cell.
+//! Index of the enlarged cell (with a side `merged` times as long) that contains the given cell.
 int merge(int cell, int merged)
 {
     return cell / CELL_DIVISIONS / merged * CELL_DIVISIONS + cell % CELL_DIVISIONS / merged;

@@ -32,7 +32,7 @@ struct CellPairs
                        //!< array
     double both;       //!< number of pairs in the same cell in both arrays
     double expected;   //!< expected value of `both` if positions in the arrays are independent
-    double coherence;  //!< `both` divided by the geometric mean of `in`; 0 if this mean is 0
+    double coherence;  //!< `both` / geometric mean of in[0] and in[1]; 0 if this mean is 0
 };
 
 }  // namespace usacv20

@@ -36,9 +36,9 @@ int independentInliers(const double* const* columns, const int* coordinates, con
 int markRepeated(const double* const* columns, int dimensions, const int* order, const uchar* mask,
                  int count, double side, uchar* repeated, Arena& arena);
 
-//! True if the inliers of a model are near one point, because there is one array, and errors have
-//! as many components as the points. All inliers then share a few cells, although they are
-//! independent, so that only equal points count as repetitions.
+//! True if there is only one array and an error has as many components as a point has coordinates,
+//! so that all inliers of a model are near one point. They then share a few cells, although they
+//! are independent; therefore only equal points count as repetitions.
 bool inliersAreNearAPoint(const Problem& problem);
 
 //! markRepeated() for both arrays: marks inliers that repeat an earlier inlier in one of the

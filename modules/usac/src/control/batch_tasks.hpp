@@ -20,9 +20,9 @@ namespace usacv20 {
 /** @brief Lets the ProgressScopes of the thread that starts a batch cancel the work of all
 threads of the batch.
 
-Only the calling thread calls the progress functions: during its own estimations, between them, and
-while it waits for the other threads. The other threads only read the flag `stopped`. Without a
-ProgressScope, no function is called, and no thread waits. */
+Only this thread, the calling thread, calls the progress functions: during its own estimations,
+between them, and while it waits for the other threads. The other threads only read the flag
+`stopped`. Without a ProgressScope, no function is called, and no thread waits. */
 class BatchProgress
 {
 public:

@@ -66,8 +66,8 @@ double MatchNoise::sigma(int match) const
     return each == 1 ? sigmas[match] : std::sqrt(variance(match));
 }
 
-/** Variance of isotropic noise with which the error of a match would have about the same variance.
-S1 and S2 are the covariances of its points in images 1 and 2.
+/** Variance of the isotropic noise that gives the error of a match about the same variance as the
+covariances S1 and S2 of its points in images 1 and 2.
 
 If errors are vectors in the plane, the isotropic noise is in image 2 only. The result is the square
 root of the mean determinant of S2 + R S1 R^T over all rotations R, because a map can rotate the

@@ -26,8 +26,8 @@ public:
 
     //! Correspondences::meanSigma.
     double mean() const { return unit; }
-    //! Standard deviation of the noise of a match; if the match has covariances, that of isotropic
-    //! noise with which its error would have about the same variance.
+    //! Standard deviation of the noise of a match; if the match has covariances, that of the
+    //! isotropic noise that gives its error about the same variance as these covariances.
     double sigma(int match) const;
 
     /** @brief Computes the columns that describe the noise in the coordinates of the model.

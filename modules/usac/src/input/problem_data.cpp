@@ -15,9 +15,9 @@ namespace usacv20 {
 
 namespace {
 
-//! In each coordinate, the box Correspondences::lower, upper reaches at most this many mean (or
-//! median, see robustFrame()) absolute deviations from the center, however far away the outermost
-//! points are. See doc/constants.md.
+//! In each coordinate, the box of the points (Correspondences::lower and upper) extends at most
+//! this many mean (or median, see robustFrame()) absolute deviations from the center, however far
+//! away the outermost points are. See doc/constants.md.
 constexpr double FRAME = 5;
 //! Bounds of the threshold of the search, in normalized coordinates: the squared threshold and its
 //! inverse must be neither 0 nor infinite as float. The mask uses the caller's threshold unchanged.
@@ -163,9 +163,10 @@ void ProblemData::checkNoise(const Params& params, int count)
     described = count;
 }
 
-//! Stores the noise of the matches, if it is given. With Correspondences::meanSigma as unit, the
-//! threshold of a problem with errors of d dimensions encloses the same volume, averaged over the
-//! matches, as with equal sigmas. Problem::randomInlierRatio therefore needs no change.
+//! Stores the noise of the matches if there are Params::sigmas. Its unit is
+//! Correspondences::meanSigma, so that the volume (area, length) of the errors within the
+//! threshold, averaged over the matches, is the same as if all sigmas were equal to meanSigma.
+//! Problem::randomInlierRatio therefore needs no change.
 void ProblemData::readNoise(const Params& params, Arena& arena)
 {
     view.meanSigma = 1;

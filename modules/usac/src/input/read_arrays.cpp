@@ -58,8 +58,8 @@ Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
     return values.reshape(1, (int)(points.total() * channels / coordinates));
 }
 
-/** Reads 2-D points. Points with three coordinates are homogeneous, as for cv::RANSAC. Of points
-with more coordinates, the first two are used, as for OpenCV's USAC flags. */
+/** Reads 2-D points. Points with three coordinates are homogeneous, as for cv::RANSAC. If points
+have more coordinates, only the first two are used, as for OpenCV's USAC flags. */
 Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
 {
     const Mat values = readCoordinates(points, name, scope);

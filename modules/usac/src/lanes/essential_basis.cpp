@@ -55,8 +55,8 @@ Matx33d rotationOf(const Correspondences& p, const int* sample)
 
 void align(const Correspondences& points, const int* sample, EssentialBasis& basis)
 {
-    //! Three times a 3x3 rotation matrix without small entries. It mixes the matrices [t]x R of the
-    //! three axes, so that x, y and z are finite even if t is parallel to an axis.
+    //! Three times a 3x3 rotation matrix without small entries. It mixes the three matrices [t]x R
+    //! with t along an axis, so that x, y and z are finite even if the true t is along an axis.
     static const double ROTATION[3][3] = {{2, -2, 1}, {2, 1, -2}, {1, 2, 2}};
     const double SMALLEST = 1e-6;  // lower bound of the length of Z, because of rounding errors
     EssentialBasis q;

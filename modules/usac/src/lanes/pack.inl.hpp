@@ -15,9 +15,8 @@ namespace cv {
 namespace usacv20 {
 namespace {
 
-//! For roughCubeRoot(): 2 / 3 of the upper half of the bits of the number 1, reduced so that the
-//! roots become 2 to 3 % smaller, which makes the largest positive and negative errors about
-//! equal.
+//! For roughCubeRoot(): 2 / 3 of the upper 32 bits of the double 1, reduced so that the roots
+//! become 2 to 3 % smaller, which makes the largest positive and negative errors about equal.
 constexpr unsigned long long THIRD_OF_ONE = 715094163;
 
 #if defined __GNUC__

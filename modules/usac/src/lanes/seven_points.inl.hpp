@@ -31,7 +31,7 @@ struct CubicRoots
         const Pack shift = a / 3.;
         const Pack first = R > 0. ? -outermost(Q, absolute(R), excess)
                                   : outermost(Q, absolute(R), excess);
-        // in t = x + shift, the other two roots, if they are real, are those of
+        // with t = x + shift, the other two roots, if they are real, are those of
         // t^2 + first t + first^2 - 3 Q, the cubic divided by t - first
         const Pack half = 0.5 * squareRoot(largerOf(Pack(), 12. * Q - 3. * first * first));
         at[0] = polish(a, b, d, first - shift);

@@ -63,7 +63,7 @@ public:
                 sorted[size++] = order[i];
     }
 
-    //! The first #MATCHES_COMPARED points of the run, those with most common neighbors first.
+    //! The first #MATCHES_COMPARED points of the run, by descending number of common neighbors.
     Ranking(const Context& context_, const uchar* common, Arena::Scope& scope)
         : context(context_), looked(std::min(context.points.size, MATCHES_COMPARED)), size(looked),
           sorted(scope.take<int>(looked)), ends(scope.take<uchar>(looked))
@@ -82,7 +82,7 @@ public:
         }
     }
 
-    //! orderLogLikelihood() of all points for the inliers of `model`, extrapolated from these
+    //! orderLogLikelihood() of all points for the inliers of `model`, extrapolated from the ranked
     //! points, which are a random subset.
     double likelihood(const Model& model) const
     {

@@ -26,12 +26,12 @@ With repeated structure or planes, a wrong model can explain more matches than t
 no search can recognize it as wrong by its cost. Two rankings of the matches can tell that it is
 wrong, because the inliers of the right model have higher ranks:
 
-- If the order of the matches is known, for example by their scores: two descriptors of the other
-  image are nearly equally close to the descriptor of a repeated corner, so that matches of repeated
-  corners have bad scores.
-- For F: wrong matches between repeated elements, such as the columns of a facade, lie on the
-  epipolar lines of a wrong model, but they seldom have neighbors in common in the two images, see
-  commonNeighbors().
+- The order of the matches, if it is known, for example from their scores. Two descriptors of the
+  other image are nearly equally close to the descriptor of a repeated corner, so that matches of
+  repeated corners have bad scores.
+- For F, the number of common neighbors, see commonNeighbors(). Wrong matches between repeated
+  elements, such as the columns of a facade, lie on the epipolar lines of a wrong model, but they
+  seldom have neighbors in common in the two images.
 
 Therefore a model other than that of lowest cost is chosen on three conditions. Its gain is at least
 94 % (order) or 60 % (neighbors) of the gain of the model of lowest cost. At least half of its

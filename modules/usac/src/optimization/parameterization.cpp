@@ -15,13 +15,13 @@ namespace {
 
 //! Permitted deviations, relative to the largest entry: SAME for models that should be equal,
 //! DERIVATIVE for derivatives compared with central differences of step STEP. These deviations are
-//! far above the numerical errors of right formulas (1e-16 and 1e-10) and far below the deviations
-//! of wrong formulas.
+//! far above the numerical errors of correct formulas (1e-16 and 1e-10) and far below the
+//! deviations of wrong formulas.
 constexpr double SAME = 1e-9, DERIVATIVE = 1e-5, STEP = 1e-5;
 //! The columns of tangent() count as linearly dependent if the ratio of their smallest to their
 //! largest singular value is at most this number.
 constexpr double DEPENDENT = 1e-10;
-//! Absolute value of the largest parameter in the test whether plus() returns a valid model.
+//! Largest absolute value of a parameter in the test of whether plus() returns a valid model.
 constexpr double FAR = 0.1;
 
 typedef Eigen::Map<const Eigen::VectorXd> Entries;

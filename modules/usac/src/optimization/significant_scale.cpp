@@ -39,7 +39,8 @@ double surprise(double k, double n, double p)
     return n * (q * std::log(q / p) + (q < 1 ? (1 - q) * std::log((1 - q) / (1 - p)) : 0));
 }
 
-//! Multiplies the squared errors by `scale` and counts them in each bin.
+//! Multiplies the squared errors by `scale` and adds the number of products in each bin to
+//! `members`.
 void countInBins(const float* squaredErrors, int count, float scale, int* members)
 {
     for (int i = 0; i < count; ++i)

@@ -16,11 +16,11 @@ if the threshold is far too small or too large for this noise.
 Inliers are the points with errors up to a radius r, chosen so that their number is least likely by
 chance, as in an a-contrario RANSAC @cite moisan2004probabilistic. A random point is within r of a
 wrong model with probability p(r). This probability is the larger of two numbers: `chance` times
-(r / threshold)^degrees, and the fraction of the given wrong matches whose errors are within r
-(which is much larger if points form clusters). By Chernoff's bound, k or more of n points are
-within r by chance with a probability of at most exp(-n D(k/n, p)), where D is the Kullback-Leibler
-divergence; r minimizes this bound. The m points of a sample are inliers of every model computed
-from the sample; therefore m is subtracted from k and n.
+(r / threshold)^degrees, and the fraction of artificial wrong matches whose errors are within r (the
+second number is much larger if points form clusters). By Chernoff's bound, k or more of n points
+are within r by chance with a probability of at most exp(-n D(k/n, p)), where D is the
+Kullback-Leibler divergence; r minimizes this bound. The m points of a sample are inliers of every
+model computed from the sample; therefore m is subtracted from k and n.
 
 With Gaussian noise and 10 to 100 % inliers, r is 1.7 to 2.4 sigma for one degree of freedom, 2.4 to
 2.9 sigma for two (errors in the plane) and 2.9 to 3.2 sigma for three. The median error within r is

@@ -11,13 +11,14 @@ namespace usacv20 {
 
 namespace {
 
-//! BUCKETS: number of ranks that are distinguished. ORDERING_OTHERS: prior number of points that
-//! share only one of the two cells of a match. doc/measurements/constants_tables.md shows the
+//! BUCKETS: number of ranks that are distinguished. ORDERING_OTHERS: number that is added to the
+//! number of points that share only one of the two cells of a match, so that a few points do not
+//! give a high fraction (see DensityOrdering). doc/measurements/constants_tables.md shows the
 //! effects of other values.
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 
-/** @brief Local density of the points in the joint space, relative to their density in the images
-(@cite ivashechkin2021usacv20, section "Other features").
+/** @brief Orders matches by their local density in the joint space (x1, y1, x2, y2), relative to
+their density in the images (@cite ivashechkin2021usacv20, section "Other features").
 
 Each image is divided into cells, see assignCells(). Inliers come in groups: most of the points that
 share an inlier's cell in image 1 or image 2 also share its cell in the other image. Points are

@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-/** The order of the caller's arrays, which the caller has sorted so that the best matches come
-first. If there are scores, ScoreOrdering is used instead. */
+/** Keeps the order of the caller's arrays, which the caller has sorted so that the best matches
+come first. If there are scores, ScoreOrdering is used instead. */
 class InputOrderOrdering : public Ordering
 {
 public:

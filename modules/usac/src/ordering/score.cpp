@@ -22,8 +22,9 @@ uint64 keyOf(float score, int point)
     return (uint64)bits << 32 | (unsigned)point;
 }
 
-/** Orders points by Params::scores so that the best point comes first. Points of equal score keep
-their pseudo-random order, and repeated matches come last. Takes O(N log N). */
+/** Orders points by Params::scores so that the best point comes first; in Correspondences::scores,
+lower is always better. Points of equal score keep their pseudo-random order, and repeated matches
+come last. Takes O(N log N) time. */
 class ScoreOrdering : public Ordering
 {
 public:

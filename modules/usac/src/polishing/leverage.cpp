@@ -17,10 +17,10 @@ namespace {
 
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
-//! Fraction of the inliers to which the first fit is made: the inliers with the lowest leverage.
+//! Fraction of the inliers that the first fit uses: the inliers with the lowest leverage.
 constexpr double BULK = 0.85;
 //! If no inlier has at least this leverage, the model is not changed. The leverage of a point is at
-//! most 1; a point with a high leverage can determine a parameter alone.
+//! most 1; a point with a high leverage can determine a parameter by itself.
 constexpr double HIGH = 0.4;
 //! A point is included again if its error is at most DEVIATIONS times the standard deviation that
 //! the fit predicts for this error. In the first of two rounds, its error must also be within the
@@ -29,15 +29,16 @@ constexpr double HIGH = 0.4;
 constexpr double DEVIATIONS = 3, PREDICTED = 0.3;
 /** Minimum decrease (gain) of the sum of squared errors, in noise variances. If the first fit gains
 less than HOPE, the attempt ends; the result must gain at least GAIN. Changing two parameters gains
-6 or more by chance in one of 20 cases; the changed model is then as good as the original one. */
+6 or more by chance in one of 20 cases. This does no harm: the new model is then as good as the old
+one. */
 constexpr double HOPE = 3, GAIN = 6;
 /** Stricter conditions if nearly all inliers leave parameters undetermined (Problem::leavesFree),
 as points on a plane leave the epipole undetermined. The gain must be at least FREE_GAIN. It must
 also be at least TURNED sqrt(n) for n points: another epipole changes the direction in which all
 errors are measured, and the difference of two sums of n squares has a standard deviation of at most
 2 sqrt(n) noise variances. The evidence of the lost inliers against the fit (surpriseOf()) must be
-at most gain / FREE_AGAINST, because only inliers off the plane determine the epipole. With GAIN
-alone, an F whose right matches are nearly all on a plane can lose the right matches off the plane.
+at most gain / FREE_AGAINST, because only inliers off the plane determine the epipole. With GAIN as
+the only condition, F can lose the right matches off the plane if there are few of them.
 If parameters are undetermined, an ambiguous model (E, see Problem::ambiguous) is not changed,
 because fits can end between the two models that are compatible with the plane. */
 constexpr double FREE_GAIN = 20, TURNED = 1.5, FREE_AGAINST = 8;
@@ -255,9 +256,9 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     NormalEquationsOf<ENTRIES> sums;
     sums.accumulate(*parts.residual,
                     PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
-    // Errors do not depend on the scale of the model; the added term makes A regular in the
-    // direction of a change of scale. If the derivative of a custom residual is NaN, so is the
-    // trace of A, and there are no leverages.
+    // Errors do not depend on the scale of the model, so JtJ is singular in the direction of a
+    // change of scale; the first added term removes this singularity. If the derivative of a custom
+    // residual is NaN, so is the trace of A, and false is returned.
     const Row scale = Eigen::Map<const Row>(model.val);
     Square A = sums.JtJ;
     A += scale * scale.transpose() * (A.trace() / scale.squaredNorm());

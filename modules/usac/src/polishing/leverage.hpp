@@ -82,7 +82,7 @@ private:
     //! by chance: 2 log(n).
     double byChance() const;
     //! Finds the elements of `inliers` with the lowest leverage in a fit to `inliers`. @return
-    //! false if no inlier has a high leverage
+    //! false if no inlier has a high leverage or if the leverages cannot be computed
     bool findBulk(const Model& model);
     //! Least squares over `points`, which starts from `model` and from the result of sampled(). The
     //! fit with the lower sum of squared errors is returned in `model`. @return false if both fits
@@ -112,7 +112,7 @@ private:
     const Context& context;
     const Components& parts;
     const double limit;  //!< squared threshold
-    float* errors;       //!< squared errors; the array has the size of all points
+    float* errors;       //!< squared errors; memory for all points
     int looked;          //!< only the first `looked` points are used in fits
     Points inliers;      //!< at most MOST inliers among the first `looked` points
     Points bulk;         //!< the elements of `inliers` with low leverage

@@ -30,8 +30,8 @@ constexpr double UNLIKELY = 0.1;
 //! loss with at most this probability.
 constexpr double CHANCE = 1e-6;
 //! Maximum increase of the loss by an additional point, per component of its error and in units of
-//! the inliers' loss per degree of freedom. If ten degrees of freedom are left, one right point in
-//! a hundred exceeds 8.
+//! the inliers' loss per degree of freedom. If ten degrees of freedom are left, the increase
+//! exceeds 8 for one right point in a hundred.
 constexpr double GROWN = 8;
 //! Number of points whose errors are computed together. The value has no effect on the result.
 constexpr int ERROR_BLOCK = 1024;
@@ -47,8 +47,9 @@ void Restarts::improve(Model& model, Quality& quality)
 {
     if (!parts.nonMinimalSolver || !look(model))
         return;
+    // the threshold can have changed after the search
     for (size_t d = 0; d < parts.degeneracies.size(); ++d)
-        parts.degeneracies[d]->thresholdChanged(search);  // polishing has a threshold of its own
+        parts.degeneracies[d]->thresholdChanged(search);
     for (int before = 0; before < count && !context.stop(); look(model))
     {
         before = count;

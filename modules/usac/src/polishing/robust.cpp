@@ -14,12 +14,13 @@ namespace {
 
 // doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
 
-/** Support of the biweight (the error from which on its weight is 0) in standard deviations of the
-noise. With 5.3, the standard errors of fits are 1.6 % (F, E) or 2.3 % (H) larger than those of
-least squares if the noise is Gaussian. */
+/** Support of the biweight in standard deviations of the noise: larger errors have a weight of 0.
+With 5.3, the standard errors of fits are 1.6 % (F, E) or 2.3 % (H) larger than those of least
+squares if the noise is Gaussian. */
 constexpr double SUPPORT = 5.3;
-/** Until the model has settled, all steps except the last two use only the first points: so many
-that FEW points, or 1 / PART of all points if this is more, are within REACH thresholds. */
+/** Until the loss has settled (see SETTLED), all steps except the last two use only the first
+points: so many that FEW points, or 1 / PART of all points if this is more, are within REACH
+thresholds. */
 constexpr int REACH = 3, FEW = 500, PART = 8;
 /** If there are more than MANY points, the search has used only a part of them
 (ProblemData::SEARCHED). The distance of its model from the minimum is then larger, relative to the

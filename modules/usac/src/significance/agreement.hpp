@@ -30,13 +30,13 @@ single point, or has an epipole amid the points). Right matches do not distort t
 their points are paired anew, too.
 
 If there is only one array, wrong points are drawn uniformly from the box that contains nearly all
-points. Pairing the coordinates of different points anew would not make wrong points: those of a
+points. Mixing the coordinates of different points would not make wrong points: points on a
 horizontal plane, for example, would stay on this plane.
 
 Of several inliers in the same cell of a grid over an array (see #markRepeated), only one is
-counted. Each point of array 1 is paired with the points of at least 4 other matches: of as many as
-are needed to get about `pairs` wrong matches, or of all other matches if there are not so many.
-Takes O(count + pairs). */
+counted. Each point of array 1 is paired with the points of k other matches in array 2, where k is 4
+or, if this is larger, the number needed to get about `pairs` wrong matches in total; if there are
+fewer than k other matches, all of them are used. Takes O(count + pairs). */
 Agreement countAgreement(const Residual& residual, const Model& model,
                          const Correspondences& points, int count, double threshold, int pairs,
                          Arena& arena);

@@ -28,10 +28,10 @@ constexpr int FINEST = 1024;
 constexpr int BEYOND = 10;
 //! Threshold of the rough estimate, in standard deviations of the noise.
 constexpr double IN_SIGMAS = 2.2;
-//! The mixture is fitted only if there are at least LEAST inliers, in STEPS steps of the EM
-//! algorithm, to the errors within WINDOW times the sigma of SignificantScale. The initial value of
-//! the fraction of inliers among these points is FIRST_PART; that of the fraction of badly located
-//! points among the inliers is FIRST_TAIL.
+//! If there are at least LEAST inliers, the mixture is fitted to the errors up to WINDOW times the
+//! sigma of SignificantScale, by STEPS steps of the EM algorithm. Initial values: FIRST_PART, the
+//! fraction of inliers among the points with such errors; FIRST_TAIL, the fraction of badly located
+//! points among the inliers.
 constexpr int LEAST = 50, STEPS = 20, WINDOW = 8;
 constexpr double FIRST_PART = 0.7, FIRST_TAIL = 0.1;
 //! Fraction of the inliers whose errors do not exceed the threshold @cite hartley2003multiple

@@ -66,7 +66,7 @@ if the unit of this array is not that of the threshold (Problem::commonUnit).
 void noiseDirection(const Correspondences& points, const double* datum, int index,
                     double* direction);
 
-/** @brief True if a threshold is too narrow for the noise by more than `factor`.
+/** @brief True if a threshold is too narrow for the noise by a factor of more than `factor`.
 
 The number of points within the threshold is divided by the number within half of it; the size of a
 minimal sample is subtracted from both numbers. If the threshold is too narrow, the errors continue

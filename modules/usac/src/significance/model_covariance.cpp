@@ -50,8 +50,8 @@ constexpr double STEP = 1e-5;
 //! of the norm of the prior. Convergence is quadratic.
 constexpr int STEPS_TO_PRIOR = 20;
 constexpr double REACHED = 1e-9;
-//! Largest accepted difference between opposite entries of a prior's covariance, relative to the
-//! largest entry; more than the rounding of single precision.
+//! Largest accepted difference between the entries (i, k) and (k, i) of a prior's covariance,
+//! relative to the largest entry; more than the rounding of single precision.
 constexpr double ASYMMETRY = 1e-5;
 
 //! The covariance of A x if C is that of x.

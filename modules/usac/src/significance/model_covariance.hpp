@@ -108,7 +108,8 @@ private:
     int* members;                  //!< indices of `count` points within the support
     double* shares;                //!< for each member, the probability that it is an inlier
     double* rowMemory;             //!< the rows of J of the members, scaled by `scale`
-    //! Number of members; number of first points that were examined; components of an error.
+    //! Number of members; number of points that were examined, from the first point on; number of
+    //! components of an error.
     int count, looked, components;
     Model here;     //!< model()
     Basis tangent;  //!< derivatives of the entries of `here` with respect to the parameters

@@ -17,8 +17,9 @@ namespace {
 
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
 //! among them. As long as no test decides, each test has MORE times as many points as the one
-//! before. The final tests, of all points, make about PAIRS wrong matches or more, which give the
-//! inlier probability of a wrong match with a standard deviation of at most 0.01.
+//! before. The final tests, of all points, make about PAIRS wrong matches or more, unless there are
+//! fewer than 65 points. The inlier probability of a wrong match, estimated from PAIRS wrong
+//! matches, has a standard deviation of at most 0.01.
 constexpr int FIRST_INLIERS = 14, MORE = 2, PAIRS = 4096;
 //! Wider thresholds that are also tried, as multiples of the given threshold.
 constexpr double WIDE[] = {4, 16};

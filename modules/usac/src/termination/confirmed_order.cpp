@@ -50,11 +50,11 @@ bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double ot
     const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
     // expected number of pairs in common cells that are not two matches of the other motion
     const double chance = rest.expected * (1 - part * part);
-    // lower bound of the expected number of pairs of the other motion that share a cell: unevenly
-    // spread points share cells more often
+    // lower bound of the expected number of pairs of the other motion that share a cell in both
+    // arrays: unevenly spread points share cells more often
     const double together = coherence * 0.5 * other * (other - 1) / own.cells;
     const double each = coherence * other /
-                        own.cells;  // pairs of each match; pairs with a common match vary together
+                        own.cells;  // such pairs per match; pairs with a common match vary together
     const double deviation = std::sqrt(chance + together * (1 + 2 * each));
     return rest.both < chance + together - MISSED_DEVIATIONS * deviation;
 }
@@ -166,7 +166,7 @@ private:
 
     //! Computes `orderedNeeded` for a new best model, if its inliers confirm the order. A model
     //! that was the best one before any sample followed the order is not considered: otherwise
-    //! calls would be faster, but more wrong models would be returned (see "Choices between
+    //! runs would be faster, but more wrong models would be returned (see "Choices between
     //! variants" in doc/measurements/constants_tables.md).
     void look(const Context& context, const State& state)
     {
@@ -217,7 +217,7 @@ private:
 
     //! To be called when enough samples have followed the order. Ends the search after samples of
     //! the outliers, or immediately if the outliers cannot contain another motion. If uniform
-    //! samples would end the search earlier, it continues with mostly uniform samples.
+    //! samples would end the search earlier, the search continues with mostly uniform samples.
     void end(const Context& context, State& state)
     {
         const int size = context.points.size, m = context.components.minimalSolver->sampleSize();

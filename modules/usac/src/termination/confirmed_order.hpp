@@ -11,10 +11,10 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Tells whether the inliers of a model come early in an order: the Mann-Whitney rank-sum
-statistic of inliers against outliers, as its deviation from the mean over random orders, in
-standard deviations. It is positive if the inliers come early, and 0 if there are no inliers that
-count or no outliers.
+/** @brief Measures whether the inliers of a model come early in an order: the Mann-Whitney rank-sum
+statistic of the inliers and the outliers, minus its mean over random orders, divided by its
+standard deviation. The result is positive if the inliers come early, and 0 if there are no inliers
+that count or no outliers.
 
 The first m inliers do not count, because the model might have been computed from them. Inliers that
 repeat an earlier inlier do not count either.
@@ -31,8 +31,9 @@ smooth as the best model share cells of both arrays about as often as inliers of
 @param rest pairs of outliers of the best model
 @param other number of matches of the other motion among these outliers
 @param left number of these outliers
-@return true if `other` exceeds `left`, or if clearly fewer pairs of outliers share cells than with
-the other motion. Otherwise false, also if too few pairs of inliers share cells to decide */
+@return true if `other` exceeds `left`, or if clearly fewer pairs of outliers share cells than would
+be expected with the other motion. Otherwise false, also if too few pairs of inliers share cells to
+decide */
 bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left);
 
 }  // namespace usacv20

@@ -69,8 +69,8 @@ the newest point of a small set: whatever the order of the inliers is, the first
 worth only T_n* uniform samples. If each sample counted fully, two or three samples of the very best
 points could end a run with a wrong model.
 - In the paper, 5 % bounds the probability that one wrong model has as many inliers as the best
-model. But the best of thousands of wrong models usually has so many inliers. Here 5 % bounds the
-probability that any of the wrong models of T'_n* samples has so many.
+model. But the best of thousands of wrong models usually has that many inliers. Here 5 % bounds the
+probability that any of the wrong models of T'_n* samples has that many.
 
 Inliers that share a cell of the size of the threshold with an earlier inlier in either image (see
 markRepeated) do not count for non-randomness, because the best points are often copies of one

@@ -212,7 +212,7 @@ void PairModels::searchFundamental()
     else if (isCalibrated)
     {
         given = options(LEAST_SAMPLES);
-        // DBL_MIN if the power is 0 in double precision, because 0 would mean that it is not given
+        // DBL_MIN if the power underflows to 0, because a significance of 0 means the default
         given.significance = std::max(std::pow(given.significance, ALONE), DBL_MIN);
     }
     else
@@ -268,7 +268,7 @@ void PairModels::homographyOfInliers(const PairModel& explained)
     given.scores = chosen(scores, explained.mask);
     given.sigmas = chosen(sigmas, explained.mask);
     Report report;
-    // A report takes time because it contains the significance, which is not needed here. The
+    // A report takes time because it contains Report::chance, which is not needed here. Therefore a
     // report is requested only if the run can be canceled.
     Report* const asked = BatchProgress::isWatched() ? &report : 0;
     const Mat found = Usac::create(HOMOGRAPHY, swapped ? second : first, swapped ? first : second,

@@ -115,13 +115,13 @@ private:
     //! fits wrong matches fits right ones worse.) If most inliers of E are on a plane,
     //! chanceOfEpipole() must also be small.
     bool contradictsCameras() const;
-    /** The probability that F explains by chance as many more matches than E as it does, if most
+    /** Upper bound of the probability that F gains its additional matches by chance, if most
     inliers of E are on a plane: a plane does not determine the epipole, so that F can adapt to
     wrong matches. Only matches that neither E nor H explains count.
 
     Two of these matches determine the epipole of F if the plane is given. If F explains the others
     by chance, their errors are as dense just beyond the threshold as within it, even if wrong
-    matches form clusters. Thus, of those with errors of up to BESIDE (three) thresholds, each is
+    matches form clusters. Thus, each match with an error of up to BESIDE (three) thresholds is
     within one threshold with probability 1/3. The tail of this binomial distribution is multiplied
     by the number of pairs of matches that could have determined the epipole.
     @param ofE, ofF errors of all matches */

@@ -38,7 +38,7 @@ double squaredDistance(const Matx33d& H, const Point2d& from, double w, const Po
     const double ux = (H(0, 0) - u * H(2, 0)) / w, uy = (H(0, 1) - u * H(2, 1)) / w;
     const double vx = (H(1, 0) - v * H(2, 0)) / w, vy = (H(1, 1) - v * H(2, 1)) / w;
     const double a = 1 + ux * ux + uy * uy, b = ux * vx + uy * vy,
-                 c = 1 + vx * vx + vy * vy;  // (a, b; b, c): covariance of (eu, ev), unit noise
+                 c = 1 + vx * vx + vy * vy;  // (a, b; b, c): covariance of (eu, ev) for unit noise
     const double eu = to.x - u, ev = to.y - v;
     return (c * eu * eu - 2 * b * eu * ev + a * ev * ev) / (a * c - b * b);
 }

@@ -120,7 +120,7 @@ private:
     }
 
     std::vector<double> logarithms,
-        weights;  //!< for each kind of pair: result of missedBySample(); fraction of all pairs
+        weights;  //!< for pairs of one inlier ratio: missedBySample(); fraction of all pairs
 };
 
 void checkRatio(double value, const char* name)

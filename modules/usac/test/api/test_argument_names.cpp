@@ -162,8 +162,8 @@ TEST(Usac_ArgumentNames, estimateAbsolutePose)
     both(l.space, l.b, K, odd, "distCoeffs");
 }
 
-//! Usac::create() calls the arguments of an absolute pose points1, points2, cameraMatrix1 and
-//! distCoeffs1, and Usac::setPoints() has points1 and points2.
+//! For an absolute pose, the arguments of Usac::create() are called points1, points2, cameraMatrix1
+//! and distCoeffs1; those of Usac::setPoints() are called points1 and points2.
 TEST(Usac_ArgumentNames, create)
 {
     const Lists l;

@@ -180,7 +180,7 @@ TEST(Usac_Covariance, parameters_of_maps_are_entries)
     const Mat unit = Mat(H / size).reshape(1, 9);
     const Mat changes = (T - unit * (unit.t() * T)) / size;
     EXPECT_LT(cv::norm(changes.t() * changes, Mat::eye(8, 8, CV_64F)), 1e-6);
-    // h33 is 1 as well, if all other entries are so small that the norm of H is 1 up to rounding
+    // h33 stays 1 even if all other entries are so small that the norm of H is 1 to within 2e-11
     const Matx33d tiny(1e-6, 2e-6, 3e-6, -1e-6, 2e-6, 1e-6, 3e-6, 1e-6, 1);
     EXPECT_EQ(0, cv::norm(tangentOfModel(HOMOGRAPHY, tiny).row(8), NORM_INF));
 }
@@ -359,7 +359,7 @@ TEST(Usac_Covariance, points_that_are_nowhere)
 }
 
 //! The message of the exception that `call` raises, up to its first colon; this part is the name of
-//! the argument.
+//! the argument. "nothing" if there is no exception.
 template <class Call>
 std::string blamed(const Call& call)
 {

@@ -201,8 +201,8 @@ TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
     }
 }
 
-//! Part of the next test: a flag must survive where programs store it, that is, in a variable, a
-//! struct of settings, a map, a default argument, a conditional expression or a file.
+//! Part of the next test: a flag must keep its effect when a program stores it as an int in a
+//! variable, a struct of settings, a map, a default argument, a conditional expression or a file.
 Mat byDefaultArgument(const Scene& s, Mat& mask, int method = (int)USACV20)
 {
     return usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99, mask);

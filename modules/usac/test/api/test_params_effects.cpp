@@ -291,7 +291,7 @@ TEST_P(UsacEffects, scores_and_scoreOrder)
         params.scores[i] = std::numeric_limits<float>::quiet_NaN();
     const std::vector<int> rows = samplesOf(scene, params, 20);
     for (size_t i = 0; i < rows.size(); ++i)
-        EXPECT_NE(0, rows[i] % 3) << "a match whose score is NaN is the worst";
+        EXPECT_NE(0, rows[i] % 3) << "a match whose score is NaN must come last";
 }
 
 //! If scores are given, they determine the order even for a preset whose ordering is

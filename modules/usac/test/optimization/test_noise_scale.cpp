@@ -10,7 +10,8 @@ namespace opencv_test {
 namespace {
 
 //! The standard deviation of Gaussian noise among uniform outliers must be estimated within 20 %.
-//! If too few errors are defined, the threshold must count as the 0.99 quantile of the errors.
+//! With fewer than NoiseScale::LEAST errors other than NaN, the result must be the standard
+//! deviation for which the threshold is the 0.99 quantile of the errors.
 TEST(Usac_Statistics, noiseScale)
 {
     for (int degrees = 1; degrees <= 3; ++degrees)

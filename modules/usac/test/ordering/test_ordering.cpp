@@ -156,7 +156,7 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
     }
 }
 
-//! A match that differs from another one only in the sign of a 0 repeats it.
+//! A match that differs from another one only in the sign of a 0 must count as its repetition.
 TEST(Usac_Priors, signOfZero)
 {
     std::vector<Point2d> points1, points2;

@@ -27,7 +27,7 @@ Scene smallBaseline(int size, double baseline, uint64 seed)
     return makeScene(FUNDAMENTAL, options);
 }
 
-//! Median and upper sextile (5/6 quantile) of the errors of 30 scenes in pixels.
+//! Median and upper sextile (5/6 quantile), over 30 scenes, of the errors in pixels.
 struct Errors
 {
     Errors(const Params& preset, int size, double baseline)
@@ -253,7 +253,7 @@ struct Corrected
         errorBefore = modelError(scene, Mat(toInput(points, before)));
     }
 
-    int fits;  //!< number of fits that Leverage asked for
+    int fits;  //!< number of fits that Leverage has started
     bool changed;
     double error, errorBefore;  //!< errors of the model after and before, see modelError()
 

@@ -30,8 +30,8 @@ void comparePolishers(ProblemType problem, double noise, double& leastSquares, d
 }
 
 //! A threshold of only one standard deviation of the noise cuts off many true matches. Robust
-//! polishing, whose smooth weights have a longer range, must then be more accurate than least
-//! squares.
+//! polishing, whose smooth weights extend beyond the threshold, must then be more accurate than
+//! least squares.
 TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};

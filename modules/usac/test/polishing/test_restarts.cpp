@@ -123,7 +123,8 @@ public:
 };
 
 //! A better fit that the check rejects must not replace the model, and the changes that the check
-//! made to the state of the run must be undone. If the check accepts it, it must replace the model.
+//! made to the state of the run must be undone. A better fit that the check accepts must
+//! replace the model.
 TEST(Usac_Restarts, rejectedModelsAreNotTaken)
 {
     for (bool rejects : {false, true})

@@ -61,9 +61,9 @@ int missed(ProblemType problem, const Agreement& agreement, const Params& preset
     return result;
 }
 
-//! At most 3 of 40 runs are allowed to miss the true model. If the search had no runners-up and
-//! drew no samples from the outliers of the best model, F would be missed in 18 to 40 % of the
-//! scenes.
+//! At most 3 of 40 runs are allowed to miss the true model. If Params::runnersUp were 0, so
+//! that no samples would be drawn from the outliers of the best model either, F would be missed in
+//! 18 to 40 % of the scenes.
 TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
 {
     const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
@@ -93,8 +93,8 @@ TEST(Usac_Agreeing, matches_do_not_look_like_noise)
                 << (int)problem << ": " << agreement.name;
 }
 
-//! Samples of outliers of the best model must count as iterations like all other samples, so that
-//! Params::maxIterations holds.
+//! Samples drawn from the outliers of the best model must count as iterations like all other
+//! samples, so that there are never more than Params::maxIterations.
 TEST(Usac_Agreeing, matches_do_not_lead_beyond_the_limit)
 {
     for (int limit = 1; limit < 600; limit += 37)

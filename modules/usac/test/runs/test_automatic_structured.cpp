@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, const AutomaticScene& scene)
     return out << scene.name;
 }
 
-//! Cost, in outliers, by which a model must exceed the true one to count as a miss.
+//! A model is a miss if it costs at least MISSED outliers more than the true model.
 const double MISSED = 2;
 
 typedef testing::TestWithParam<AutomaticScene> UsacAutomaticStructured;

@@ -120,7 +120,7 @@ TEST_P(UsacAutomaticThreshold, sameBits)
     EXPECT_FALSE(sameBits(models[0], createUsac(scene, Params())->run()));
 }
 
-//! Other points in the same object must give the result of a new object, even with the largest
+//! After setPoints(), a Usac object must give the result of a new object, even with the largest
 //! seed.
 TEST_P(UsacAutomaticThreshold, otherPointsAndSeeds)
 {

@@ -164,8 +164,8 @@ int uncovered(const Choice& choice, const std::set<Pair>& open)
     return count;
 }
 
-//! Draws random choices that contain `pair`. @return the possible choice with the most pairs of
-//! `open`, or an empty one if no choice is possible
+//! Draws random choices that contain `pair`. @return among those that Params::check() accepts, the
+//! one with the most pairs of `open`, or an empty choice if it accepts none
 Choice bestChoice(const TestArena& arena, const Pair& pair, const std::set<Pair>& open, RNG& rng)
 {
     Choice best;
@@ -191,7 +191,7 @@ Choice bestChoice(const TestArena& arena, const Pair& pair, const std::set<Pair>
 }
 
 //! Finds choices that together contain every possible pair of option values. @return the impossible
-//! pairs
+//! pairs: those for which bestChoice() finds no choice
 std::set<Pair> coverPairs(const TestArena& arena, std::vector<Choice>& choices)
 {
     std::set<Pair> open = allPairs(), impossible;

@@ -129,7 +129,7 @@ double subsets(double inliers, int n, int m)
     return p;
 }
 
-//! Number of samples that a criterion asks for with confidence 0.9, if a good sample has
+//! Number of samples that a criterion requires for a confidence of 0.9 if a sample is good with
 //! probability `p`.
 double closedForm(double p) { return std::ceil(std::log(0.1) / std::log1p(-p)); }
 
@@ -151,8 +151,9 @@ double failureRate(const Rivals& rivals, double threshold, double samples, int m
 
 int count(const std::vector<uchar>& mask) { return (int)std::count(mask.begin(), mask.end(), 1); }
 
-//! The standard criterion for sampling with (kind 0) and without repetition (kind 1), and also with
-//! a T(d,d) test, which rejects some good models (kinds 2 and 3).
+//! The standard criterion with the formula for samples with replacement (kind 0) and with the exact
+//! formula (TERMINATION_EXACT; kinds 1 to 3). With kinds 2 and 3, a T(d,d) test with d = 1 or 2
+//! rejects some good models.
 TEST(Usac_Confidence, standard)
 {
     for (int kind = 0; kind < 4; ++kind)
@@ -184,8 +185,8 @@ TEST(Usac_Confidence, standard)
     }
 }
 
-//! Number of inliers with which P-NAPSAC's criterion calls a homography significantly better than
-//! one with `inliers`.
+//! Number of inliers that a homography needs, by P-NAPSAC's criterion, to be significantly better
+//! than one with `inliers`.
 double significant(double inliers, double relaxation)
 {
     const double beside = inliers - 4;
@@ -215,7 +216,7 @@ TEST(Usac_Confidence, pNapsac)
                STOP_P_NAPSAC);
 }
 
-//! SPRT rejects some good models, so that its criterion asks for more samples than the standard
+//! SPRT rejects some good models, so that its criterion requires more samples than the standard
 //! criterion. The difference is small, because SPRT rarely rejects a good model if the solver is as
 //! expensive as here.
 TEST(Usac_Confidence, sprt)

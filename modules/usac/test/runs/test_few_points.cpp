@@ -20,7 +20,7 @@ struct FewPoints
     ProblemType problem;
     Mat points1, points2;
     std::vector<double> truth;
-    double threshold;  //!< the default of OpenCV's functions in pixels
+    double threshold;  //!< in pixels: the default of OpenCV's function for the problem
 
     Ptr<Usac> create(UsacV20Method flag) const
     {

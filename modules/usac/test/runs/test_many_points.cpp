@@ -83,8 +83,8 @@ TEST_P(UsacManyPoints, sameBitsForAnyNumberOfThreadsAndAgain)
     EXPECT_TRUE(sameBits(first, estimate(scene, params))) << "two threads";
 }
 
-//! The caller's points can be sorted, or in rows of an image as from dense matchers. Internally,
-//! each part of the points must be a random sample of all, so that a part can be searched.
+//! The caller's points can be sorted, or in the order of image rows as from dense matchers. The
+//! search uses only the first points of the internal order, which must therefore be random.
 TEST(Usac_ManyPoints, areInRandomOrder)
 {
     const Scene scene = makeScene(HOMOGRAPHY, SceneOptions());

@@ -6,9 +6,8 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 
-// Many matches lead to the same one or two points of image 2 (or space 2), as with a watermark or a
-// dead pixel. A model that maps everything to such a point has many inliers but must not be
-// returned.
+// Many wrong matches share one or two points of image 2 (or space 2), as with a watermark or a dead
+// pixel. A model that maps everything to such a point has many inliers but must not be returned.
 
 namespace opencv_test {
 namespace {
@@ -16,7 +15,8 @@ namespace {
 const UsacV20Method FLAGS[] = {USACV20, USACV20_FAST, USACV20_ACCURATE, USACV20_PROSAC,
                                USACV20_MAGSAC};
 
-//! Fractions of the 200 matches: true ones, and those that lead to `places` points.
+//! Fractions of the 200 matches: true ones, and wrong ones that share `places` points of image 2
+//! (or space 2).
 struct Parts
 {
     double right, atPlaces;

@@ -159,7 +159,7 @@ TEST_P(UsacScale, work_is_linear)
 }
 
 //! Memory must be at most 600 bytes per point with every neighborhood, even if thousands of points
-//! are within the radius of the coarsest layer around a point.
+//! are within the largest radius (that of the coarsest layer) around a point.
 TEST_P(UsacScale, memory_of_every_neighborhood)
 {
     if (!memoryIsMeasurable())

@@ -23,7 +23,7 @@ needed), which the next run reuses.
 Memory from take() stays valid until the run ends, memory from a Scope until that scope ends. take()
 uses the low end of the block and a Scope the high end, so that a component can call take() while a
 scope of its caller is open. When a block is full, another block is added; the next reset() replaces
-all blocks with one of up to 31 MB, unless the first block has this size already. The memory is not
+all blocks with one of up to 31 MB, unless the first block is large enough. The memory is not
 initialized, and no constructors or destructors are called. Only one thread at a time is allowed to
 use an arena. */
 class CV_EXPORTS Arena
@@ -102,7 +102,7 @@ private:
     Arena& operator=(const Arena&);
 };
 
-//! A growing list whose elements are stored in an arena. They stay valid as long as memory from
+//! A growing list whose elements are stored in an arena, and stay valid as long as memory from
 //! Arena::take. Copies of a list share the elements.
 template <class T>
 class ArenaList

@@ -44,7 +44,8 @@ struct CV_EXPORTS Estimate
 {
     Mat model;      //!< in the form that #estimateHomography and similar functions return; empty if
                     //!< there is none
-    Mat mask;       //!< N x 1, CV_8U; empty if the batch was canceled before the task began
+    Mat mask;       //!< N x 1, CV_8U; empty if the estimation raised an exception, or if the batch
+                    //!< was canceled before the task began
     Report report;  //!< statistics of the run
     String error;   //!< message of the cv::Exception that the estimation raised; empty: none
 };

@@ -109,7 +109,7 @@ public:
     virtual int solve(const Correspondences& points, const int* sample, Model* models) const = 0;
     /** @brief The same for several samples; override it if this is faster than one at a time.
     @param points the correspondences
-    @param samples `count` samples
+    @param samples for each sample, an array of point indices
     @param count number of samples
     @param models output: for each sample an array of at most #MAX_MODELS models
     @param found output: number of models of each sample
@@ -184,8 +184,8 @@ public:
 
 /** Computes errors and accumulates the quality of the points begin .. end-1 in one pass over
 Correspondences::column. `model` has the Model::size() entries as float, see Residual::homogeneous.
-A kernel saves time only if the compiler vectorizes its loop; the kernel is then faster even for
-blocks of 32 points. */
+A kernel saves time only if the compiler vectorizes its loop; it is then faster than two separate
+loops (Residual::squaredErrors, Score::accumulate) even for blocks of 32 points. */
 typedef void (*FusedKernel)(const Correspondences& points, const float* model,
                             float squaredThreshold, int begin, int end, Quality& sum);
 
@@ -212,10 +212,11 @@ public:
     //! points as inliers, as least median of squares does. Default: true.
     virtual bool usesThreshold() const;
     //! accumulate() counts a point as an inlier if its error is at most this fraction (above 0 and
-    //! at most 1) of the threshold; points beyond it contribute to the cost only. Default: 1.
+    //! at most 1) of the threshold; points with larger errors affect only the cost. Default: 1.
     virtual double inlierPart() const;
     //! The threshold, not squared, for the mask and for the steps after the search. Default:
-    //! Correspondences::threshold: the score has no threshold of its own.
+    //! Correspondences::threshold, which means that the score has no threshold of its own; the mask
+    //! then uses Params::threshold.
     virtual double threshold(const Context& context, const Model& model) const;
 };
 
@@ -237,11 +238,11 @@ public:
     //! False: the model is rejected after `tested` points, of which `inliers` were inliers.
     virtual bool proceed(int inliers, int tested) const = 0;
     /** @brief Probability that a good model passes preTest(). The lower it is, the more samples the
-    termination criteria ask for. Default: 1.
+    termination criteria require. Default: 1.
     @param context the data of the run
     @param inliers number of inliers of the model among all points
-    @param withoutRepetition points are drawn without replacement: hypergeometric distribution, not
-    binomial */
+    @param withoutRepetition true: the probability for points that preTest() draws without
+    replacement (hypergeometric distribution); false: with replacement (binomial) */
     virtual double keptProbability(const Context& context, double inliers,
                                    bool withoutRepetition) const;
     //! Called after each sample: the first tests of its models (preTest(), or the first block) used
@@ -252,7 +253,7 @@ public:
 };
 
 //! Checks for degenerate configurations (paper, section "Degeneracy"). The members of
-//! Components::degeneracies are asked in turn until one rejects the sample or model.
+//! Components::degeneracies are called in turn until one rejects the sample or model.
 class CV_EXPORTS Degeneracy : public Component
 {
 public:
@@ -260,8 +261,8 @@ public:
     //! False: the sample is rejected, no model is computed from it. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
     //! Called for a sample that validSample() has rejected. True: its points might all be inliers
-    //! (two of them repeat one match), so that the sample is not counted as a failed one. Default:
-    //! false.
+    //! (two of them repeat one match), so it is counted in State::repeatedSamples instead of
+    //! State::countedSamples. Default: false.
     virtual bool mayBeGood(const Context& context, const int* sample) const;
     //! False: the model is rejected and not scored. Default: true.
     virtual bool validModel(const Context& context, const int* sample, const Model& model) const;
@@ -275,8 +276,8 @@ public:
     true */
     virtual bool recover(const Context& context, State& state, const int* sample, Model& model,
                          Quality& quality);
-    //! Called when Correspondences::threshold can have changed since start(), before recover() and
-    //! discount() are called again. For checks that store results that depend on the threshold.
+    //! Called when Correspondences::threshold might have changed since start(), before recover()
+    //! and discount() are called again. For checks that store results that depend on the threshold.
     //! Default: does nothing.
     virtual void thresholdChanged(const Context& context);
     //! Lowers the quality of a model if some of its inliers are not independent of each other, such

@@ -139,10 +139,11 @@ reprojection error, distortion included, is at most the threshold, else 0.
 @return 3x4, CV_64F, [R t]; empty if there is none, and `report` says why. cv::Rodrigues turns R
 into a vector.
 
-Minimal samples have three points @cite persson2018lambda @cite ding2023revisiting. Correspondences
-that share a 3-D point or an image point are never in the same sample, unless Params::degeneracy
-lacks #DEGENERACY_REPEATED. Coplanar points are not a special case. The search uses undistorted
-points; the final polishing and the mask use the points of the original image. */
+Minimal samples have three points @cite persson2018lambda @cite ding2023revisiting. If
+Params::degeneracy contains #DEGENERACY_REPEATED, as by default, correspondences that share a 3-D
+point or an image point are never in the same sample. Coplanar points need no special treatment. The
+search uses undistorted points; the final polishing and the mask use the points of the original
+image. */
 CV_EXPORTS Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints,
                                     InputArray cameraMatrix, InputArray distCoeffs,
                                     const Params& params, OutputArray mask, Report& report);
@@ -212,7 +213,7 @@ CV_EXPORTS Mat estimateTranslation2D(InputArray points1, InputArray points2,
 #endif  // OPENCV_BINDING_PARSER
 
 /** @brief Estimates a model of any kind, like #estimateHomography and similar functions, for a
-program that knows the problem only at run time.
+program that selects the problem at run time.
 
 @param problem what to estimate
 @param points1 N points, in the layouts that the function of the problem accepts; #ABSOLUTE_POSE:

@@ -93,7 +93,7 @@ public:
     @param model as #run returns it, any depth
     @param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares
     fit to these inliers is made, starting from the model. Empty: the model is polished as at the
-    end of #run (Params::polishing), which selects the inliers itself
+    end of #run (Params::polishing); the polishing selects the inliers itself
     @param mask, report as in #fit
     @return the model; empty if the points determine none. */
     virtual Mat refine(InputArray model, InputArray chosen = noArray(),

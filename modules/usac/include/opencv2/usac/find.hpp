@@ -20,9 +20,9 @@ cv::findEssentialMat, with the same meaning, order and defaults of the arguments
 resolution picks these functions for a #UsacV20Method, and those of calib3d for an `int`. If an
 `int` can hold a flag of this module, call usacv20::findHomography, usacv20::findFundamentalMat and
 usacv20::findEssentialMat instead. The results are those of usacv20::estimateHomography,
-usacv20::estimateFundamental and usacv20::estimateEssential. Functions with a flag do not tell
-whether `maxIters` ended the search; to find out, call an `estimate` function with the flag's
-options (usacv20::Params::fromMethod) and check for usacv20::Report::stop ==
+usacv20::estimateFundamental and usacv20::estimateEssential. The functions with a flag do not report
+whether `maxIters` ended the search. To find out, call an `estimate` function with the options of
+the flag (usacv20::Params::fromMethod), and compare usacv20::Report::stop with
 usacv20::STOP_MAX_ITERATIONS.
 
 An invalid argument raises a cv::Exception whose message begins with the name of the argument in
@@ -106,7 +106,7 @@ inline Mat findEssentialMat(InputArray points1, InputArray points2, InputArray c
 
 namespace usacv20 {
 
-/** @name The functions of calib3d with any flag, known only at run time
+/** @name The functions of calib3d with an `int` flag, of this module or of OpenCV
 There is a function for every signature of cv::findHomography, cv::findFundamentalMat and
 cv::findEssentialMat that has an `int method`, with the same meaning, order and defaults of the
 arguments, except that an omitted `method` is UsacV20Method::USACV20. If `method` is the value of a
@@ -141,7 +141,7 @@ CV_EXPORTS Mat findHomography(InputArray srcPoints, InputArray dstPoints, Output
 @param method value of a #UsacV20Method, or a flag of OpenCV
 @param ransacReprojThreshold inlier threshold in pixels
 @param confidence confidence of the search, see usacv20::Params::confidence
-@param maxIters maximum number of samples. It has a default value in Python, so that a None at this
+@param maxIters maximum number of samples. In Python, its default is 1000, so that None at this
 position, meant for `mask`, does not raise an error
 @param mask output, Nx1, CV_8U, 1 for inliers
 @return 3x3, CV_64F (with OpenCV's flags and seven points up to three matrices, stacked as 9x3);
@@ -214,7 +214,8 @@ CV_EXPORTS_W Mat findEssentialMat(InputArray points1, InputArray points2, InputA
                                   InputArray distCoeffs2, int method = (int)USACV20,
                                   double prob = 0.999, double threshold = 1.0,
                                   OutputArray mask = noArray());
-//! Deleted: an `int` as third argument is a flag passed without a camera, not a focal length.
+//! Deleted, because an `int` as third argument would be converted to a focal length, although it is
+//! probably a flag in a call without a camera.
 Mat findEssentialMat(InputArray points1, InputArray points2, int method) = delete;
 //! @}
 

@@ -14,7 +14,7 @@ namespace cv {
 //! @addtogroup usacv20
 //! @{
 
-/** @name Maps of the plane by calib3d's functions with a flag of this module
+/** @name Affine maps and similarities by calib3d's functions with a flag of this module
 These overloads of cv::estimateAffine2D and cv::estimateAffinePartial2D accept a #UsacV20Method or a
 usacv20::Params; the meaning, order and defaults of the other arguments are the same. (OpenCV itself
 has no cv::estimateAffinePartial2D with all options in one object.) If the flag is stored in an
@@ -61,7 +61,7 @@ inline Mat estimateAffinePartial2D(InputArray pts1, InputArray pts2, const usacv
 
 namespace usacv20 {
 
-/** @name Maps of the plane with any flag, known only at run time
+/** @name Affine maps and similarities with an `int` flag, of this module or of OpenCV
 These functions have the signatures of cv::estimateAffine2D and cv::estimateAffinePartial2D with an
 `int method`, except that an omitted `method` is UsacV20Method::USACV20. As for
 usacv20::findHomography, a call with one of OpenCV's own flags is passed on to calib3d unchanged,

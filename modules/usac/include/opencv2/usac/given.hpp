@@ -14,10 +14,10 @@ namespace usacv20 {
 //! @addtogroup usacv20
 //! @{
 
-/** @name Without a search
-These functions fit, refine or evaluate a model without a search. Each works for all problems of
-#ProblemType. (For several calls with the same points, or for a problem of your own, use Usac::fit,
-Usac::refine and Usac::errors.)
+/** @name Fits, refinement and errors without a search
+These functions fit, refine or evaluate a model. Each works for all problems of #ProblemType. (For
+several calls with the same points, or for a problem of your own, use Usac::fit, Usac::refine and
+Usac::errors.)
 @{ */
 
 /** @brief Least-squares fit to all points, or to a subset, as with the flag 0 of calib3d.
@@ -54,8 +54,8 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
-@param params options; those of the search (samples, local optimization, termination, time) have no
-effect; with a mask of the inliers, those of the polishing and `covariance` have no effect, either
+@param params options. Those of the search (samples, local optimization, termination, time) have no
+effect. If `chosen` is given, `covariance` and the options of the polishing have no effect, either
 @param mask, report as in #fitModel
 @param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares fit
 to these inliers is made, starting from the model. Empty: the model is polished as at the end of an

@@ -73,7 +73,7 @@ compared with central differences. Not tested: that plus(M, 0) is M, and that pl
 For tests of a program that implements a parameterization.
 @param parameterization the parameterization to test
 @param model any valid model; call the function for several models
-@return empty if all laws hold, otherwise a description of the first violated law, with the
+@return empty if no violation was found, otherwise a description of the first violated law, with the
 deviation. A deviation of 1e-9 (laws 1 and 2) or 1e-5 (derivatives), relative to the largest entry
 of the model or of the column, is permitted. */
 CV_EXPORTS String checkParameterization(const Parameterization& parameterization,

@@ -23,8 +23,8 @@ cv::findFundamentalMat, cv::findEssentialMat, cv::estimateAffine2D and cv::estim
 or as the argument `flags` of cv::solvePnPRansac.
 
 The values differ from all of OpenCV's own flags. The enumeration is scoped, so a flag is not
-silently converted to an `int` and passed to calib3d, which for F and E treats any number it does
-not know as LMedS. If a program keeps its flag in an `int`, reads it from a file, or chooses between
+silently converted to an `int` and passed to calib3d, which for F and E treats any unknown number
+as LMedS. If a program keeps its flag in an `int`, reads it from a file, or chooses between
 a flag of this module and a flag of OpenCV, it must call usacv20::findHomography,
 usacv20::findFundamentalMat and similar functions, which accept both kinds of flags as `int`:
 @code{.cpp}
@@ -284,10 +284,10 @@ struct CV_EXPORTS_W_SIMPLE Params
     /** Noise of each correspondence: N, 3 N or 6 N numbers, or no sigmas; N: standard deviations of
     errors, 1e-6 to 1e6, in pixels or up to a common factor (such as keypoint scales); 3 N:
     covariances xx, xy, yy of points in image 2, square pixels, without noise in image 1; 6 N: for
-    each match, that in image 2, then that in image 1 (0, 0, 0: exact). Variances are 1e-12 to 1e12,
-    1 - xy^2 / (xx yy) is at least 1e-6. Covariances need image points (a pose has one image: 3 N)
-    and #RESIDUAL_STANDARD. `threshold`, Usac::errors, Report::threshold, Report::sigma are
-    multiples of the standard deviation of each error. Default none. */
+    each match, the covariance in image 2, then that in image 1 (0, 0, 0: exact). Variances are
+    1e-12 to 1e12, and 1 - xy^2 / (xx yy) is at least 1e-6. Covariances need image points (a pose
+    has one image: 3 N) and #RESIDUAL_STANDARD. `threshold`, Usac::errors, Report::threshold and
+    Report::sigma are then multiples of the standard deviation of each error. Default none. */
     CV_PROP_RW std::vector<float> sigmas;
     //! Entries, row by row, of an initial model as the estimator returns it, or no model; see
     //! setInitialModel(). It is scored and optimized before the first sample. Default none.
@@ -296,8 +296,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     and positive definite, for the parameters of Report::covariance. With it, the initial model is a
     prior: the result is the mean of the prior and the model of the points, weighted by inverse
     covariances @cite kalman1960filter, and Report::covariance is that of this mean. If the two
-    models contradict each other (Report::priorChance below 0.001), the prior is not used. To the
-    covariance of a previous frame, add that of the motion since then. Default none. */
+    models contradict each other (Report::priorChance below 0.001), the prior is not used. If the
+    model is that of a previous frame, add the covariance of the motion since then. Default none. */
     CV_PROP_RW std::vector<double> initialCovariance;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
     CV_PROP_RW int scoreOrder;

@@ -71,7 +71,7 @@ struct FieldValues
     static FieldValues probability(double initial) { return of(FIELD_PROBABILITY, initial, 0, 1); }
     //! Scores of the matches.
     static FieldValues scores() { return of(FIELD_SCORES, 0, 0, 0); }
-    //! Relative standard deviations of the errors of the matches.
+    //! Standard deviations or covariances of the noise of the matches.
     static FieldValues sigmas() { return of(FIELD_SIGMAS, 0, 0, 0); }
     //! The initial model.
     static FieldValues model() { return of(FIELD_MODEL, 0, 0, 0); }

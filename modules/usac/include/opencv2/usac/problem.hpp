@@ -28,16 +28,16 @@ struct SampleCost
 
 /** @brief One kind of model: everything that is specific to it.
 
-The search, the samplers, the scores and the termination criteria know nothing about the model
-except what this class tells them. A program can define its own problem, see Usac::create and
+The search, the samplers, the scores and the termination criteria access the properties of the model
+only through this class. A program can define its own problem, see Usac::create and
 samples/custom_problem.cpp. All methods are `const`; a run calls them from one thread at a time. */
 class CV_EXPORTS Problem
 {
 public:
     virtual ~Problem();
 
-    //! One word for messages. Usac::create raises a cv::Exception with this name if the numbers
-    //! below are inconsistent.
+    //! Name in messages, one word. Usac::create raises a cv::Exception with this name if the
+    //! numbers below are inconsistent.
     virtual String name() const = 0;
     //! Degrees of freedom of a model; at most errorDimension() times the sample size.
     virtual int dimension() const = 0;
@@ -156,8 +156,8 @@ public:
 //! How points are normalized for the search, see Problem::normalization.
 enum Normalization {
     SCALE_NONE,    //!< no normalization: the constraints of the model hold in the original
-                   //!< coordinates only. The module's least-squares fits then need an origin amid
-                   //!< the points: if it is 100 extents of the points away, they hardly converge
+                   //!< coordinates only. The module's least-squares fits then hardly converge if
+                   //!< the distance of the points from the origin is 100 times their extent or more
     SCALE_COMMON,  //!< each array is centered, and both are scaled by the same factor, which then
                    //!< also multiplies all errors
     SCALE_EACH,    //!< each array is centered and scaled separately

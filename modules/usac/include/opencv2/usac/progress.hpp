@@ -18,13 +18,13 @@ namespace usacv20 {
 
 /** @brief Function that estimations call to report their progress. @return true: continue; false:
 stop, with the best model so far and #STOP_CANCELLED in the returned Report. In the argument
-`report`, `stop` is #STOP_NOT_RUN, `inliers`, `inlierRatio` and `cost` are those of the best model
-before polishing (0, 0 and 1 if there is none; of more than 32768 points, those of the random part
-that is searched), and `searchMs` is the time since the run began. */
+`report`, `stop` is #STOP_NOT_RUN, and `searchMs` is the time since the run began. `inliers`,
+`inlierRatio` and `cost` are those of the best model before polishing (0, 0 and 1 if there is none);
+with more than 32768 points, they refer to the random part of the points that is searched. */
 typedef std::function<bool(const Report& report)> Progress;
 
-/** @brief While an object exists, all estimations that its thread begins call a function every 5
-milliseconds. The function decides whether to continue.
+/** @brief While an object of this class exists, all estimations that its thread begins call a
+function every 5 milliseconds. The function decides whether to continue.
 
 This applies to all functions that estimate a model: those with a flag, #estimateHomography and
 similar functions, #estimateBatch, and Usac::run.

@@ -28,19 +28,19 @@ struct CV_EXPORTS_W_SIMPLE RelativePose
     //! The essential matrix [t]x R, 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there
     //! is none.
     CV_PROP_RW Mat essential;
-    //! Number of inliers of the essential matrix whose triangulated points are behind a camera;
-    //! their rows of the mask are 0.
+    //! Number of inliers of the essential matrix whose triangulated points are not in front of both
+    //! cameras; their rows of the mask are 0.
     CV_PROP_RW int behind;
     //! Number of inliers on a dominant plane (more than 80 % of all inliers); 0 if there is none,
     //! if the camera has only rotated, or if the run was stopped before the end of the search for
     //! the plane (`report.stop` is then #STOP_TIME or #STOP_CANCELLED).
     CV_PROP_RW int onPlane;
-    //! If there is a dominant plane: rotation of the second motion that is compatible with the
-    //! homography of the plane, 3x3, CV_64F. Empty if there is no second motion.
+    //! Of the two motions that are compatible with a dominant plane, rotation of the motion that is
+    //! not returned, 3x3, CV_64F. Empty if there is no such motion.
     CV_PROP_RW Mat otherR;
-    //! Translation of the second motion, 3x1, CV_64F, unit length; empty if `otherR` is empty.
+    //! Translation of the same motion, 3x1, CV_64F, unit length; empty if `otherR` is empty.
     CV_PROP_RW Mat otherT;
-    //! Number of inliers of the second motion in front of both cameras.
+    //! Number of inliers of the same motion in front of both cameras.
     CV_PROP_RW int otherInliers;
 };
 
@@ -61,7 +61,7 @@ length of t.
 @param mask output, N x 1, CV_8U: 1 where the Sampson distance is at most the threshold and the
 triangulated point is in front of both cameras; a point that could be at infinity within the noise
 counts as in front
-@param pose output: the report, the essential matrix, and for a dominant plane the second motion
+@param pose output: the report, the essential matrix, and for a dominant plane the other motion
 @return true if there is a model.
 
 Of the four motions that are compatible with an essential matrix, the function returns the one with

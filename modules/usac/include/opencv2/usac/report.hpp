@@ -77,19 +77,19 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! `inliers` as a fraction of all rows of the mask, 0..1.
     CV_PROP_RW double inlierRatio;
     //! Number of inliers without repetitions: in each array, inliers in the same cell of a grid
-    //! count once; the smaller of the two arrays' numbers is stored. The side of the cells is the
+    //! count as one; the smaller of the two arrays' numbers is stored. The side of the cells is the
     //! threshold; in an array with another unit (object points), or if all inliers are near one
-    //! point (custom problems with one array), only equal points count once. 0
-    //! (not computed) if there are more than 50 000 inliers and no time is left (Params::maxTime,
-    //! ProgressScope).
+    //! point (custom problems with one array), only equal points count as one. 0 (not computed) if
+    //! there are more than 50 000 inliers and no time is left (Params::maxTime, ProgressScope).
     CV_PROP_RW int independentInliers;
     /** Upper bound of the probability that the same search finds a model with as many independent
     inliers (at the threshold, or at 4 or 16 times the threshold) in random matches of the same
     points, 0..1, after @cite moisan2004probabilistic. A value below 1e-6 and below a hundredth of
-    its limit (Params::significance) can come from a subset of the points; if the run was stopped,
-    any value can come from only 50 000 points. Also set if the model was rejected because of it; 1
-    if no model was found, or without a search (Usac::fit, Usac::refine). With #THRESHOLD_ESTIMATED,
-    it is computed as if the estimated threshold had been given. */
+    its limit (Params::significance) may have been computed from a subset of the points; if the run
+    was stopped early, any value may have been computed from only 50 000 points. Also set if the
+    model was rejected because of it; 1 if no model was found, or without a search (Usac::fit,
+    Usac::refine). With #THRESHOLD_ESTIMATED, it is computed as if the estimated threshold had been
+    given. */
     CV_PROP_RW double chance;
     //! Threshold of the mask, in the unit of Params::threshold: Params::threshold itself or, with
     //! #THRESHOLD_ESTIMATED or #QUALITY_LMEDS, a threshold estimated from the data.
@@ -100,12 +100,12 @@ struct CV_EXPORTS_W_SIMPLE Report
     //! under a polished model and corrected for the number of fitted parameters and for the cut-off
     //! at the threshold. With #THRESHOLD_ESTIMATED, the threshold is derived from the same
     //! estimate. 0 if it was not estimated: there is no model, there are too few inliers, the
-    //! threshold was given and Params::covariance is 0, or the model is a mere fit (see
-    //! `covariance`).
+    //! threshold was given and Params::covariance is 0, or the model comes from a fit without a
+    //! search (Usac::fit, Usac::refine with a mask).
     CV_PROP_RW double sigma;
     /** Covariance of the parameters of the returned model, d x d, CV_64F; empty if there is no
-    model, if Params::covariance is 0, or if the model is a mere fit (Usac::fit, Usac::refine with a
-    mask). It describes the errors of the parameters that noise in the coordinates of the inliers
+    model, if Params::covariance is 0, or if the model comes from Usac::fit or Usac::refine with a
+    mask. It describes the errors of the parameters that noise in the coordinates of the inliers
     causes; this noise is estimated from the inliers' errors. With few inliers the covariance is
     enlarged, because the estimate of the noise is uncertain: the mean squared Mahalanobis distance
     of the errors is then still d.
@@ -135,12 +135,12 @@ struct CV_EXPORTS_W_SIMPLE Report
     each other, errors of the calibration, or matches that are not independent (each repetition
     counts as a measurement). For F and E it is too small if wrong matches near the epipolar lines
     are among the inliers (for example if a third of all matches are wrong, mainly with forward
-    motion or planes). For all models it is too small if there are few matches with noise as wide as
-    the threshold. See doc/measurements/covariance.md. */
+    motion or planar scenes). For all models it is too small if there are few matches with noise as
+    wide as the threshold. See doc/measurements/covariance.md. */
     CV_PROP_RW Mat covariance;
     //! Probability, 0..1, of a difference at least as large as that between the initial model and
     //! the model of the points, if Params::initialCovariance and `covariance` describe the errors
-    //! of these models. If it is below 0.001, the prior was not used. 0 also if there is no prior,
+    //! of these models. If it is below 0.001, the prior was not used. Also 0 if there is no prior
     //! or no covariance of the model of the points. With up to 20 matches and noise as wide as the
     //! threshold, `covariance` is too small: a fifth to a half of correct priors are then not used.
     CV_PROP_RW double priorChance;

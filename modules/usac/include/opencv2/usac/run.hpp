@@ -72,8 +72,9 @@ struct CV_EXPORTS State
                           //!< is computed from this number
     int repeatedSamples;  //!< number of samples that would count, but contain the same match twice
     int orderedSamples;   //!< number of samples that follow a known order (scores, order of input)
-    int forgotten;        //!< number of first samples that do not count, because the threshold has
-                          //!< changed since; -k: k samples for #THRESHOLD_ESTIMATED count, too
+    int forgotten;        //!< number of samples at the start of the run that do not count, because
+                          //!< the threshold has changed since; -k: k samples that were drawn for
+                          //!< #THRESHOLD_ESTIMATED count, too
     int wanted;           //!< @ref WantedSamples; used only by samplers that follow a known order
     //! Set by a criterion that ends the search with #STOP_ORDER: number of samples that are drawn
     //! from the outliers of the best model before the search ends. The search continues if these

@@ -52,8 +52,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     //! inliers in TwoViewGeometry::mask; 0..1. Default 0.8.
     CV_PROP_RW double planarRatio;
     //! The focal lengths are considered wrong if the number of inliers of E is clearly less than
-    //! this fraction of the number of inliers of F, see #estimateTwoViewGeometry. F may lose at
-    //! most the remaining fraction of the inliers of E; 0..1. Default 0.95.
+    //! this fraction of the number of inliers of F, see #estimateTwoViewGeometry. F may lose
+    //! at most the fraction 1 minus `calibrationRatio` of the inliers of E; 0..1. Default 0.95.
     CV_PROP_RW double calibrationRatio;
 
     /** @brief Number of samples needed to find the model of an acceptable pair, regardless of
@@ -78,8 +78,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewRules
     //! Raises a cv::Exception that names the first invalid field.
     CV_WRAP void check() const;
     //! Like check(), but also checks `params`, which must have no `initialModel`, because E, F and
-    //! H are estimated. `quality` must not be #QUALITY_LMEDS, which chooses a threshold for each
-    //! model, because E, F and H are compared at one threshold.
+    //! H are estimated. `quality` must not be #QUALITY_LMEDS, which estimates a separate threshold
+    //! for each model: E, F and H are compared at one threshold.
     CV_WRAP void check(const Params& params) const;
 };
 
@@ -131,7 +131,7 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     CV_PROP_RW int configuration;
     //! N x 1, CV_8U, 1 for the inliers of one accepted model: of E; of F if E was not accepted or
     //! if the focal lengths are wrong; of H if only H was accepted. All 0 if none was accepted;
-    //! empty if a batch was canceled before the pair was looked at.
+    //! empty if `error` is set, or if a batch was canceled before this pair was begun.
     CV_PROP_RW Mat mask;
     //! Number of inliers in the mask.
     CV_PROP_RW int inliers;

@@ -34,7 +34,8 @@ struct TriangleFrame
 };
 
 //! There is no model if the height of the triangle is at most LEAST_HEIGHT times its longest side
-//! or at most LEAST_EXTENT times the largest coordinate: its corners are collinear up to rounding.
+//! or at most LEAST_EXTENT times the largest coordinate: the corners are then collinear up to
+//! rounding.
 constexpr double LEAST_HEIGHT = 1e-9, LEAST_EXTENT = 1e-13;
 //! Unit vectors of two rays are equal up to rounding if their distance is at most this value.
 constexpr double LEAST_DISTANCE = 4e-15;

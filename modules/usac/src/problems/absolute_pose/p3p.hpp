@@ -14,14 +14,15 @@ namespace usacv20 {
 
 The columns of a datum are X, Y and Z of the object point and u and v of its image on the plane
 z = 1 of the camera. A model is the 3x4 matrix [R t] that maps object points to camera coordinates;
-R is a rotation. This is for the identity as camera matrix; for other camera matrices, see the
-constructor.
+R is a rotation. This applies if the camera matrix is the identity; for other camera matrices, see
+the constructor.
 
 The law of cosines gives three quadrics in the distances of the points from the camera. The ratios
-of these distances are the intersections of two conics @cite persson2018lambda, found by means of a
-degenerate conic of their pencil, a pair of lines @cite ding2023revisiting. Unlike in these papers,
-the unknowns are the first distance and the differences of the other distances from the first one,
-in units that avoid cancellation for a narrow field of view or a distant scene, see TriangleDepths.
+of these distances are given by the intersections of two conics @cite persson2018lambda, found by
+means of a degenerate conic of their pencil: a pair of lines @cite ding2023revisiting. Unlike in
+these papers, the unknowns are the first distance and the differences of the other distances from
+the first one, in units that avoid cancellation for a narrow field of view or a distant scene, see
+TriangleDepths.
 
 Under every model, the three points are in front of the camera and are projected to their images; no
 two models are the same. There is no model if, up to rounding, the object points are collinear or

@@ -12,8 +12,9 @@ namespace usacv20 {
 
 namespace {
 
-//! A plane dominates the scene if more than this fraction of the inliers lies on it: the second
-//! motion that explains the plane then has nearly as many inliers. See doc/constants.md.
+//! A plane dominates the scene if more than this fraction of the inliers lies on it: the wrong
+//! motion that explains the plane then has nearly as many inliers as the right one. See
+//! doc/constants.md.
 constexpr double DOMINANT = 0.8;
 //! Assumed fraction of the all-inlier samples that lead to the correct motion if a plane dominates.
 //! A smaller value makes the search draw more samples. See doc/constants.md.

@@ -10,10 +10,10 @@
 namespace cv {
 namespace usacv20 {
 
-//! Sizes for an ArcsKernel. A point is here a match off the plane of PlaneParallax; it has
-//! ARCS_ROWS numbers. The number of points is a multiple of ARCS_BLOCK. A line is a line of
-//! possible epipoles in image 2; it has ARCS_WEIGHTS coefficients and is divided into ARCS_BINS
-//! bins.
+//! Sizes for an ArcsKernel. Here, a point is a match off the plane of PlaneParallax, described by
+//! ARCS_ROWS numbers. The number of points is padded to a multiple of ARCS_BLOCK. A line is a line
+//! of possible epipoles in image 2, described by ARCS_WEIGHTS coefficients and divided into
+//! ARCS_BINS bins.
 constexpr int ARCS_BLOCK = 16, ARCS_ROWS = 9, ARCS_WEIGHTS = 24, ARCS_BINS = 256;
 /** Computes, for each of `stride` points, an arc of a line: if the epipole lies on this arc, the
 point is within the threshold. See PlaneParallax and arcs.inl.hpp.

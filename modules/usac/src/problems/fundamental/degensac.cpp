@@ -24,8 +24,9 @@ namespace {
 //! of fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points
 //! is not fitted.
 constexpr int MAX_FIT = 256, MAX_FITS = 5, FIT_STEPS = 2, LEAST_POINTS = 8;
-//! The plane that was handled last is called the known plane. It is handled again only if a new
-//! homography of this plane maps more than CLEARLY times as many points as were on the known plane.
+//! The plane to which planeAndParallax() was applied last is called the known plane. The function
+//! is applied to this plane again only if a new homography of the plane maps more than CLEARLY
+//! times as many points as the old one.
 constexpr double CLEARLY = 1.05;
 //! A plane counts as the known plane if more than this fraction of the tested inliers on it are on
 //! the known plane, too. (If there is a sample, the condition is that at least five of its points
@@ -39,8 +40,8 @@ constexpr double DOMINANT = 0.5, ROUGHLY = 0.6;
 //! 5000 (21 w^5) has five of its seven points on the plane. For smaller planes, this is so rare
 //! that a plane found in a sample is more likely to fit five points of the sample by chance.
 constexpr double SEEN = 0.1;
-//! Models whose number of inliers is less than this fraction of that of the best model are not
-//! searched for. The fraction is below 1 because local optimization can add inliers.
+//! The search for an epipole ignores models that have fewer inliers than this fraction of the best
+//! model's inliers. The fraction is below 1 because local optimization can add inliers.
 constexpr double OF_INTEREST = 0.9;
 //! A match is off the plane and votes for the epipole if its squared transfer error exceeds this
 //! many squared thresholds; a match closer to the plane is an inlier for most epipoles.
@@ -106,7 +107,7 @@ public:
     }
 
 private:
-    //! True if H belongs to the plane that was handled last, so that the result would be the same.
+    //! True if H belongs to the known plane, so that the result would be the same.
     bool isKnown(const Context& context, const Matx33d& H, const int* sample) const
     {
         if (sample)
@@ -179,7 +180,7 @@ private:
     }
 
     /** Repeats least squares over the points on the plane until their number stops growing, at most
-    MAX_FITS times: the homography of three noisy points often explains only some of them.
+    MAX_FITS times: the homography of three noisy points often maps only a part of the plane.
     @param least minimum number of points on a dominant plane
     @param H replaced by the homography of the last fit
     @return false if fewer than LEAST_POINTS or ROUGHLY times `least` points are on the plane before
@@ -231,8 +232,7 @@ private:
 
     Ptr<NonMinimalSolver> fitter;
     Matx33d known;         //!< homography of the known plane
-    int knownPoints;       //!< number of points on the known plane when it was handled; 0: no known
-                           //!< plane
+    int knownPoints;       //!< number of points that `known` maps; 0: there is no known plane
     Model knownModel;      //!< the F found with the known plane
     Quality knownQuality;  //!< score of knownModel; infinite cost: no better F was found
     DominantPlane plane;

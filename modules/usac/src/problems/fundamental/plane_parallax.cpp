@@ -25,9 +25,9 @@ constexpr int NEAR = 2;
 //! Assumed fraction of the correct matches whose lines lead to the epipole despite noise.
 constexpr double GOOD_LINES = 0.5;
 //! An epipole is fitted only if the number of its votes is at least this fraction of the number of
-//! inliers among the voters (the matches off the plane): that of the best model, or the wanted
-//! number if this is larger. The fraction is below 1 because the cost can be lower even if there
-//! are no more inliers.
+//! inliers that the best model has among the voters (the matches off the plane), or of the wanted
+//! number if this is larger. The fraction is below 1 because a model with fewer inliers can have a
+//! lower cost.
 constexpr double WORTH_A_FIT = 0.8;
 //! A fit continues after two steps if its cost over the voters exceeds the lowest such cost by at
 //! most GOES_ON. A fitted epipole is scored over all points if the excess is at most WORTH_RATING,

@@ -49,8 +49,8 @@ public:
     @param failure accepted probability, in (0, 1), of missing a better model if there is one
     @param wanted models with fewer inliers off the plane are of no interest; only inliers among
     the voters are counted
-    @param model, quality input: the known model and its quality; output: if the model was replaced,
-    the better model, of unit Frobenius norm, and its quality
+    @param model, quality input: a model and its quality; output: if the model was replaced, the
+    better model, of unit Frobenius norm, and its quality
     @return true if the model was replaced */
     bool search(const Context& context, double failure, double wanted, Model& model,
                 Quality& quality);

@@ -23,7 +23,7 @@ struct PoseSample
 enum PoseSampleKind {
     CUBE,           //!< in a cube of side 2 whose center has depth 3
     FRONTAL_PLANE,  //!< on a plane parallel to the image
-    NEAR_PLANE,     //!< the same with variations of 1e-4 in depth
+    NEAR_PLANE,     //!< the same, but depths vary by up to 1e-4
     FAR_AWAY,       //!< in a cube of side 2 at a depth of 100 sides
     VERY_FAR,       //!< in a cube of side 2 at a depth of 10 000 sides
     CLOSE,          //!< depths 0.01 to 1, width and height 2

@@ -147,8 +147,8 @@ public:
         scene.depth = MIDDLE * options.scale;
         const double angle = rng.uniform(0., CV_PI);
         const Matx33d R = rotationAround(randomInBall(rng, 1), angle);
-        const Vec3d middle = Vec3d(0, 0, MIDDLE) +
-                             randomInBall(rng, 1);  // origin of the object coordinates
+        // origin of the object coordinates if there is no scale and no offset
+        const Vec3d middle = Vec3d(0, 0, MIDDLE) + randomInBall(rng, 1);
         scene.pose = poseOf(R, middle * options.scale - R * options.offset);
         // the object turns around its middle and moves
         const double turned = rng.uniform(0.3, 0.6);

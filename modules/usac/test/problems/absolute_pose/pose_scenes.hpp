@@ -31,7 +31,7 @@ enum PoseOutliers {
                                 //!< square of side 80 pixels
     POSE_OUTLIERS_SECOND_POSE,  //!< true matches of another pose of the same object, with the same
                                 //!< noise
-    POSE_OUTLIERS_PLACE  //!< up to `structured` wrong matches lead to one of `places` image points,
+    POSE_OUTLIERS_PLACE  //!< up to `structured` wrong matches have one of `places` image points,
                          //!< with Gaussian noise of 0.4 pixels; the others are uniform
 };
 
@@ -63,7 +63,7 @@ struct PoseSceneOptions
     double scale;      //!< factor by which all lengths of the object are multiplied
     cv::Vec3d offset;  //!< translation of the object points after scaling
     int structured,
-        places;  //!< POSE_OUTLIERS_PLACE: maximum number of wrong matches that lead to a few image
+        places;  //!< POSE_OUTLIERS_PLACE: maximum number of wrong matches that share a few image
                  //!< points, and number of these image points
 };
 

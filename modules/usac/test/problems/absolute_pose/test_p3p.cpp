@@ -258,9 +258,9 @@ TEST(Usac_P3P, anyOrder)
     }
 }
 
-//! A sample whose third point is off the line through the first two points. `height` is the
-//! distance of the third point from this line, divided by the distance between the first two
-//! points.
+//! A sample whose third point has been moved near or onto the line through the first two points.
+//! `height` is the distance of the third point from this line, divided by the distance between the
+//! first two points.
 PoseSample flatSample(double height, RNG& rng)
 {
     PoseSample s = randomPoseSample(CUBE, rng);

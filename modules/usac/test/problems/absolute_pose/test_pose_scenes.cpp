@@ -6,7 +6,7 @@
 #include "pose_scenes.hpp"
 #include "opencv2/imgproc.hpp"
 
-// Synthetic scenes of absolute poses must have the properties that their options ask for, because
+// Synthetic scenes of absolute poses must have the properties that their options specify, because
 // other tests rely on these properties.
 
 namespace opencv_test {

@@ -159,9 +159,9 @@ TEST(Usac_PlaneParallax, allMotions)
     }
 }
 
-//! Only outliers are off the plane. A match off the plane and the homography of the plane give two
-//! points of an image; the epipole is on the line through these points. The search must be bounded:
-//! it must try each of these lines at most once.
+//! Only outliers are off the plane. For a correct match off the plane, the epipole is on the
+//! line through x2 and H x1 in image 2, where H is the homography of the plane. The search must try
+//! this line of each match at most once.
 TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
 {
     const int sizes[] = {20, 200, 1000, 6000};
@@ -176,8 +176,8 @@ TEST(Usac_PlaneParallax, boundedWhereNothingIsOffThePlane)
         const int lines = parallax.lines();
         EXPECT_LE(lines, std::min<int>(sizes[k] / 2, PlaneParallax::MAX_POINTS));
         EXPECT_LE(lines, 450)
-            << "this limit holds for any number of points, because a wrong epipole agrees with "
-               "about 2 % of them by chance";
+            << "a wrong epipole agrees with about 2 % of the points by chance, so that this limit "
+               "holds for any number of points";
         EXPECT_LE(parallax.fits(), lines);
         // a second search must find nothing and must try no further line
         EXPECT_FALSE(parallax.search(p.context, 0.01, 0, model, quality));

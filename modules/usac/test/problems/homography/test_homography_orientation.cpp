@@ -28,7 +28,7 @@ TEST(Usac_Orientation, homographySamples)
         cross(HOMOGRAPHY, square, crossed);
     EXPECT_TRUE(check->validSample(RunContext(same.view(), none, params), sample));
     EXPECT_TRUE(check->validSample(RunContext(mirror.view(), none, params), sample))
-        << "a mirror is a homography";
+        << "a reflection is a homography";
     EXPECT_FALSE(check->validSample(RunContext(cross.view(), none, params), sample));
     const RunContext context(same.view(), none, params);
     EXPECT_TRUE(check->validModel(context, sample, Matx33d::eye()));

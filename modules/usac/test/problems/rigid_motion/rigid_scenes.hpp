@@ -28,7 +28,7 @@ enum RigidOutliers {
                              //!< side 4, whose center is the moved origin of space 1
     RIGID_OUTLIERS_CLUSTERED,      //!< in each space within one ball of radius 0.3
     RIGID_OUTLIERS_SECOND_MOTION,  //!< true matches of another motion, with the same noise
-    RIGID_OUTLIERS_PLACE  //!< up to `structured` wrong matches lead to one of `places` points of
+    RIGID_OUTLIERS_PLACE  //!< up to `structured` wrong matches have one of `places` points of
                           //!< space 2, with Gaussian noise of a quarter of the threshold; the
                           //!< others are uniform
 };
@@ -59,7 +59,7 @@ struct RigidSceneOptions
     double unit;                 //!< factor of all coordinates before the offsets are added
     cv::Vec3d offset1, offset2;  //!< translations of both spaces after scaling
     int structured,
-        places;  //!< RIGID_OUTLIERS_PLACE: maximum number of wrong matches that lead to a few
+        places;  //!< RIGID_OUTLIERS_PLACE: maximum number of wrong matches that share a few
                  //!< points of space 2, and number of these points
 };
 

@@ -139,7 +139,7 @@ TEST_P(Usac_RigidMotion, a_hundred_thousand_points)
     expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 0.02, 0.001);
 }
 
-//! There are only true matches: three, as many as in a sample, or a few more. The motion must be
+//! There are only true matches, from three (as many as in a sample) to 20. The motion must be
 //! found. With fewer than three points there must be no model.
 TEST_P(Usac_RigidMotion, few_points)
 {

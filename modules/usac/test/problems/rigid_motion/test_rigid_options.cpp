@@ -173,8 +173,8 @@ TEST_P(Usac_RigidOptions, initial_model)
     }
 }
 
-//! If the threshold is too small for the noise, a reach that grows (Params::widestReach) must
-//! improve the model.
+//! If the threshold is too small for the noise, models must be more accurate if Params::reach can
+//! grow (Params::widestReach is 10 instead of 1).
 TEST_P(Usac_RigidOptions, widest_reach)
 {
     double narrow = 0, wide = 0;

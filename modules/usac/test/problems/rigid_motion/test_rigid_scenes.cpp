@@ -5,7 +5,7 @@
 #include "test_precomp.hpp"
 #include "rigid_scenes.hpp"
 
-// Synthetic scenes of two spaces must have the properties that their options ask for, because other
+// Synthetic scenes of two spaces must have the properties that their options specify, because other
 // tests rely on these properties.
 
 namespace opencv_test {

@@ -7,7 +7,7 @@
 #include "space_points.hpp"
 #include "problems/rigid_motion/rigid_motion.hpp"
 
-// Tests of the solver for rigid motions from three points, with and without a scale.
+// Tests of the solver for 3-D motions from three points, with and without a scale.
 
 namespace opencv_test {
 namespace {

@@ -31,7 +31,7 @@ TEST(Usac_Orientation, trueModelsAreKept)
             EXPECT_TRUE(check->validSample(context, sample));
             EXPECT_TRUE(check->validModel(context, sample, truth));
             EXPECT_TRUE(check->validModel(context, sample, Matx33d(truth) * -3.))
-                << "the sign of a model means nothing";
+                << "the sign of a model must not matter";
         }
     }
 }

@@ -22,10 +22,10 @@ Scene sceneWith(int problem, OutlierModel outliers, uint64 seed)
     return makeScene((ProblemType)problem, options);
 }
 
-//! The scenes have 30 % inliers. In one kind, 35 % of the matches lead to each of two points of
-//! image 2; in the other, half of the outliers lead to points of a line. The true model must be
-//! found. Without DEGENERACY_REPEATED, the search must fail in at least five of six scenes of the
-//! first kind.
+//! The scenes have 30 % inliers. In OUTLIERS_TARGETS scenes, all outliers are at one of two points
+//! of image 2 (35 % of the matches each); in OUTLIERS_LINE scenes, half of the outliers are on a
+//! line in image 2. The true model must be found. Without DEGENERACY_REPEATED, the search must fail
+//! in at least five of six OUTLIERS_TARGETS scenes.
 TEST_P(Usac_SharedPoints, targetsDoNotWin)
 {
     int wrongWithout = 0;
@@ -50,8 +50,8 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
 }
 
 //! x1 and x2 are the distances between two matches in image 1 and in image 2. With the threshold 1,
-//! the matches share a point if they are closer than 2 in one image and farther apart than 20 in
-//! the other.
+//! the matches count as sharing a point if they are at most 2 apart in one image and more than 20
+//! in the other.
 TEST(Usac_SharedPoints_Samples, shareATarget)
 {
     const struct
@@ -129,8 +129,8 @@ TEST(Usac_SharedPoints_Models, strongPerspectiveCounts)
     }
 }
 
-//! Half of the matches lead to one point of an image, the target. An F whose epipole is the target
-//! has all these matches as inliers. Together, they must count as about one inlier.
+//! Half of the matches share a point of an image, the target. An F whose epipole is the target has
+//! all these matches as inliers. Together, they must count as about one inlier.
 TEST(Usac_SharedPoints_Models, targetsCountOnce)
 {
     RNG rng(5);
