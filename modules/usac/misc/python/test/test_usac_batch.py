@@ -108,7 +108,7 @@ class BatchTest(unittest.TestCase):
                 usac.estimateHomographies(*call)
         with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
             usac.estimateEssentials(first, second, [np.eye(3)] * 2)
-        for both in (False, True):  # one wrong camera matrix for all pairs: the call must raise the error in any case
+        for both in (False, True):  # a wrong camera matrix for all pairs is an error even with returnExceptions
             with self.assertRaisesRegex(ERRORS, "cameraMatrices1"):
                 usac.estimateEssentials(first, second, "K", returnExceptions=both)
 
@@ -125,7 +125,7 @@ class BatchTest(unittest.TestCase):
                 usac.estimateEssentials(first, second, np.eye(3), wrong)
 
     def test_names_of_cameras(self):
-        """The entry of a list that is wrong is named by the argument of the called function."""
+        """A message names the pair, and the wrong argument by its name in the called function."""
         X, x, K = [POSE.X], [POSE.x], POSE.K
         for call, words in (((X, x, K[:2]), "cameraMatrices: "), ((X, x, K, [1, 2]), "distCoeffs: "),
                             ((X, [POSE.x[1:]], K), "objectPoints and imagePoints: ")):

@@ -142,14 +142,14 @@ class FiguresTest(Reports):
             for label, count in shown.items():
                 low, high = map(float, label.split(" to "))
                 self.assertEqual(count, sum(low <= n < high for n in numbers), label)
-        self.assertIn("In all {} samples and {:.3g} s".format(
+        self.assertIn("In total, {} samples and {:.3g} s".format(
             sum(r.iterations for r in values), sum(r.milliseconds for r in values) / 1000), text)
         reasons = collections.Counter(withoutNumbers(r.reason.split(".jpg: ")[-1]) for r in values if r.reason)
         self.assertEqual(len(reasons), 3)
         for reason, count in reasons.items():
             self.assertRegex(text, r"(?m)^ +{}  {}  +for example \d\d.jpg - \d\d.jpg$".format(count, re.escape(reason)))
         self.assertIn("  20 images, 0 of them without a verified pair\n", text)
-        self.assertIn("  1 connected components of more than one, the largest of 20 images\n", text)
+        self.assertIn("  1 connected components of at least two images; images in the largest components: 20\n", text)
         self.assertIn("  0 verified pairs are the only link", text)
         self.assertNotIn("not looked at", text)
         self.assertNotIn("another program", text)
@@ -217,7 +217,7 @@ class FiguresTest(Reports):
         found = results(neighbors)
         path = self.verified(found)
         change(path, "DELETE FROM usacv20_pairs WHERE pair_id = ?", pairId(1, 20))
-        self.assertIn("1 more pairs were not looked at yet", self.text(path))
+        self.assertIn("1 more pairs have not been processed yet", self.text(path))
         good = [r for r in found.values() if not r.reason]
         change(path, "UPDATE two_view_geometries SET rows = rows + 1 WHERE pair_id = ?", good[0].key)
         # The other row belongs to the pair that was deleted from usacv20_pairs above.

@@ -87,7 +87,7 @@ class GrowthTest(RunCase):
         before = dump(self.path, TABLE)
         change(self.path, "INSERT INTO matches SELECT * FROM kept")
         said = self.verify(resume=True)
-        self.assertEqual(said[0], "threshold: {:g} px, that of the run that goes on".format(threshold))
+        self.assertEqual(said[0], "threshold: {:g} px, that of the run that is continued".format(threshold))
         self.assertEqual((self.summary.pairs, self.summary.skipped, self.summary.threshold), (LATER, PAIRS, threshold))
         after = dump(self.path, TABLE)[TABLE]
         self.assertEqual(after[:PAIRS], before[TABLE])
@@ -141,7 +141,7 @@ class GrowthTest(RunCase):
         before = dump(self.path, TABLE, "usacv20_pairs", "usacv20_runs")
         change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), before[TABLE][7][0])
         said = self.verify(output=copy, resume=True)
-        self.assertEqual(said[0], "threshold: 3 px, that of the run that goes on")
+        self.assertEqual(said[0], "threshold: 3 px, that of the run that is continued")
         self.assertEqual((self.summary.pairs, self.summary.skipped), (1, PAIRS + LATER - 1))
         self.assertEqual(dump(copy, TABLE)[TABLE], before[TABLE])
         self.assertEqual(len(dump(self.path, TABLE)[TABLE]), PAIRS + LATER - 1)

@@ -52,8 +52,8 @@ def _matrix(given: Optional[npt.ArrayLike], name: str) -> "npt.NDArray[Any]":
 class Params:
     """All options of the estimator.
 
-    Fields can be given by name, Params(threshold=2, scores=distances), also to the presets,
-    Params.fast(threshold=2), and assigned later; None means the default. Params() is
+    Fields can be given by name to the constructor, Params(threshold=2, scores=distances), and to
+    the presets, Params.fast(threshold=2), or assigned later; None means the default. Params() is
     Params.usacV20(). Enumerators can also be given by name: Params(sampler="prosac",
     termination="sprt|standard"). A value of a wrong type or an enumerator of another enumeration
     raises TypeError at once. Any other invalid value raises usacv20.error, which names the field,
@@ -95,15 +95,16 @@ class Params:
         absolute pose has one image: N x 3) and RESIDUAL_STANDARD; variances are 1e-12..1e12, 1 - xy^2 / (xx yy) is 1e-6 or more, and
         three zeros are an exact point of image 1. Each error is divided by its standard deviation in score,
         fits, mask and covariance: threshold, Report.threshold, Report.sigma and modelErrors refer to the divided errors. The
-        array that is stored has one dimension, but rows for another number of matches raise usacv20.error. Default none.""")
+        stored array has one dimension; if the number of assigned rows is not that of the matches, usacv20.error is raised.
+        Default none.""")
     initialModel = Model(np.float64, """Entries, row by row, of an initial model, such as that of the previous frame; an
         array of float64, empty if there is none; see setInitialModel(). It is scored and optimized before the first sample,
         like a model of a sample. Default none.""")
     initialCovariance = Covariance(np.float64, """Covariance of initialModel, d x d numbers for the parameters of
         Report.covariance; an array of float64, empty if there is none. With it, the initial model is a prior: the result is
-        the mean of the initial model and of the model of the points, weighted by the inverses of their covariances. If the
-        two models contradict each other, the result is the model of the points alone, see Report.priorChance. Default
-        none.""")
+        the mean of the initial model and the model estimated from the points, weighted by the inverses of their covariances.
+        If the two models contradict each other, the result is the model from the points alone, see Report.priorChance.
+        Default none.""")
     scoreOrder = Option(e.ScoreOrder, "ScoreOrder: whether low or high scores are better. Default SCORES_LOWER_IS_BETTER.")
     neighborhood = Option(e.NeighborhoodType, "NeighborhoodType: which points are neighbors. Default NEIGHBORHOOD_GRID.")
     neighbors = Integer("""Number of neighbors of a point for NEIGHBORHOOD_KNN in the finest of four layers; each further
@@ -113,10 +114,11 @@ class Params:
     residual = Option(e.ResidualType, "ResidualType: which error of a point is minimized. Default RESIDUAL_STANDARD.")
     quality = Option(e.QualityType, "QualityType: how a model is scored. Default QUALITY_MSAC.")
     reach = Real("""Search, local optimization and polishing use this multiple of threshold, the mask uses threshold itself;
-        1..10. Meant for scores and fits that are marginalized over the noise scale. Default 1.""")
-    widestReach = Real("""Upper bound of the multiple of threshold to which reach grows if the errors of the best model show
-        that the noise is larger than threshold; 1..1e6. The mask still uses threshold and may then be empty for a correct
-        model. Default 1; magsac() and magsacPlusPlus() 1000.""")
+        1..10. Meant for scores and fits that are marginalized over the noise scale. Default 1; magsac() 3,
+        magsacPlusPlus() 2.4.""")
+    widestReach = Real("""Upper bound to which reach grows during the search if the errors of the best model show that
+        reach times threshold is too small for the noise; 1..1e6. The mask still uses threshold and may then be empty for a
+        correct model. Default 1; magsac() and magsacPlusPlus() 1000.""")
     verification = Option(e.VerificationType, """VerificationType: how bad models are rejected early. Default
         VERIFICATION_SPRT.""")
     tddPoints = Integer("Number of points that must be inliers for VERIFICATION_TDD; 1..100. Default 1.")
@@ -132,14 +134,15 @@ class Params:
     runnersUp = Integer("""Maximum number of runners-up: models that were not the best one, but are optimized when the search
         is about to end, because they have the most inliers that are outliers of the best model; 0..100. Default 16.""")
     orderedEvery = Integer("""Samplers that prefer some points draw one in this many samples in their own way; the others are
-        uniform among all points, and in general only these count for the termination criteria. If the order of the points
-        is known (scores), the first 8 samples are uniform; then every second one follows the order, and all do once it is
-        confirmed (TERMINATION_ORDER). 1: all samples are drawn in the sampler's way, and all count, as in the papers;
-        1..1000. Default 8.""")
+        uniform among all points, and in general only the uniform samples count for the termination criteria. If the order
+        of the points is known (scores), the first 8 samples are uniform; with TERMINATION_ORDER, every second sample then
+        follows the order, and every sample once the order is confirmed. 1: all samples are drawn in the sampler's way, and
+        all count, as in the papers; 1..1000. Default 8.""")
     termination = Set(e.TerminationFlags, """Set of TerminationFlags; 0: all maxIterations samples are drawn. Default
         TERMINATION_SPRT | TERMINATION_P_NAPSAC | TERMINATION_EXACT | TERMINATION_ORDER.""")
-    relaxation = Real("""For TERMINATION_P_NAPSAC: how many more inliers than the best model a "significantly" better one
-        has, as a fraction of the inliers of the best one; smaller if there are few of them; 0..1. Default 0.05.""")
+    relaxation = Real("""For TERMINATION_P_NAPSAC and TERMINATION_ORDER: how many more inliers than the best model a
+        "significantly" better model has, as a fraction of the inliers of the best model; the fraction is reduced if these
+        inliers are few; 0..1. Default 0.05.""")
     persistence = Integer("Factor on the number of samples that the termination criteria ask for; 1..100. Default 1.")
     degeneracy = Set(e.DegeneracyFlags, "Set of DegeneracyFlags. Default all.")
     polishing = Option(e.PolishingType, "PolishingType: how the best model is refined at the end. Default POLISHING_ROBUST.")
@@ -148,7 +151,7 @@ class Params:
     significance = Real("""Largest Report.chance with which a model is returned, a probability; 0..1. 1: a model is returned
         whatever its chance is. Default 0: the bound is 0.01, or 1 if there are so few independent points that even a model
         with a quarter of them as inliers would have a chance above 0.01.""")
-    covariance = Integer("""1: Report.covariance and, for a given threshold, Report.sigma are computed (0.1 ms for 200
+    covariance = Integer("""1: Report.covariance and, with THRESHOLD_GIVEN, Report.sigma are computed (0.1 ms for 200
         points, 0.3 ms for 1000 or more); 0..1. Default 0.""")
 
     def __init__(self, *,
@@ -249,8 +252,8 @@ class Params:
             self._checkRows(number, "")
 
     def _checkRows(self, count: int, prefix: str) -> None:
-        """Raises usacv20.error, whose message begins with `prefix`, if sigmas were assigned in rows, whose number is not
-        `count`. The compiled part, which gets only the numbers, would distribute them to the matches in another way."""
+        """Raises usacv20.error, whose message begins with `prefix`, if sigmas were assigned in rows, but not in `count`
+        rows. The compiled part gets only the numbers without their shape and might assign them to the wrong matches."""
         columns = self._sigmasColumns
         if columns > 0 and len(self.sigmas) != columns * count:
             raise fail("{}sigmas: a row for each of the {} correspondences is expected, not the shape {} x {}".format(
@@ -424,8 +427,8 @@ def _shown(value: Any) -> str:
 
 
 def optionsOf(params: Any, name: str = "params", count: Optional[int] = None) -> Any:
-    """Returns the options as an object of the compiled part; None means the defaults. Raises usacv20.error if sigmas have
-    rows, but not `count` rows; None: they are not checked."""
+    """Returns the options as an object of the compiled part; None as `params` means the defaults. Raises
+    usacv20.error if sigmas were assigned in rows, but not in `count` rows; None as `count`: this is not checked."""
     if params is None:
         return native.Params()
     if not isinstance(params, Params):
@@ -436,7 +439,7 @@ def optionsOf(params: Any, name: str = "params", count: Optional[int] = None) ->
 
 
 def checkRows(params: Optional[Params], count: int, prefix: str = "") -> None:
-    """Raises usacv20.error, whose message begins with `prefix`, if sigmas have rows, but not `count` rows."""
+    """Raises usacv20.error, whose message begins with `prefix`, if sigmas were assigned in rows, but not in `count` rows."""
     if params is not None:
         params._checkRows(count, prefix)
 

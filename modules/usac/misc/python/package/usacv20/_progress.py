@@ -25,10 +25,11 @@ class progress:
             H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
     function -- gets a Report on the state of the search and returns True to continue. In this
-    Report, `stop` is STOP_NOT_RUN, `inliers`, `inlierRatio` and `cost` are those of the best model
-    before polishing (0, 0 and 1 if there is none; of more than 32768 points, those of the random
-    part that is searched), and `searchMs` is the time since the run began. If the function returns
-    False, the run ends with the best model so far, and report.stop is STOP_CANCELLED
+    Report, `stop` is STOP_NOT_RUN, and `searchMs` is the time since the run began. `inliers`,
+    `inlierRatio` and `cost` are those of the best model before polishing (0, 0 and 1 if there is
+    none); with more than 32768 points, they refer to the random part of the points that is
+    searched. If the function returns False, the run ends with the best model so far, and the `stop`
+    of its final Report is STOP_CANCELLED
 
     This applies to all functions of the package that estimate a model, including those for many
     pairs, and to Usac.run. An exception in the function ends the run and is passed on to the

@@ -86,13 +86,13 @@ class Report:
         coordinates; for a homography (8), F (7) and E (5) see tangentOfModel. All entries are NaN if the covariance is
         not determined (F and E without a translation, F of a plane, too few inliers, POLISHING_NONE). covarianceOfModel,
         covarianceOfPose and pointCovariance compute the covariance of the entries, of a motion and of points.""")
-    priorChance = Field[float]("""Probability that the initial model and the model of the points differ by at least as much
-        as they do if Params.initialCovariance and the covariance of the points describe their errors, 0..1. If it is below
-        0.001, the prior was not used. It is also 0 if there is no prior, or if the covariance of the points is not
-        determined.""")
+    priorChance = Field[float]("""Probability, 0..1, of a difference at least as large as that between the initial model and
+        the model from the points, if Params.initialCovariance and the covariance of the model from the points describe the
+        errors of the two models. If it is below 0.001, the prior was not used. It is also 0 if there is no prior, or if the
+        covariance of the model from the points is not determined.""")
     wideThreshold = Field[bool]("""True if `threshold` is at least half of the longest side of the box that contains nearly all
-        points of the second array. A model that maps all points to a single point then has all points as inliers, and the
-        number of inliers means nothing. The threshold is probably in the wrong unit, for example in pixels with points of the
+        points of the second array. A model that maps all points to a single point can then have most points as inliers, and
+        the number of inliers means nothing. The threshold is probably in the wrong unit, for example in pixels with points of the
         normalized image plane.""")
     cost = Field[float]("""Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of
         min(error^2 / threshold^2, 1).""")

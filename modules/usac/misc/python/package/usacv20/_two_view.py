@@ -120,7 +120,8 @@ class TwoViewGeometry(typing.NamedTuple):
     determined. F and H refer to undistorted pixels."""
 
     configuration: TwoViewConfiguration
-    mask: npt.NDArray[np.uint8]  # N x 1, 1 for inliers of the accepted model: E, F or H; (0, 1) if the pair was not begun
+    # N x 1, 1 for inliers of the accepted model: E, F or H. 0 x 1 if the call was stopped before it began this pair.
+    mask: npt.NDArray[np.uint8]
     inliers: int  # number of inliers in the mask
     F: _Double  # 3x3, x2^T F x1 = 0 in pixels, unit Frobenius norm
     E: _Double  # 3x3, for normalized image planes, singular values (1, 1, 0)/sqrt(2); set if `mask` marks the inliers of E
@@ -161,8 +162,8 @@ def _numbers(given: Any, name: str) -> Any:
 
 
 def _read(pair: TwoViewPair, place: str, params: Optional[Params]) -> Tuple[Any, ...]:
-    """Returns the converted fields of a pair in the order that the compiled part expects. `place` is the caller's name of the
-    pair, for messages; empty: the fields are arguments of the caller."""
+    """Returns the converted fields of a pair in the order that the compiled part expects. `place` names the pair in messages,
+    for example pairs[3]; empty: the fields are arguments of the called function, and messages name only the argument."""
     prefix = place + "." if place else ""
     scores, sigmas = _numbers(pair.scores, prefix + "scores"), _numbers(pair.sigmas, prefix + "sigmas")
     taken = (None if given is None else _arguments.points(given, prefix + name)
@@ -224,12 +225,12 @@ def estimateTwoViewGeometry(points1: npt.ArrayLike, points2: npt.ArrayLike, came
     matrix F starting from E; otherwise only F. If E is rejected, F is searched for with 500
     samples, and its report.chance must be at most the square of params.significance. If F is
     accepted, and E is rejected or has clearly fewer inliers, E is estimated once more, starting from
-    F. H is estimated from the inliers of E or F or, if both were rejected, from all matches. The focal
-    lengths are rejected if all of the following hold: the number of inliers of E is clearly less than
-    rules.calibrationRatio times that of F; hardly any inliers of E are outliers of F; the inliers of
-    both have hardly larger errors under F than under E; if most inliers of E are on a plane, the
-    additional inliers of F are not due to chance. An invalid argument raises usacv20.error, whose
-    message names the argument."""
+    F. H is estimated from the inliers of E (of F if E was rejected) or, if both were rejected, from
+    all matches. The focal lengths are rejected if all of the following hold: the number of inliers
+    of E is clearly less than rules.calibrationRatio times that of F; hardly any inliers of E are
+    outliers of F; the inliers of both have hardly larger errors under F than under E; if most
+    inliers of E are on a plane, the additional inliers of F are not due to chance. An invalid
+    argument raises usacv20.error, whose message names the argument."""
     pair = TwoViewPair(points1, points2, cameraMatrix1, cameraMatrix2, distCoeffs1, distCoeffs2, imageSize1, imageSize2)
     options = optionsOf(params)
     return _geometry(native.estimateTwoViewGeometry(_read(pair, "", params), options, _rules(rules)))

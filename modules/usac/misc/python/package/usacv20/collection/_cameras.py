@@ -72,7 +72,7 @@ class Camera(typing.NamedTuple):
         for a model without a counterpart in OpenCV, and for invalid parameters."""
         if model not in _MODELS:
             name = _REFUSED.get(model, "of number {}".format(model))
-            raise CollectionError("camera {}: its model {} has a distortion that OpenCV does not know".format(id, name))
+            raise CollectionError("camera {}: its model {} has a distortion that OpenCV does not support".format(id, name))
         name, parameters = _MODELS[model]
         names = parameters.split()
         blob = params or b""

@@ -113,9 +113,9 @@ class Cluster:
         return future
 
     def drop(self, futures: typing.Sequence[Any]) -> None:
-        """Cancels the tasks that no worker has. Dask would also drop the results of tasks in progress, so
-        a task is canceled only if it has not been with a worker for _IDLE seconds: tasks that were just
-        submitted or have just ended are not with a worker either."""
+        """Cancels the tasks that no worker has. Canceling a task in progress would discard its result, so
+        a task is canceled only if no worker has had it for _IDLE seconds: for a moment, tasks that were
+        just submitted or have just ended are not assigned to a worker either."""
         try:
             begun = {key for keys in self._client.processing().values() for key in keys}
         except OSError:  # the scheduler does not answer

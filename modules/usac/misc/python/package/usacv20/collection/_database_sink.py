@@ -23,7 +23,7 @@ from ._sqlite import checkInput, columns, connect, explained
 
 # Version of the additional tables and of the contents of rows. Version 1 stored zeros for
 # unknown matrices; versions 1 and 2 stored no rotations; versions 1 to 3 stored no hash of the matches,
-# and the motion of WATERMARK pairs.
+# but stored the motion of WATERMARK pairs.
 VERSION = 4
 RUNS, PAIRS = "usacv20_runs", "usacv20_pairs"
 RUNNING, INTERRUPTED, FINISHED = "running", "interrupted", "finished"
@@ -59,7 +59,7 @@ class DatabaseSink:
     if the last run had other settings or was made by another version of the tool. If there was no
     run, a new run is started
     keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them,
-    and `edges` also returns pairs of earlier runs with the same settings, although no run is resumed.
+    and `edges` also returns pairs of earlier runs with the same settings, even if no run is resumed.
     If `keep` is false and no run is resumed, the first commit removes all old rows of
     two_view_geometries
 
@@ -102,9 +102,10 @@ class DatabaseSink:
 
     def done(self, key: Key) -> bool:
         """Returns True if a resumed run has no work left for a pair. Faults count as not done, because
-        the database may have been repaired. Pairs that contradict other pairs count as not done
-        either, because new pairs may support them. A pair must be done again if its matches have
-        changed, or if its row in two_view_geometries has other numbers than this tool has written."""
+        the database may have been repaired. So do pairs that were refused because they contradict other
+        pairs, because new pairs may support them. A pair must be done again if its matches have
+        changed, or if its configuration or number of inliers in two_view_geometries is not what this
+        tool has written."""
         if not self._resumed:
             return False
         with explained(self.path):
@@ -122,8 +123,8 @@ class DatabaseSink:
             self._transaction(lambda: self._write(results))
 
     def edges(self) -> List[Edge]:
-        """Returns the accepted pairs with known rotations, of this run and, if rows of earlier runs are
-        kept, of those of these runs that have the same settings."""
+        """Returns the accepted pairs with known rotations of this run and, if rows of earlier runs are
+        kept, of the earlier runs with the same settings."""
         runs = ", ".join(filter(None, [self._same, "" if self._run is None else str(self._run)]))
         with explained(self.path):
             if not runs or not columns(self._connection, PAIRS):

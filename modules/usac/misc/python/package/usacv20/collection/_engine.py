@@ -77,7 +77,7 @@ class Summary:
         if self.faults:
             text += ", {} cannot be read".format(self.faults)
         if self.contradicted:
-            text += "; {} pairs are refused as others with more matches contradict them".format(self.contradicted)
+            text += "; {} pairs are refused because pairs with more inliers contradict them".format(self.contradicted)
         if self.skipped:
             text += "; {} were done before".format(self.skipped)
         return text + ("; interrupted" if self.interrupted else "")
@@ -207,8 +207,8 @@ class _Run:
             self.progress.advance(len(outcome.results))
 
     def remaining(self, keys: typing.Iterator[Key]) -> typing.Iterator[Key]:
-        """Yields the keys of the pairs that are not done, until an interruption: many pairs can be skipped
-        before a chunk is full."""
+        """Yields the keys of the pairs that are not done. Checks for an interruption at each key, because
+        many pairs can be skipped before a chunk is full."""
         for key in keys:
             if self.interrupts.asked:
                 return

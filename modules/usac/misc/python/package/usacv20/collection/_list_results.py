@@ -197,8 +197,9 @@ class ArraySink:
 
     def close(self, finished: bool = True) -> None:
         """Writes the file from OUTPUT.part if there are new results, and removes OUTPUT.part.
-        finished -- False: some pairs are not done; OUTPUT.part with new results is kept for
-        --resume instead"""
+
+        finished -- False: some pairs are not done; if there are new results, the file is not written,
+        and OUTPUT.part is kept for --resume"""
         if self._rows is None:
             return
         self._rows.close()

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     _Numbers = npt.NDArray[np.int64]
 
 CELLS = 1000  # maximum number of rows and columns of the matrix of pairs
-NAMED = 40  # maximum number of images whose names are shown next to the matrix; with more, its rows would be too low for text
+NAMED = 40  # maximum number of images whose names are shown next to the matrix; with more images, the rows are too narrow
 
 
 def _ranked(blocks: typing.Iterable[_Numbers], ranks: _Numbers) -> typing.Iterator[_Numbers]:

@@ -151,7 +151,7 @@ def _textOfCounts(summary: Dict[str, Any]) -> List[str]:
         ("verified", "verified"), ("refused", "refused"), ("cannot be read", "faults"))]
     lines += _table(rows)
     if summary["left"]:
-        lines.append("  {} more pairs were not looked at yet".format(summary["left"]))
+        lines.append("  {} more pairs have not been processed yet".format(summary["left"]))
     if summary["changed"]:
         lines.append("  {} rows of two_view_geometries are not of this run: another program has changed them".format(
             summary["changed"]))
@@ -163,7 +163,7 @@ def _textOfCounts(summary: Dict[str, Any]) -> List[str]:
     if "images" in summary:
         components = summary["components"]
         lines += ["", "Images", "  {} images, {} of them without a verified pair".format(summary["images"], components["single"]),
-                  "  {} connected components of more than one, the largest of {} images".format(
+                  "  {} connected components of at least two images; images in the largest components: {}".format(
                       components["all"] - components["single"], ", ".join(map(str, components["largest"]))),
                   "  {} verified pairs are the only link between the two parts that they connect".format(summary["bridges"])]
     return lines
@@ -180,7 +180,7 @@ def _textOfHistograms(summary: Dict[str, Any]) -> List[str]:
         lines += _table(rows)
     if summary["iterations"] is not None and summary["milliseconds"] is not None:
         seconds = summary["milliseconds"] / 1000
-        lines += ["", "In all {} samples and {:.3g} s of estimation".format(summary["iterations"], seconds)]
+        lines += ["", "In total, {} samples and {:.3g} s of estimation".format(summary["iterations"], seconds)]
     return lines
 
 

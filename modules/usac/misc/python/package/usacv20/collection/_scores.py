@@ -96,7 +96,7 @@ class HlocScores:
 
     def of(self, pairId: int, name1: str, name2: str, matches: _Matches, connection: sqlite3.Connection) -> Optional[_Array]:
         """Returns a score for each match. Raises CollectionError if the file does not contain the
-        pair, or if one of the matches is not among its matches of the pair."""
+        pair, or if one of the matches is not among the matches that the file has for this pair."""
         for first, second, order in ((name1, name2, (0, 1)), (name2, name1, (1, 0))):
             for name in _groupNames(first, second):
                 group = self._group(name)

@@ -26,11 +26,11 @@ class Selection:
 
     path -- text file in the format of COLMAP's importer of matches and of hloc: two image names on
     each line; empty lines and lines that begin with # are skipped. Names that are not UTF-8 can be
-    in the bytes of the database or with the escapes that the tool prints. Raises CollectionError if
-    an image is not in the database
+    written with the same bytes as in the database, or with the escapes that the tool prints (see
+    _sqlite.decoded). Raises CollectionError if an image is not in the database
 
     `missing` is the number of listed pairs that have no row in the table of matches. A pickled
-    selection has no keys: workers only load pairs, and a pickled source goes with each chunk."""
+    selection has no keys: it is sent to the workers with each chunk, and they only load pairs."""
 
     def __init__(self, source: DatabaseSource, path: str) -> None:
         self.source = source
@@ -68,7 +68,7 @@ def _read(source: DatabaseSource, path: str) -> List[int]:
         images: Dict[str, int] = dict(source.connection().execute("SELECT name, image_id FROM images"))
     keys = []
     try:
-        with open(path, encoding="utf-8", errors="backslashreplace") as file:  # as names of the database are decoded
+        with open(path, encoding="utf-8", errors="backslashreplace") as file:  # like names in the database
             for number, line in enumerate(file, 1):
                 words = line.strip()
                 if words and not words.startswith("#"):

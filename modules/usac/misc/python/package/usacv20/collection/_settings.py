@@ -16,7 +16,7 @@ from .._params import Params
 from .._two_view import TwoViewRules
 from ._pair import CollectionError
 
-# USACV20_PARALLEL is excluded because the pairs are processed in parallel. USACV20_PROSAC is
+# USACV20_PARALLEL is excluded because the pairs are already processed in parallel. USACV20_PROSAC is
 # excluded because it requires sorted matches, and the matches of a collection are not sorted. All
 # other methods use the scores of the matches, if there are any. With USACV20_AUTO, each pair has its
 # own threshold.

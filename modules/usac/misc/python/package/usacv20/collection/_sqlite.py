@@ -85,7 +85,7 @@ def _open(path: str, options: str) -> sqlite3.Connection:
 
 
 def opened(path: str, uri: bool = False) -> sqlite3.Connection:
-    """Returns a connection in the mode that all connections of the tool have."""
+    """Returns a connection with the options that all connections of the tool share."""
     connection = sqlite3.connect(path, uri=uri, timeout=PATIENCE, isolation_level=None, check_same_thread=False)
     connection.text_factory = decoded
     return connection
@@ -176,6 +176,6 @@ def copied(source: str, target: Optional[str]) -> typing.Iterator[None]:
 
 
 def _remove(path: str) -> None:
-    for name in (path, path + "-journal", path + "-wal", path + "-shm"):  # they remain if the disk is full
+    for name in (path, path + "-journal", path + "-wal", path + "-shm"):  # SQLite's files remain if the disk is full
         with contextlib.suppress(FileNotFoundError):
             os.remove(name)

@@ -121,7 +121,7 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
         return Settings(threshold=threshold, **options)
     before = (stored or {}).get("threshold")
     if isinstance(before, (int, float)):
-        say("threshold: {:g} px, that of the run that goes on".format(before))
+        say("threshold: {:g} px, that of the run that is continued".format(before))
         return Settings(threshold=float(before), ratios=tuple((stored or {}).get("ratios") or ()), **options)
     if options.get("method") == UsacV20Method.USACV20_AUTO.name:
         say("threshold: of each pair from its own matches, at most {:g} px".format(WIDEST))
