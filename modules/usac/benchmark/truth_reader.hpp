@@ -43,8 +43,8 @@ public:
     //! Raises std::runtime_error if the file cannot be opened or is not valid JSON.
     explicit TruthReader(const std::string& file);
 
-    //! Calls `reader` with the member of this name, or with a null value if there is none. An error
-    //! that `reader` raises gets the file, the line and the name.
+    //! Calls `reader` with the member of this name, or with a null value if there is none. If
+    //! `reader` raises std::runtime_error, file, line and name are added to the error's message.
     void read(const std::string& name, const std::function<void(const Json&)>& reader) const;
 
     //! Raises an error about the member `name` if the condition does not hold.

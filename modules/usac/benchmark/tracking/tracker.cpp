@@ -54,7 +54,7 @@ Estimate Tracker::estimate(const ImagePair& frame, const cv::usacv20::Params& wi
 void Tracker::count(const ImagePair& frame, const cv::usacv20::Params& with)
 {
     cv::usacv20::Report
-        report;  // from an untimed run, since filling a report (independent inliers) takes time
+        report;  // filled in a run that is not timed, since counting independent inliers is slow
     cv::Mat mask;
     kindOf(problem).estimator(frame, with)->run(mask, &report);
     samples += report.iterations;

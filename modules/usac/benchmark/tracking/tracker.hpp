@@ -30,7 +30,8 @@ public:
     //! @param maxIterations limit of iterations for each frame
     Tracker(ProblemType problem, Beginning beginning, int maxIterations);
 
-    //! Estimates the model of the next frame. @param afterJump true for all frames after the jump
+    //! Estimates the model of the next frame. @param afterJump true for all frames after the sudden
+    //! change of the camera's pose in the sequence
     void track(const ImagePair& frame, int seed, bool afterJump);
     //! Starts a sequence; must be called before its first frame.
     void restart();
@@ -42,8 +43,9 @@ public:
     double failures() const;      //!< percentage of frames that failed
     double meanSamples() const;   //!< per frame
     double meanCpuMs() const;     //!< per frame
-    double meanRecovery() const;  //!< mean over the sequences of the number of failed frames after
-                                  //!< the jump until the first success (without a success: of all)
+    double meanRecovery() const;  //!< number of frames between the jump and the first success after
+                                  //!< it (all frames after the jump if none succeeds); mean over
+                                  //!< the sequences
     int frames() const { return (int)errors.size(); }
 
 private:

@@ -19,8 +19,8 @@ int main()
     for (size_t i = 0; i < dst.size(); i += 3)
         dst[i] = cv::Point2d(rng.uniform(0., 640.), rng.uniform(0., 480.));
 
-    // A call with a flag itself, and calls with the number of a flag (of the module, of OpenCV), as
-    // if this number were known only at run time.
+    // One call with a flag, and two calls with the number of a flag (one of this module and one of
+    // OpenCV), as in a program that gets the number only at run time.
     const int methods[] = {(int)cv::USACV20_FAST, cv::RANSAC};
     const cv::Mat models[] = {cv::findHomography(src, dst, cv::USACV20, 1.0),
                               cv::usacv20::findHomography(src, dst, methods[0], 1.0),

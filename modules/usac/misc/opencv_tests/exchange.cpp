@@ -61,10 +61,11 @@ static usacv20::Params anySide(usacv20::Params params)
 }
 
 /** 3. OpenCV's flags other than USAC_* do not check whether points are in front of both cameras.
-   This module's flags do, and reject samples with points in front of and behind the cameras. The
-   points of test_fundam.cpp are on both sides, but all matches are correct. Therefore, if not all
-   points are inliers, the model is also estimated without the check. The second model is returned
-   if all points are its inliers, or if the first estimate has no model (11 of 1000 calls).
+   This module's flags do, and reject samples with points both in front of and behind the cameras.
+   test_fundam.cpp has correct matches of points in front of and behind the cameras. Therefore, if
+   not all points are inliers, the model is also estimated without the check. The second model is
+   returned if all points are its inliers, or if the first estimate (in 11 of 1000 calls) has no
+   model.
 
 @param find, findAnywhere estimations with and without the check; their argument is the mask */
 template <typename Find, typename FindAnywhere>

@@ -17,7 +17,7 @@
 
 namespace cv {
 
-//! The flag that replaces all flags of OpenCV, and the number of calls with a replaced flag.
+//! The flag that replaces all flags of OpenCV, and the number of estimations with this flag.
 struct Exchange
 {
     static UsacV20Method flag;

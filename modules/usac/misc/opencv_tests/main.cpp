@@ -16,6 +16,6 @@ int main(int argc, char** argv)
         filter += (filter.find('-') == std::string::npos ? "-" : ":") + missing;
     testing::GTEST_FLAG(repeat) = Outcomes::flags();
     cvtest::parseCustomOptions(argc, argv);
-    const int result = RUN_ALL_TESTS();  // 1 also if failures are expected
+    const int result = RUN_ALL_TESTS();  // 1 even if all failures are expected
     return outcomes->good() ? 0 : std::max(result, 1);
 }

@@ -24,7 +24,7 @@ TEST(Usac_Differences, versions)
         EXPECT_EQ(i >= 1, isForVersion(">=4.6.0", versions[i])) << versions[i];
         EXPECT_EQ(i < 2, isForVersion("<4.9", versions[i])) << versions[i];
     }
-    EXPECT_TRUE(isForVersion(">=4.6", CV_VERSION)) << "the module needs it";
+    EXPECT_TRUE(isForVersion(">=4.6", CV_VERSION)) << "the module needs OpenCV 4.6 or later";
     const char* const mistakes[] = {"4.10", "=4.10", ">4.10",      ">=",    "<",
                                     ">=4",  "<4.x",  ">=4.10-dev", "<=4.10"};
     for (const char* mistake : mistakes)

@@ -12,7 +12,7 @@
 @param condition `>=4.10` (this version and later ones), `<4.10` (earlier ones), or empty (all
 versions). Numbers are compared one by one, so 4.10 is later than 4.6. Any other text raises a
 cv::Exception.
-@param version of OpenCV, with at least two numbers: `4.6.0`. */
+@param version version of OpenCV with at least two numbers, such as `4.6.0` */
 bool isForVersion(const std::string& condition, const std::string& version);
 
 #endif

@@ -28,8 +28,8 @@ class Wrong(Exception):
 
 
 class Place:
-    """The folders in which blocks run, within the folder `documents` of the constructor's `work`. This
-    is the working directory of check.sh, which has put the build and the prefix of the library there.
+    """The folders in which blocks run, within the folder `documents` of the constructor's `work`. `work`
+    is the working directory of check.sh, which has built and installed the library there.
 
         clone                  a folder as after a checkout: links to the files and folders of the project;
                                `build` is a link to the library's build
@@ -329,7 +329,7 @@ class Python(NamedTuple):
         loader = os.path.join(place.opencv, "python_loader") if place.opencv else ""
         if self.cv2 and os.path.isdir(loader):
             python, variables = "/usr/bin/python3", {"PYTHONPATH": loader}
-        elif self.cv2:  # without such an OpenCV, usacv20.patch_cv2() makes another cv2 accept the flags
+        elif self.cv2:  # without a build of OpenCV with the module, usacv20.patch_cv2() makes the installed cv2 accept the flags
             before = ("import cv2, usacv20\nusacv20.patch_cv2()\ncv2.usacv20 = usacv20\n"
                       "for name in dir(usacv20):\n    if name.startswith('USACV20'): setattr(cv2, name, getattr(usacv20, name))\n") + before
         tasks = place.folder("python", block.name + ".json")

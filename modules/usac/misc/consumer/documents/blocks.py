@@ -20,7 +20,7 @@ class DocumentError(Exception):
 
 
 class Block(NamedTuple):
-    """A block of code, or a command within the text, whose language is "inline"."""
+    """A block of code, or a command within the text; the language of a command is "inline"."""
 
     document: str
     line: int  # number of the first line of the code, counted from 1

@@ -4,14 +4,14 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Runs the commands and compiles the code that the documents show. Each block is run in a folder with
-the files that the text assumes. A table (table.py) has a rule with the action of each block. A block
-without a rule, or a rule without a block, is a failure.
+the files that the text assumes. A table (table.py) has a rule for each block, with the action to run. A
+block without a rule, or a rule without a block, is a failure.
 
 usage: documents.py PROJECT CHECKS [OPENCV [WORD...]]
 
 PROJECT is the checkout. CHECKS is the working directory of check.sh with the library's build and
 installation. OPENCV is a build tree of OpenCV with the module, or an empty text. With WORDs, only
-blocks whose keys contain all these words run. The last line is "<N> passed, <M> failed"."""
+blocks whose keys contain all these words run. The last line of the output is "<N> passed, <M> failed"."""
 
 import os
 import sys

@@ -2,8 +2,8 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs the parts of Python programs that the documents show: frame.py TASKS.json. The file has a list
-of {key, document, line, code, before, after}.
+"""Runs the parts of Python programs that the documents show: frame.py TASKS.json. TASKS.json
+contains a list of {key, document, line, code, before, after}.
 
 The points and other variables that a part uses are defined here, with a known true model, as in
 frame.hpp. `before` and `after` are code of the table that runs before and after the part; `after`

@@ -15,8 +15,8 @@ namespace python {
 
 namespace {
 
-//! Sets a flag during the lifetime of an object, which must be destroyed while the interpreter's
-//! lock is held.
+//! Sets a flag to true during the lifetime of this object. The object must be destroyed while the
+//! interpreter's lock is held.
 class Running
 {
 public:

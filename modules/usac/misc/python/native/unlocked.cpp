@@ -54,8 +54,8 @@ public:
         : asked(std::make_shared<Asked>(function)), depth(0)
     {}
 
-    //! If another thread destroys the object, which only happens if leave() was not called, the
-    //! scope cannot be removed from its thread. It then stays there without effect.
+    //! If leave() was not called and another thread destroys this object, the scope cannot be
+    //! removed from the thread that called enter(). The scope then stays there without effect.
     ~PythonProgress()
     {
         if (scope && thread != std::this_thread::get_id())
@@ -92,7 +92,7 @@ public:
     }
 
 private:
-    //! What the scope calls.
+    //! The progress function that the scope calls. `left` true: it is no longer called.
     struct Asked
     {
         explicit Asked(const py::object& function_) : function(function_), left(false) {}

@@ -115,8 +115,8 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
 
 
 def elements(value: Any, name: str, expected: str) -> typing.Iterator[Any]:
-    """Returns an iterator over the elements of `value`. Raises usacv20.error if there is none;
-    `expected` is what the message says is expected."""
+    """Returns an iterator over the elements of `value`. Raises usacv20.error if `value` is not
+    iterable; `expected` describes the expected value in the message."""
     try:
         return iter(value)
     except TypeError:
@@ -181,7 +181,8 @@ _MODELS = {6: (2, 3), 9: (3, 3), 12: (3, 4)}  # number of entries of the models 
 
 def checkModelShape(given: npt.NDArray[Any], name: str, kind: Callable[[str], Exception] = fail) -> None:
     """Raises an exception, made by `kind`, if a matrix has as many numbers as some model of this module, but another shape, such
-    as that of a transposed matrix. Lists are accepted. Other numbers of entries are refused later, when the model is used."""
+    as that of a transposed matrix. Rows, columns and one-dimensional arrays are accepted. Other numbers of entries are refused
+    later, when the model is used."""
     shape = _MODELS.get(given.size)
     if shape is not None and given.shape != shape and not isList(given):
         raise kind("{}: a {}x{} matrix, or a row or a column, is expected for {} numbers, not the shape {}".format(
@@ -224,21 +225,22 @@ def count(given: npt.NDArray[Any], plane: bool = True) -> int:
 
 # Constants of _looksLikeColumn, where w is the third column:
 # _ROWS -- minimum number of rows
-# _MOST_ROWS -- approximate maximum number of rows that are examined
+# _MOST_ROWS -- if there are more rows, only every k-th row is examined, where k is their number
+# divided by _MOST_ROWS, rounded down
 # _SURE -- number of standard errors that are added to the slope of the regression
 # _INDEPENDENT -- w is regarded as independent only if slope + _SURE standard errors is below this limit
 # _EXPLAINED -- fraction of the variance of w: if a linear function of the first two columns
 # explains at least this fraction, w is regarded as such a function
 #
-# With these values, columns of feature sizes (1.6 times powers of 2) are recognized in 1, 60 and
-# 100 of 100 lists of 60, 200 and 1000 rows. Third coordinates of homogeneous points are not mistaken
-# for such columns, except in 5 % of the lists from cameras whose principal point is in an image
-# corner. With half and twice the value of _ROWS or _MOST_ROWS, and with _EXPLAINED 0.8 and
-# 0.95, the results are the same, except that with twice the value of _ROWS, lists of 60 rows are too
-# short. With half and twice the value of _SURE, 50 and 0 of 100 lists of 60
-# rows are recognized, and 67 and 0 % of the lists from these cameras are mistaken for such columns.
-# With _INDEPENDENT 0.25 and 0.75, 80 and 100 of 100 lists of 1000 rows are recognized, and 0 and 55 %
-# of the lists from these cameras are mistaken for such columns.
+# With these values, columns of feature sizes (1.6 times powers of 2) are recognized in 1, 60 and 100
+# of 100 lists that have 60, 200 and 1000 rows, respectively. Third coordinates of homogeneous points
+# are not mistaken for such columns, except in 5 % of the lists from cameras whose principal point is
+# in an image corner. With half and twice the value of _ROWS or _MOST_ROWS, and with _EXPLAINED 0.8
+# and 0.95, the results are the same, except that with twice the value of _ROWS, lists of 60 rows are
+# too short. With half the value of _SURE, 50 of 100 lists of 60 rows are recognized, and 67 % of the
+# lists from these cameras are mistaken for such columns; with twice the value, 0 and 0 %. With
+# _INDEPENDENT 0.25, 80 of 100 lists of 1000 rows are recognized, and 0 % of the lists from these
+# cameras are mistaken for such columns; with _INDEPENDENT 0.75, 100 and 55 %.
 _ROWS, _MOST_ROWS, _SURE, _INDEPENDENT, _EXPLAINED = 50, 1000, 4.0, 0.5, 0.9
 
 

@@ -54,8 +54,8 @@ class _Mistakes:
 
 def _dimensions(value: Any) -> int:
     """Returns the number of dimensions of a value. The number is 2 for a list of lists of different
-    lengths, which cannot be converted to an array; the conversion then raises an exception that names
-    the argument."""
+    lengths, which cannot be converted to an array; the later conversion then raises an exception that
+    names the argument."""
     try:
         return int(np.ndim(value))
     except ValueError:
@@ -114,7 +114,8 @@ def _pointsOf(given: List[Any], name: str, plane: bool, mistakes: _Mistakes) -> 
 
 
 def _withRows(problem: int, points1: List[Any], params: List[Optional[Params]], name: str, mistakes: _Mistakes) -> List[Any]:
-    """Returns `points1`, but no points for tasks with params.sigmas for another number of points."""
+    """Returns `points1`. A task for which params.sigmas have rows for another number of points raises
+    usacv20.error or, if exceptions are collected, gets no points."""
     def check(i: int, given: Any) -> Any:
         checkRows(params[i if len(params) > 1 else 0], countOf(problem, given), "{}[{}]: ".format(name, i))
         return given

@@ -31,14 +31,14 @@ Rng = native.Rng
 
 
 class Correspondences(typing.NamedTuple):
-    """The points as the components see them: only points with finite coordinates, in a fixed
+    """The points that the components receive: only points with finite coordinates, in a fixed
     pseudo-random order, and in the coordinates of the search. For E, the points are on the
     normalized image plane; for H and F, they are shifted and scaled to about unit size."""
 
     data: npt.NDArray[np.float64]  #: N x number of columns; for two views, the columns are x1, y1, x2, y2
     inputIndex: npt.NDArray[np.int32]  #: N, row of each point in the caller's arrays
     scores: Optional[npt.NDArray[np.float32]]  #: N, Params.scores in the order of these points; None: no scores
-    threshold: float  #: threshold of the search, in the unit of `data`, not squared; at first Params.threshold times Params.reach
+    threshold: float  #: threshold of the search in the unit of `data`, not squared; initially Params.threshold times Params.reach
     sampleSize: int  #: number of points in a minimal sample
 
 
@@ -77,8 +77,8 @@ class Sampler(_Component):
     """
 
     #: True: the termination criteria count the last sample like one drawn uniformly from all
-    #: points. Set this attribute to False for samples from a subset of the points, which might never
-    #: consist of inliers of the best model. sample() can set it for each sample.
+    #: points. Set this attribute to False for samples from a subset of the points, because such
+    #: samples might never consist of inliers of the best model. sample() can set it for each sample.
     counts: bool = True
 
     @abc.abstractmethod
@@ -272,7 +272,7 @@ class Usac:
 
     @property
     def points(self) -> Correspondences:
-        """Copies of the points as the components see them."""
+        """Copies of the points that the components receive."""
         return Correspondences(*self._usac.points())
 
     def setPoints(self, points1: npt.ArrayLike, points2: npt.ArrayLike, scores: Optional[npt.ArrayLike] = None) -> None:

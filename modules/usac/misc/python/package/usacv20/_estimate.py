@@ -99,7 +99,7 @@ def estimateModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt
                   mask: _Mask = None, cameraMatrix1: Optional[npt.ArrayLike] = None, cameraMatrix2: Optional[npt.ArrayLike] = None,
                   distCoeffs1: Optional[npt.ArrayLike] = None, distCoeffs2: Optional[npt.ArrayLike] = None) -> _Estimate:
     """Estimates a model of any kind, like estimateHomography and similar functions, for a program
-    that knows the problem only at run time.
+    that chooses the problem only at run time.
 
     problem -- ProblemType, or its name as a string
     points1, points2 -- N points each, in the layouts that the function estimate* of the problem

@@ -234,8 +234,8 @@ class Scores(Numbers):
 
 
 class Noise(Numbers):
-    """A descriptor of a field that takes, besides a list of numbers, three or six numbers for each
-    match, which are read row by row. How many numbers describe a match is stored with them."""
+    """A descriptor of a field whose value is one, three or six numbers for each match, which are read
+    row by row. The number of numbers for each match is stored, too."""
 
     def __set__(self, instance: Any, value: Optional[npt.ArrayLike]) -> None:
         super().__set__(instance, value)
@@ -243,8 +243,8 @@ class Noise(Numbers):
 
     @staticmethod
     def columns(shape: Tuple[int, ...]) -> int:
-        """Returns how many numbers describe a match. Returns 0 if the shape does not tell: for one
-        dimension, which is the form in which the numbers are stored, and for 1 x 3 and 1 x 6."""
+        """Returns how many numbers describe a match. Returns 0 if the shape does not determine this: for
+        an empty array, for one dimension (the numbers are stored in this form), and for 1x3 and 1x6."""
         if len(shape) == 1 or 0 in shape or shape in ((1, 3), (1, 6)):
             return 0
         return shape[1] if len(shape) == 2 and shape[1] in (3, 6) else 1

@@ -34,8 +34,8 @@ def _cameras(cameraMatrix1: Any, cameraMatrix2: Any, distCoeffs1: Any, distCoeff
 
 
 def _model(value: Any) -> npt.NDArray[Any]:
-    """Converts a model like array(). Called before the points are read, so that the message is about
-    the model if the caller has passed points in its place."""
+    """Converts a model with array(). This is done before the points are read, so that the message is
+    about the model if the caller has passed points in its place."""
     given = array(value, "model")
     if given.size > _MOST_ENTRIES:
         raise fail("model: a matrix of at most {} numbers is expected, not {}".format(_MOST_ENTRIES, shown(given)))
@@ -43,8 +43,8 @@ def _model(value: Any) -> npt.NDArray[Any]:
 
 
 def _perPoint(value: Any, name: str, points: Tuple[Any, ...], instead: str) -> Any:
-    """Converts a list of one number for each point like optionalArray(). Raises usacv20.error for an
-    empty list if there are points, because C++ treats an empty list like None."""
+    """Converts a list with one number for each point, using optionalArray(). Raises usacv20.error for
+    an empty list if there are points, because C++ would treat an empty list like None."""
     given = optionalArray(value, name)
     if given is not None and given.size == 0 and points[0].size > 0:
         raise fail("{}: one number for each point is expected, or None for {}, not an empty list".format(name, instead))
