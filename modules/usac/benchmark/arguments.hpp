@@ -22,7 +22,7 @@ text is a number (integerOf: an integer), whereas cv::CommandLineParser reads "1
 1. */
 double numberOf(const cv::CommandLineParser& parser, const std::string& name);
 int integerOf(const cv::CommandLineParser& parser, const std::string& name);
-//! The same conversions for a text. `name` is the option that error messages name.
+//! The same conversions for a text. `name` is the name of the option in error messages.
 double toNumber(const std::string& text, const std::string& name);
 int toInteger(const std::string& text, const std::string& name);
 

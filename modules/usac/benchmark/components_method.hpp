@@ -44,8 +44,8 @@ private:
     registerMethod("custom:mine", withComponents(Params::usacV20(), [](Usac& usac) { ... }));
 
 @param params selects the other components and their options. Its threshold, confidence, limit of
-iterations and seed are replaced by those of the command line; its scores, by those of the pair if
-the method's name has `+scores`, otherwise by none.
+iterations and seed are replaced by those of the command line. Its scores are replaced by those of
+the pair if the method's name has `+scores`; otherwise they are removed.
 @param change the function that replaces components; std::runtime_error is raised if it is empty
 @param problems the problems that the components can be used for */
 MethodFactory withComponents(const cv::usacv20::Params& params, const ComponentChange& change,

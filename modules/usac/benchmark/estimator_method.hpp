@@ -32,9 +32,10 @@ struct Task
 /** A function that estimates a model by itself. It is called once in each run, and its time is
 measured. An exception counts as a failure.
 @return the model, of type CV_64F and in the form in which the functions of this module return it
-(H, F and E 3 x 3; A, S and T 2 x 3; P and R [R | t]; M [s R | t]), or an empty matrix if none;
-the mask, N values of CV_8U, or an empty matrix (the pose error of F and E then uses all matches,
-and the number of inliers is reported as 0); the number of iterations, or -1 if it is unknown */
+(H, F and E 3 x 3; A, S and T 2 x 3; P and R [R | t]; M [s R | t]), or an empty matrix if there is
+none; the mask, N values of CV_8U, or an empty matrix (the pose error of F and E then uses all
+matches, and the number of inliers is reported as 0); the number of iterations, or -1 if it is
+unknown */
 typedef std::function<Estimate(const Task& task)> Estimator;
 
 //! The abilities of an Estimator.

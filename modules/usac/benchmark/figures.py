@@ -219,9 +219,9 @@ class Project:
         return changed
 
     def check(self):
-        """Returns a message for each mistake: damaged files of measurements or, if there are none,
-        quotations that differ from the measurement and quotations in README.md that are older than
-        the results."""
+        """Returns a message for each mistake: damaged or unknown files of measurements or, if there
+        are none, quotations that differ from the measurement, and quotations in README.md of
+        measurements in `current` that are older than the results."""
         if self.mistakes:
             return self.mistakes
         contents, mistakes = self.contents(), []

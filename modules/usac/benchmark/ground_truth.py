@@ -189,7 +189,7 @@ _TUM_CAMERAS = {
     "freiburg2": ((520.9, 521.0, 325.1, 249.7), (0.2312, -0.7849, -0.0033, -0.0001, 0.9172)),
     "freiburg3": ((535.4, 539.2, 320.1, 247.6), None),
 }
-_TUM_TOLERANCE = 0.02  # largest time in seconds between an image and its pose, as in the tools of the data set
+_TUM_TOLERANCE = 0.02  # largest time difference of an image and its pose in seconds, as in the tools of the data set
 
 
 def tum(folder, step=1):
@@ -390,8 +390,8 @@ def _floats(file, number, words, count):
 
 
 def _numbers(file, shape):
-    """Returns all numbers of a file in an array of this shape. If the first length is -1, any length is
-    accepted."""
+    """Returns all numbers of a file in an array of this shape. If the first dimension is -1, it follows
+    from the count of numbers."""
     values = [_floats(file, number, words, len(words)) for number, words in _lines(file)]
     values = np.concatenate(values) if values else np.empty(0)
     size = abs(int(np.prod(shape)))

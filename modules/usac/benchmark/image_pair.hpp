@@ -42,8 +42,8 @@ struct ImagePair
     double scale;            //!< problem M: scale of space 2 relative to space 1; otherwise 1
     std::vector<int> right;  //!< R, M: indices of the right matches; empty: unknown
     /** P: median depth of the right matches. R, M: size of the scene, the root mean square distance
-    of the right points of space 2 from their mean. Of all matches if it is unknown which are right.
-     */
+    of the right points of space 2 from their mean. If it is unknown which matches are right, all
+    matches are used. */
     double depth;
     std::vector<cv::Point2d> truth1, truth2;  //!< correspondences that are known to be right
     bool truthIsHomography;  //!< true: the true points of image 2 are H truth1, not truth2

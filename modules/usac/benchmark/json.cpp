@@ -150,8 +150,8 @@ private:
         at += end - begin;
     }
 
-    //! Unknown escape sequences, which include \u and four digits, are kept as written; the strings
-    //! in the benchmark's files need none.
+    //! Unknown escape sequences, including \u with four hexadecimal digits, are kept as written;
+    //! the strings in the benchmark's files do not need them.
     std::string string()
     {
         std::string result;

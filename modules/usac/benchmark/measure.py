@@ -458,7 +458,7 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(name for name, kind in KINDS.items() if kind.measure))
     parser.add_argument("--build", metavar="DIR")
-    parser.add_argument("--data", metavar="DIR", help="not needed by affine, rigid, tracking, scale, covariance and phases")
+    parser.add_argument("--data", metavar="DIR", help="not needed by affine, rigid, tracking, scale, covariance, sigmas and phases")
     parser.add_argument("--repeats", type=int, help="number of repeats, instead of the default of each measurement")
     parser.add_argument("--logs", metavar="DIR", help="folder with the logs of run_tests.sh and sanitize.sh")
     parser.add_argument("--copied", metavar="NAME", help=", ".join(COPIED))

@@ -70,7 +70,7 @@ sets numeric fields of cv::usacv20::Params; after a custom name, options of that
 An unknown name raises std::runtime_error. */
 cv::Ptr<Method> createMethod(const std::string& name);
 
-//! All names that createMethod knows, separated by commas.
+//! All names that createMethod accepts, separated by commas.
 std::string knownMethods();
 
 }  // namespace benchmark

@@ -19,7 +19,7 @@ struct MethodName
 
     std::string full;    //!< the whole name
     std::string base;    //!< for example USACV20, preset:ransac, cv:RANSAC or custom:mine
-    std::string fields;  //!< text between the braces, "field=value,..."; empty if there is none
+    std::string fields;  //!< text between the braces, "field=value,..."; empty without braces
     bool scores;         //!< true if the name has `+scores`
 };
 

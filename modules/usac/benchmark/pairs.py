@@ -112,8 +112,7 @@ def _sizes(size):
 
 def read_rows_of_numbers(file, counts, expected):
     """Returns the numbers of each nonempty line of a text file. Raises PairError with file and line
-    if a line has something other than numbers, or if `counts` does not contain its count of
-    numbers."""
+    if a line has something other than numbers, or a count of numbers that is not in `counts`."""
     rows = []
     with open(file) as lines:
         for number, line in enumerate(lines, 1):

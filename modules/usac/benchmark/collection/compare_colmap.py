@@ -19,8 +19,8 @@ program; the default is colmap on the PATH. cameras.json has {name of an image: 
 
 Focal lengths (--focal):
 known    K of cameras.json with prior_focal_length 1; the mapper does not refine the focal lengths
-unknown  as COLMAP guesses them, with prior_focal_length 0
-given    as the database has them
+unknown  those of the database, but with prior_focal_length 0
+given    those of the database, with its prior_focal_length
 
 Columns about the verification:
 CPU s         median over --repeats runs of the user plus system time of the whole process, in seconds;
@@ -66,7 +66,7 @@ PINHOLE = 1  # COLMAP's number of this camera model
 PROGRAM: Optional[str] = None  # the value of --colmap
 CONFIGURATIONS = ("-", "degenerate", "calibrated", "uncalibrated", "planar", "panoramic", "planar or panoramic", "watermark",
                   "multiple", "calibrated rig")
-# COLMAP distinguishes these configurations (planar, panoramic, one of the two) only with an option, so
+# COLMAP distinguishes these configurations (planar, panoramic, planar or panoramic) only with an option, so
 # --pairs does not list differences among them.
 PLANE_OR_TURN = {4, 5, 6}
 

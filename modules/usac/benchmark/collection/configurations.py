@@ -10,11 +10,11 @@ their essential matrix; pairs with right ones should not, whatever wrong matches
     configurations.py --scenes 20
     configurations.py --kinds repeated --motions general forward side short --threshold 4
 
-Images have 640 x 480 pixels, a focal length of 600 pixels, and noise of 0.4 pixels in each coordinate
-of both images. Some of the right matches are on a tilted plane, which the optical axis of camera 1
-meets at depth 6; the others are at depths of 4 to 9. With the motion `general`, the camera rotates
-about this point of the plane by 0.05 to 0.3 radians and is also shifted by 0.5 to 1.2 (in the unit of
-the depths). The kinds of pairs:
+Images have 640 x 480 pixels, a focal length of 600 pixels, and noise with a standard deviation of 0.4
+pixels in each coordinate. Some of the right matches are on a tilted plane, which the optical axis of
+camera 1 meets at depth 6; the others are at depths of 4 to 9. With the motion `general`, the camera
+rotates about this point of the plane by 0.05 to 0.3 radians and is also shifted by 0.5 to 1.2 (in the
+unit of the depths). The kinds of pairs:
 
 wrong     the focal length of both cameras is given too small or too large, by factors of 0.5 to 4; 60
           to 300 right matches, up to 90 % on a plane; no wrong matches, or half as many as right ones
@@ -50,7 +50,7 @@ FOCAL_FACTORS = (0.5, 0.67, 1.5, 2, 3, 4)
 
 
 class Cell(NamedTuple):
-    """A kind of pair."""
+    """One combination of the properties of a pair; each kind of pairs has many combinations."""
 
     right: int  # number of right matches
     planar: float  # fraction of the right matches that are on a plane

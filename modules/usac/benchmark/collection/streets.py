@@ -25,7 +25,8 @@ chance         --significance, the largest false-alarm probability of an accepte
 loops          yes: pairs that contradict a path of other pairs are refused; no: they are kept
 overlap, kept  number of pairs with overlap (at least 30 common points), and how many of these are kept
 without, kept  number of pairs without a common point, and how many of these are kept
-calibrated     how many of the latter are CALIBRATED, so that a mapper uses their wrong poses
+calibrated     number of the kept pairs without a common point that are CALIBRATED, so that a mapper
+               uses their wrong poses
 right          number of kept pairs of which at least half of the inliers are right
 lost           number of such pairs that are kept without the check of loops, but refused by it
 CPU s          CPU time of the verification in seconds"""
@@ -113,7 +114,7 @@ def facades(layout: str) -> List[Facade]:
 def buildPoints(rng: np.random.RandomState, options: Options) -> Points:
     parts: Dict[int, Tuple[Any, ...]] = {}
     columns: List[Tuple[Any, ...]] = []
-    period, storey = np.array([2.4, 3.4]), 3  # distances of windows along and up in meters; number of rows of windows
+    period, storey = np.array([2.4, 3.4]), 3  # horizontal and vertical spacing of the windows in meters; number of rows
     for facade in facades(options.layout):
         if facade.kind not in parts:
             count = 24

@@ -29,7 +29,7 @@ CONSTANTS = ("WIDEST", "CONFIDENCE", "ITERATIONS", "SIGNIFICANCE", "MOST", "LEAS
 
 def estimate(scenes):
     """Returns the result of estimateThreshold (threshold, noise and more), or None if the estimation
-    fails, and the mean CPU milliseconds for a pair."""
+    fails, and the mean CPU milliseconds per pair."""
     begin = time.process_time()
     try:
         found = _threshold.estimateThreshold([scene.pair for scene in scenes], Settings())
@@ -118,7 +118,7 @@ def poses(args):
 def deviation(args, **options):
     """Estimates the noise for all image sizes and noise levels, with known and unknown focal lengths.
     Returns the root mean square and the value of largest magnitude of log(estimated / true noise),
-    which are infinite if an estimation fails, and the mean CPU milliseconds for a pair."""
+    which are infinite if an estimation fails, and the mean CPU milliseconds per pair."""
     wrong, cpus = [], []
     for size in SIZES:
         for sigma in SIGMAS:

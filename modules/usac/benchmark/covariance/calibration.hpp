@@ -40,10 +40,11 @@ public:
     //! The same ratio for the estimator without Params::sigmas.
     double relativeErrorWithoutSigmas() const { return std::exp(logs[1] / compared); }
 
-    static std::string header(
-        bool compared);  //!< the header of a Markdown table without the first two columns;
-                         //!< compared: with the columns of the two relative errors
-    //! A row of this table without the first two columns.
+    //! The header of a Markdown table without the first two columns. @param compared whether the
+    //! table has columns for the two relative errors
+    static std::string header(bool compared);
+    //! A row of this table without the first two columns. It has the two relative errors if at
+    //! least one scene counts for them.
     std::string row() const;
 
 private:

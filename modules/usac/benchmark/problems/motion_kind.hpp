@@ -10,9 +10,9 @@
 namespace benchmark {
 
 /** Problems whose model is a 3x4 motion matrix: absolute pose (P), rigid motion (R) and similarity
-of 3D space (M). The error of a model is the angle, in
-degrees, between its rotation and the true one. An estimate is a failure if this error is above 5
-degrees, or if the center error, which doc/benchmark.md defines, is above 5 %. */
+of 3D space (M). The error of a model is the angle, in degrees, between its rotation and the true
+one. An estimate is a failure if this error is above 5 degrees, or if the center error, which
+doc/benchmark.md defines, is above 5 %. */
 class MotionKind : public ProblemKind
 {
 public:

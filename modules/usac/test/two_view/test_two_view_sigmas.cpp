@@ -6,7 +6,7 @@
 
 #include "two_view_scenes.hpp"
 
-// Tests of estimateTwoViewGeometry with given noise of each match (TwoViewPair::sigmas).
+// Tests of estimateTwoViewGeometry with a given noise level for each match (TwoViewPair::sigmas).
 
 namespace opencv_test {
 namespace {
@@ -32,8 +32,8 @@ TwoViewPair pairOfMixedNoise(const Scene& scene, double small)
     return pair;
 }
 
-//! With sigmas, the rotation must be more accurate, and the mask must mark the matches whose error
-//! is at most the threshold times their sigma.
+//! With sigmas, the sum of the rotation errors must be less than 0.7 times that without them, and
+//! the mask must mark the matches whose error is at most the threshold times their sigma.
 TEST(Usac_TwoViewSigmas, mask_and_accuracy)
 {
     double with = 0, without = 0;

@@ -22,8 +22,8 @@ Scene twoViewScene(uint64 seed, double planeFraction = 0, int outliers = 100);
 //! the two views.
 Scene turnedScene(uint64 seed);
 
-//! 18 right matches, all on a plane, and 200 wrong ones: so few that H is significant, because its
-//! error has two components per match, but E and F often are not.
+//! 18 right matches, all on a plane, and 200 wrong ones. With so few right matches, E and F are
+//! often not significant, whereas H is, because its error has two components per match.
 Scene planeAlone(uint64 seed);
 
 //! The matches of a scene, with its camera matrices if `known` is true.

@@ -127,8 +127,8 @@ TEST(Usac_Tdd, dropsWrongModels)
     }
 }
 
-//! The only outlier among 40 points is tested in one of 40 tests of a single point on average, and
-//! always if all points are tested.
+//! A test of a single point must draw the only outlier among 40 points with probability 1 / 40; a
+//! test of all points must always draw it.
 TEST(Usac_Tdd, asksAllPoints)
 {
     const Exact exact(HOMOGRAPHY, 39, 1);
