@@ -16,8 +16,8 @@ void InlierSet::within(const Context& context, const Model& model, double multip
     const float limit = (float)(multiple * multiple * points.threshold * points.threshold);
     context.components.residual->squaredErrors(points, model, 0, points.size, errors);
     count = 0;
-    for (int i = 0; i < points.size; i += WORD_BITS)  // by words of bits, because a branch for each
-                                                      // point would often be mispredicted
+    // one word of bits for 64 points, because a branch for each point would often be mispredicted
+    for (int i = 0; i < points.size; i += WORD_BITS)
         for (uint64 word =
                  usacv20::within(errors + i, std::min(points.size - i, (int)WORD_BITS), limit);
              word; word &= word - 1)

@@ -43,8 +43,8 @@ float Labeling::weight(float squaredError) const
 /* Let D be the cost of p as an inlier minus its cost as an outlier. Without edges, D is 1 - 2 K_p.
 An edge (p, q) changes D by -lambda a if q is an inlier, and by lambda (1 - a) if q is an outlier,
 with a = (K_p + K_q) / 2. All edges of p together change D most if all q are outliers with K_q = 0,
-or if all q are inliers with K_q = 1. For most points, 1 - 2 K_p is of larger magnitude than even
-this change, so that the error alone tells the label. */
+or if all q are inliers with K_q = 1. For most points, |1 - 2 K_p| is larger than even this change,
+so that the error of the point alone determines the label. */
 void Labeling::labelByError(const Context& context, const Model& model, uchar* wanted)
 {
     context.components.residual->squaredErrors(context.points, model, 0, size, errors);
@@ -126,7 +126,7 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     labelByError(context, model, wanted);
     const Vec2i* edges = 0;
     int count = late ? 0 : context.neighborhood().edges(context, wanted, edges);
-    if (context.stop(0))  // the time limit was reached while the edges were searched
+    if (context.stop(0))  // the run was stopped during the search for edges
         count = 0;
     labelByNeighbors(context.arena, edges, count);
     labelByCut(context.arena, edges, count);

@@ -16,7 +16,7 @@ namespace {
 constexpr int LO_WIDTH = 3;
 //! An inner sample contains at most 1 / #LO_PART of the inliers, as in @cite chum2003locally.
 constexpr int LO_PART = 2;
-//! Maximum number of points of a fit of FLO-RANSAC, in minimal sample sizes, as in
+//! Maximum number of points of a fit of FLO-RANSAC, as a multiple of the minimal sample size, as in
 //! @cite lebeda2012fixing.
 constexpr int FLO_FIT = 7;
 
@@ -36,7 +36,7 @@ bounded, and the fits vary more. */
 class LoRansacOptimizer : public LocalOptimizer
 {
 public:
-    //! @param fitMultiple_ maximum number of points of a fit, in minimal sample sizes
+    //! @param fitMultiple_ maximum number of points of a fit, as a multiple of the sample size
     explicit LoRansacOptimizer(int fitMultiple_) : fitMultiple(fitMultiple_) {}
 
     bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE

@@ -79,7 +79,7 @@ public:
 
     //! True if no models are ever stored.
     bool none() const { return most == 0; }
-    //! False if a model with this RunnerUp::unexplained would not be stored.
+    //! False if a model with this RunnerUp::unexplained would not be stored, whatever its cost.
     bool wants(int unexplained) const
     {
         return count < most || unexplained >= kept[most - 1].unexplained;

@@ -92,9 +92,9 @@ bool SigmaConsensus::fit(const Context& context, Rng& rng, Model& model)
 
 namespace {
 
-/** Local optimization with SigmaConsensus: the marginalized fit is repeated at most
-Params::localIterations times, and each fit starts from the result of the previous fit. A better fit
-replaces the model; the first fit that is not better is the last one. */
+/** Local optimization with SigmaConsensus: at most Params::localIterations marginalized fits, each
+of which starts from the result of the previous fit. A better fit replaces the model; the first fit
+that is not better is the last one. */
 class SigmaConsensusOptimizer : public LocalOptimizer
 {
 public:

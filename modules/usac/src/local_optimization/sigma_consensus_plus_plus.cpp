@@ -21,8 +21,8 @@ constexpr int FAILURES = 2;
 squares with the weights of MarginalizedWeights.
 
 There are at most Params::localIterations iterations. Each iteration uses all points whose errors
-under the last fit are within the threshold, or #MAX_FIT random points of these if there are more,
-which are enough while the weights still change. The best fit replaces the model if it is better.
+under the last fit are within the threshold, or #MAX_FIT random points of these if there are more:
+a subset is enough while the weights still change. The best fit replaces the model if it is better.
 Optimization also ends when #FAILURES fits in a row have not been better than the best fit so far
 (at first, the initial model). */
 class SigmaConsensusPlusPlus : public LocalOptimizer

@@ -32,9 +32,10 @@ constexpr int GUESS_STEPS = 3;
 //! If the noise is unknown, the threshold is the widest threshold divided by this number. The same
 //! quotient is the threshold of findCore().
 constexpr double UNKNOWN = 3;
-//! A core, see findCore(), is at least the fraction CORE_PART of the inliers of a model whose
-//! estimated threshold is too wide. If there is a core, at least one sample consists only of points
-//! of the core with probability CORE_FOUND, unless Params::maxIterations allows fewer samples.
+//! A core, see findCore(), has at least CORE_PART times as many points as there are inliers of the
+//! model whose estimated threshold is too wide. If the fraction CORE_PART of these inliers belongs
+//! to a core, then with probability CORE_FOUND at least one sample consists only of points of the
+//! core, unless Params::maxIterations allows fewer samples.
 constexpr double CORE_PART = 0.5, CORE_FOUND = 0.8;
 //! The threshold of the search is wider than the estimated threshold by this many standard
 //! deviations of the estimate.
@@ -81,7 +82,7 @@ Params paramsOfGuess(const Params& params)
 
 }  // namespace
 
-//! Draws uniform samples of some of the points.
+//! Draws uniform samples from a list of points.
 class ListedSampler : public Sampler
 {
 public:

@@ -23,10 +23,10 @@ The threshold that the caller has given is the widest threshold that is consider
    model is better than chance, the first threshold is a third of the widest threshold.
 2. findCore(): a model between two motions, or between two planes, explains the inliers of both with
    wide noise. Therefore, if the threshold is more than a third of the widest one even after
-   polishing, samples of the inliers are drawn to find a model of a core, that is, a model that
-   explains at least half of the inliers within a third of the widest threshold. If there is such a
-   model, and its errors do not continue beyond this narrower threshold (errorsGoOn()), the search
-   begins with this model and at most this threshold.
+   polishing, samples of the inliers are drawn to find a model of a core, that is, a model that has
+   at least half as many inliers at a third of the widest threshold. If there is such a model, and
+   its errors do not continue beyond this narrower threshold (errorsGoOn()), the search begins with
+   this model and at most this threshold.
 3. The search begins with the model and the threshold of steps 1 and 2. If most points are inliers
    of the best model, the criteria of the search also count the uniform samples of step 1. Otherwise
    these samples do not count, because a model of wrong matches that agree with each other can have
@@ -38,8 +38,8 @@ The threshold that the caller has given is the widest threshold that is consider
    new threshold, and the samples drawn so far no longer count. The threshold becomes wider by more
    than this factor only if the errors continue beyond the present threshold (errorsGoOn()), because
    a second motion is not noise.
-5. settle(): polishing and mask use the threshold that was estimated last, or a third of the widest
-   threshold if the noise is unknown. */
+5. settle(): polishing and the mask use the threshold that was estimated last, or a third of the
+   widest threshold if the noise is unknown. */
 class AutomaticThreshold
 {
 public:

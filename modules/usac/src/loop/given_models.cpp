@@ -13,8 +13,8 @@ namespace {
 
 // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
 
-//! START_SAMPLES: number of samples whose models are compared by their errors. START_MODELS:
-//! maximum number of these models, the best ones, from each of which a least-squares fit starts.
+//! START_SAMPLES: number of samples whose models are compared by their errors. START_MODELS: a
+//! least-squares fit starts from each of the best of these models, at most this many.
 constexpr int START_SAMPLES = 64, START_MODELS = 4;
 //! PART: maximum number of points with which initial models are compared and fitted. MOST_STEPS:
 //! maximum number of steps of a fit; fits converge earlier.
@@ -231,7 +231,7 @@ double GivenModels::costOf(const Model& model) const
     Components parts = context.components;
     parts.residual = fitted;
     Correspondences now = points;
-    now.threshold = context.points.threshold;  // it can have been estimated meanwhile
+    now.threshold = context.points.threshold;  // may have changed since `points` was copied
     return Context(now, parts, context.params, context.arena).rate(model).cost /
            std::max(points.size, 1);
 }

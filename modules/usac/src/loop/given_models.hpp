@@ -46,9 +46,9 @@ private:
     //! The loss: the sum of the (weighted) squared errors of the points in `part`.
     double lossOf(PointSubset& part, const Model& model) const;
     bool leastSquares(int size, Model& model) const;
-    //! The best model of the minimal solver, for as many points as a minimal sample has: these
-    //! points determine the model even if the least-squares solver needs more. @return false if
-    //! there is no model
+    //! Finds the best model of the minimal solver for the points, which must be as many as in a
+    //! minimal sample. They determine the model even if the least-squares solver needs more points.
+    //! @return false if there is no model
     bool solveExactly(Model& model) const;
     //! Sets the threshold of the mask, if there is a model.
     void setThreshold(const State& state);

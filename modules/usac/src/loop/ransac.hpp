@@ -29,8 +29,8 @@ struct Hypotheses
     //! (preTest(), or the first block of points), summed over the models.
     int firstInliers, firstTested;
     int stopped;               //!< number of models that the verifier rejected during scoring
-    double costs[MAX_MODELS];  //!< of each `stopped` model, the cost before its last block of
-                               //!< points; 0 for a score that needs all errors of a model at once
+    double costs[MAX_MODELS];  //!< for each of these models, the cost before the last block that
+                               //!< was scored; 0 if the score needs all errors of a model at once
 };
 
 /** @brief Algorithm 1 of @cite ivashechkin2021usacv20.
@@ -169,7 +169,7 @@ private:
     Alternatives alternatives;
     Sample sampleOfBest;
     bool sampled;            //!< true if the best model comes from `sampleOfBest`
-    Model explored;          //!< the best model for which searchUnexplained() was last called
+    Model explored;          //!< the last best model that searchUnexplained() processed
     int unexplainedSamples;  //!< number of samples of unexplained points so far
     int rivals;  //!< RunnersUp::mostUnexplained() when the runners-up were last optimized
     const int threads;

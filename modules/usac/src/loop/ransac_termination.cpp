@@ -43,8 +43,8 @@ the sampler prefers, unless the model can be degenerate. Forgotten samples (forg
 samples that contain a match twice do not count. */
 int Ransac::samplesThatCount() const
 {
-    const bool planar = state.degenerate ||
-                        state.successProbability < 1;  // a wrong model can share nearly all inliers
+    // if so, a wrong model can have nearly all inliers of the right model
+    const bool planar = state.degenerate || state.successProbability < 1;
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.forgotten - state.repeatedSamples : state.countedSamples;
 }

@@ -26,8 +26,8 @@ double suitableReach(const Context& context, const State& state, double current)
 The noise is estimated when the search ends, and once after half of Params::maxIterations, because
 with a reach that is far too small, models have few inliers, and no criterion ends the search. The
 noise is not estimated earlier, because the best model might then still be a wrong model with larger
-errors, for example between two planes. At the end the reach can also shrink again, because poor
-models show more noise than there is.
+errors, for example between two planes. At the end the reach can also shrink again, because the
+noise that was estimated from the errors of a poor model is too large.
 @param data the points; their reach changes
 @param ransac the search; it has not begun */
 void searchWithReach(const Context& context, const State& state, ProblemData& data, Ransac& ransac);

@@ -261,7 +261,7 @@ private:
     }
 
     //! If the problem has a residual for the original image points, creates this residual and its
-    //! solver. Polishing and mask use them instead of those of the search.
+    //! solver. Polishing and the mask use them instead of those of the search.
     void seeImage(const Ptr<Residual>& residual)
     {
         imageResidual = keepsImage ? imageResidualWithNoise(*problem, residual, data.points())

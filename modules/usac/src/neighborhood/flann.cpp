@@ -82,11 +82,12 @@ the second array are used.
 
 Each of the #LAYERS layers is twice as wide as the previous one: for k nearest neighbors, the layers
 have k, 2 k, 4 k and 8 k neighbors; for a radius r, they have the points within r, 2 r, 4 r and 8 r.
-The layers grow because P-NAPSAC asks for more and more members. The caller's k or r is that of the
-finest layer, which the graph cut uses; NAPSAC uses the coarsest layer. At most #WIDEST neighbors of
-a point are stored, or k if k is larger, so that memory is O(N) for any radius. Edges link each
-point to at most #TREE_LINKS nearest neighbors in the finest layer: with more edges, the graph cut
-would give the labels of neighbors more weight than the error of the point itself.
+P-NAPSAC needs several layers, because it samples from larger and larger neighborhoods of a point.
+The caller's k or r is that of the finest layer, which the graph cut uses; NAPSAC uses the coarsest
+layer. At most #WIDEST neighbors of a point are stored, or k if k is larger, so that memory is O(N)
+for any radius. Edges link each point to at most #TREE_LINKS nearest neighbors in the finest layer:
+with more edges, the graph cut would give the labels of neighbors more weight than the error of the
+point itself.
 
 The tree is built at its first use in O(N log N). The neighbors of a point are searched in O(log N)
 when they are first requested, and again for a wider layer. They are not searched in advance,

@@ -16,8 +16,8 @@ namespace {
 constexpr int CODE_BITS = 16, MOST_BITS = 8;
 //! Number of points whose cells are computed together.
 constexpr int BLOCK = 256;
-//! Maximum number of edges from a point to points of its cell of the second layer that come later
-//! in the list of points sorted by code.
+//! In the list of points sorted by code, a point is linked to those of the next CELL_LINKS points
+//! that are in the same cell of the second layer.
 //! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr int CELL_LINKS = 3;
 
@@ -25,7 +25,7 @@ constexpr int CELL_LINKS = 3;
 @cite barath2019progressive.
 
 If there are four axes, the finest layer divides each axis into 16 cells, and the next layers divide
-it into 8, 4 and 2. The bits of the four cell numbers are interleaved (Morton's code, 16 bits). Thus
+it into 8, 4 and 2. The bits of the four cell numbers are interleaved (Morton code, 16 bits). Thus
 the points of a cell of any layer are contiguous in the list of points sorted by code, and one list
 serves all layers. With fewer axes there are more layers, because each axis gets more of the 16
 bits. Points outside the range Correspondences::lower to upper belong to the outermost cells. The
@@ -158,7 +158,7 @@ private:
         sortedCodes = arena.take<ushort>(size);
         Arena::Scope scope(arena);
         int* const byLow = scope.take<int>(size);  // points, sorted by the low digit
-        int low[257] = {0}, high[257] = {0};       // first place of each digit
+        int low[257] = {0}, high[257] = {0};       // start of the points with each digit
         for (int i = 0; i < size; ++i)
         {
             ++low[(codes[i] & 255) + 1];

@@ -19,7 +19,7 @@ Eigen::VectorXd singularValues(const Eigen::MatrixXd& A);
 //! The X that minimizes |A X - B|, by QR decomposition with column pivoting.
 Eigen::MatrixXd solveLeastSquares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-//! An orthonormal basis of the space of the columns of A. A must have full column rank; the result
+//! An orthonormal basis of the column space of A. A must have full column rank; the result
 //! has as many columns as A.
 Eigen::MatrixXd orthonormalBasis(const Eigen::MatrixXd& A);
 

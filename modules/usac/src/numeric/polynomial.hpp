@@ -16,12 +16,11 @@ constexpr int MAX_DEGREE = 10;
 Roots in (#LOWEST, #HIGHEST], about -1 to 1, are isolated by the roots of the derivative; the other
 roots are inverses of roots of the polynomial with reversed coefficients. Newton's method inside a
 bracket refines simple roots to double precision. A cubic whose leading coefficient is not small is
-solved in closed form.
+solved in closed form @cite press2007numerical.
 @param coefficients degree + 1 numbers, the constant term first
 @param degree at most #MAX_DEGREE
 @param roots output, at most `degree`
-@return number of roots; 0 for a constant and for coefficients that are not finite.
-@cite press2007numerical */
+@return number of roots; 0 for a constant and for coefficients that are not finite */
 int realRoots(const double* coefficients, int degree, double* roots);
 
 //! Roots outside these bounds are found from the polynomial with reversed coefficients. The bounds

@@ -11,9 +11,9 @@ namespace usacv20 {
 /** @brief P(Binomial(n, p) >= k), 0 <= k <= n, 0 < p < 1.
 
 Sums the probabilities of k, k + 1, ... or, if k is not above the mean, those of k - 1, k - 2, ...,
-which are then subtracted from 1. The first probability is computed in the form of @cite
-loader2000fast, which avoids cancellation, and each other one from its ratio to the one before. The
-result is 0 if it is below the range of double. Takes at most O(n) time, usually O(sqrt(n)). */
+which are then subtracted from 1. The first probability is computed as in @cite loader2000fast,
+which avoids cancellation, and each of the others from its ratio to the one before. The result is 0
+if it is below the range of double. Takes at most O(n) time, usually O(sqrt(n)). */
 double binomialTail(int k, int n, double p);
 
 /** @brief Probability that at least `successes` of `trials` trials succeed, given that

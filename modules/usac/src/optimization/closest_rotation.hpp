@@ -19,7 +19,7 @@ struct ClosestRotation
     explicit ClosestRotation(const Eigen::Matrix3d& M)
     {
         const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // with this version, info() exists, and U and V are undefined
+#if EIGEN_VERSION_AT_LEAST(3, 4, 0)  // since this version, info() exists, and U and V are undefined
                                      // if M is not finite
         const bool solved = svd.info() == Eigen::Success;
 #else

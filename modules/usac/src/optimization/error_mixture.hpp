@@ -41,10 +41,11 @@ struct ErrorHistogram
 /** @brief Inliers and wrong matches in a histogram of errors, separated by the EM algorithm
 @cite torr2000mlesac.
 
-The errors of inliers have a half-normal distribution for one degree of freedom, Rayleigh's for two
-and Maxwell's for three; those of wrong matches are uniform on a line, in the plane or in space. The
-noise of a part of the inliers, the tail, has three times (TAIL) the standard deviation of the noise
-of the other inliers, because keypoints on photographs are sometimes badly located. */
+The errors of inliers have a half-normal distribution for one degree of freedom, a Rayleigh
+distribution for two and a Maxwell distribution for three; those of wrong matches are uniform on a
+line, in the plane or in space. The noise of a part of the inliers, the tail, has three times (TAIL)
+the standard deviation of the noise of the other inliers, because keypoints on photographs are
+sometimes badly located. */
 class ErrorMixture
 {
 public:
