@@ -184,7 +184,7 @@ class CourtTest(unittest.TestCase):
         self.assertEqual(self.verified("all.db"), [right, 0])
         self.assertEqual(self.summary.contradicted, wrong)
         self.assertEqual(self.summary.verified, before - wrong)
-        self.assertIn("{} pairs are refused as others".format(wrong), self.summary.line())
+        self.assertIn("{} pairs are refused because pairs with more inliers".format(wrong), self.summary.line())
 
     def test_some_pairs_first(self):
         """First the pairs of ten images are verified, then the remaining pairs. The second run must
