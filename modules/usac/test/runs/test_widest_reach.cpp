@@ -207,9 +207,9 @@ TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best)
     EXPECT_GE(found, 4);  // it would be 0 if the reach grew only after the last sample
 }
 
-//! The same must hold if the reach shrinks again at the end, after it has grown for the poor model
-//! of few samples. The check then rejects all models, so that the run must return no model. This
-//! must happen in at least two of the 200 scenes.
+//! A rejected model must not be returned either if the reach first grows because of a poor model,
+//! found with few samples, and then shrinks again at the end. The check then rejects all models, so
+//! that the run must return no model. This must happen in at least two of the 200 scenes.
 TEST(Usac_WidestReach_Checks, refused_models_do_not_stay_best_at_the_end)
 {
     int refusals = 0;

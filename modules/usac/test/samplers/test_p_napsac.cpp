@@ -69,7 +69,7 @@ void expectGrowth(int ordering, int period)
     params.orderedEvery = period;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
-    // if the order is known, the set grows only with ordered samples
+    // if the order is known, the set grows only with samples that follow it, otherwise with all
     const bool known = ordering == ORDERING_INPUT_ORDER;
     GrowingSet set(draw.m, N);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
@@ -111,7 +111,7 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
     expectGrowth(ORDERING_DENSITY, 4);
 }
 
-//! An ordering of the caller, by the row numbers; it is informative if `known` is true.
+//! A custom ordering by the row numbers, which counts as informative if `known` is true.
 class OwnOrdering : public Ordering
 {
 public:
@@ -162,8 +162,8 @@ std::vector<int> samplesBy(int ordering, const Ptr<Ordering>& own = Ptr<Ordering
 }
 
 //! Whether an order is informative must depend on the Ordering and not on Params::ordering. With an
-//! informative ordering by the rows, the samples must be those of ORDERING_INPUT_ORDER; with an
-//! ordering that is a guess they must differ.
+//! informative ordering by the rows, the samples must be those of ORDERING_INPUT_ORDER; with the
+//! same ordering declared as not informative, they must differ.
 TEST(Usac_Samplers, pNapsacAsksTheOrdering)
 {
     const std::vector<int> rows = samplesBy(ORDERING_INPUT_ORDER);

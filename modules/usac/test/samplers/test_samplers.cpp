@@ -55,8 +55,8 @@ int sortings(ProblemType problem, int ordering, int outliers)
     return counting->calls;
 }
 
-//! Without outliers, the search must end before the order is needed, whether the order is known or
-//! a guess. With outliers, the points must be sorted once.
+//! Without outliers, the search must end before the order is needed, whether the order is
+//! informative or not. With outliers, the points must be sorted once.
 TEST(Usac_Samplers, pointsAreSortedOnceAndOnlyIfNeeded)
 {
     for (int problem = FUNDAMENTAL; problem <= ESSENTIAL; ++problem)

@@ -187,10 +187,10 @@ double directReprojection(const Correspondences& p, const Matx34d& P, int i)
     return x[2] > 0 ? error.dot(covariance.inv() * error) : INFINITY;
 }
 
-//! Squared error of match i, weighted by the covariances of its two points. M is H: the squared
-//! Mahalanobis length of the transfer error in image 2. M is F: (x2^T F x1)^2 divided by the
-//! variance of x2^T F x1. The covariance of the transfer error and this variance follow from the
-//! covariances of the points to first order.
+//! Squared error of match i, weighted by the covariances of its two points. If M is H, it is the
+//! squared Mahalanobis length of the transfer error in image 2. If M is F, it is (x2^T F x1)^2
+//! divided by the variance of x2^T F x1. The covariance of the transfer error and this variance
+//! follow from the covariances of the points to first order.
 double directWhitened(const Correspondences& p, Formula::Kind kind, const Matx33d& M, int i)
 {
     const Matx22d second = covarianceAt(p, 4, i), first = covarianceAt(p, 7, i);

@@ -32,7 +32,7 @@ std::vector<int> commonOf(const std::vector<Point2d>& points1, const std::vector
 
 //! The nearest neighbors of the match `center` in the image of `points`, found by sorting all
 //! matches. `others` are the points of the other image. Matches within `threshold` of `center` in
-//! one of the images are not neighbors.
+//! either image are not neighbors.
 std::set<int> nearest(const std::vector<Point2d>& points, const std::vector<Point2d>& others,
                       int center, double threshold)
 {
@@ -48,8 +48,8 @@ std::set<int> nearest(const std::vector<Point2d>& points, const std::vector<Poin
     return result;
 }
 
-//! Random matches: two thirds are moved by a map that changes little from point to point, the
-//! others are moved to random places.
+//! Matches of random points of image 1. For two thirds of them, a smooth map gives the point of
+//! image 2; for the others, it is random.
 void makeMatches(int count, uint64 seed, std::vector<Point2d>& points1,
                  std::vector<Point2d>& points2)
 {

@@ -12,7 +12,7 @@
 namespace opencv_test {
 namespace {
 
-//! Two points at opposite corners of a square of this side in both images, with a threshold.
+//! Two points, in both images at opposite corners of a square with sides of length `side`.
 OwnPoints* spanning(ProblemType problem, double side, double inlierThreshold)
 {
     std::vector<Point2d> corners(1, Point2d(0, 0));

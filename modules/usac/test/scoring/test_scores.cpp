@@ -271,7 +271,7 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
     }
 }
 
-//! Context::rate() must be the sum over all points.
+//! Context::rate() must return the cost and the number of inliers of all points.
 TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
 {
     const Formula::Kind kind = mapsPoints((ProblemType)GetParam()) ? Formula::TRANSFER

@@ -42,8 +42,8 @@ inline Vec2d gaussian(const Matx22d& covariance, RNG& rng)
 }
 
 //! A scene whose points have Gaussian noise, each with a covariance of its own. The ratio of the
-//! standard deviations in two directions at right angles is 10 in image 2 and, if there is noise in
-//! image 1, 2 in image 1.
+//! standard deviations along the two axes of the covariance ellipse is 10 in image 2 and 2 in image
+//! 1, if there is noise in image 1.
 struct Directed
 {
     //! @param both_ true: noise in both images; false, or for poses: noise in image 2 only

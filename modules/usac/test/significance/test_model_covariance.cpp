@@ -73,8 +73,8 @@ TEST_P(Usac_ModelCovariance, same_bits_and_no_influence)
     EXPECT_EQ(one.sigma, many.sigma);
 }
 
-//! With an estimated threshold, the inliers are nearly the same, so that each variance must change
-//! by at most 35 %.
+//! With an estimated threshold, the inliers are nearly the same as with the given one, so that each
+//! variance must change by at most 35 %.
 TEST_P(Usac_ModelCovariance, estimated_threshold)
 {
     const Case scene = makeCase(GetParam(), 5);
@@ -158,7 +158,8 @@ TEST(Usac_ModelCovariance_, free_parameters)
     EXPECT_LE(determined, models / 10);
 }
 
-//! Points on a plane determine E except for a second solution, so that there must be a covariance.
+//! Points on a plane determine E up to a discrete second solution, so that there must be a
+//! covariance.
 TEST(Usac_ModelCovariance_, essential_of_plane)
 {
     SceneOptions options;
@@ -254,7 +255,7 @@ TEST_P(Usac_ModelCovariance, contradictingPrior)
     params.setInitialModel(expected, 1e12 * other.covariance);
     EXPECT_LE(cv::norm(again, scene.run(params, &report)), 1e-6 * cv::norm(again));
     EXPECT_GT(report.priorChance, 0.999);
-    // a prior with a tiny covariance must be the result
+    // with a tiny covariance of the prior, the result must be the prior
     params.setInitialModel(expected, 1e-12 * started.covariance);
     EXPECT_LE(cv::norm(expected, scene.run(params, &report)), 1e-6 * cv::norm(expected));
     EXPECT_LE(cv::norm(report.covariance), 1e-6 * cv::norm(started.covariance));

@@ -164,7 +164,7 @@ enum Impossible {
     NOTHING,
     CENTER_TO_INPUT,  //!< converting the model `center` to the caller's coordinates
     OTHERS_TO_INPUT,  //!< converting any other model
-    TANGENT           //!< a tangent of any model
+    TANGENT           //!< computing a basis of the tangent space at any model
 };
 
 //! The problem of affinities, in which one of the steps of Impossible fails.

@@ -210,8 +210,8 @@ TEST(Usac_Sigmas_, invalid)
     }
 }
 
-//! A Usac object must keep its sigmas for other points. It must reject a different number of
-//! points.
+//! After setPoints(), an estimator must apply its sigmas to the new points. setPoints() must reject
+//! a different number of points.
 TEST(Usac_Sigmas_, setPoints)
 {
     const MixedNoise one(HOMOGRAPHY, 1), two(HOMOGRAPHY, 2);
@@ -242,8 +242,9 @@ TEST(Usac_Sigmas_, radiusOfNeighborhoods)
     EXPECT_EQ(edges[0], edges[1]);
 }
 
-//! The points that components see must have a factor each: the root mean square of all sigmas
-//! divided by the sigma of the match. A match without finite coordinates must be left out.
+//! In the Correspondences that components get, each match must have a factor: the root mean square
+//! of all sigmas divided by the sigma of the match. A match without finite coordinates must be left
+//! out.
 TEST(Usac_Sigmas_, correspondences)
 {
     MixedNoise mixed(HOMOGRAPHY, 1);

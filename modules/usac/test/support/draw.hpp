@@ -9,7 +9,7 @@
 
 namespace opencv_test {
 
-//! A sampler with everything that it needs. next() draws its samples one after the other, as Ransac
+//! A sampler with everything that it needs. Each call of next() draws its next sample, as Ransac
 //! does.
 class Draw
 {

@@ -17,8 +17,8 @@ namespace opencv_test {
 
 namespace {
 
-//! Largest residual of Newton's method relative to 1 plus the distorted radius: twice the module's
-//! limit of 1e-11.
+//! Largest accepted residual of Newton's method, relative to 1 plus the distorted radius: twice the
+//! module's limit of 1e-11.
 const double LEFT = 2e-11;
 const int STEPS = 2000, FOLD_STEPS = 100;
 //! Shortest step in the search for a radius, relative to the distorted radius.

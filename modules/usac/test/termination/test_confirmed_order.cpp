@@ -313,9 +313,9 @@ struct Decision
 
     enum { ITERATION = 1234 };
 
-    bool ordered;     //!< the criterion wants only samples that follow the order
-    int unexplained;  //!< number of samples of the best model's outliers that it wants before the
-                      //!< search ends; -1: not decided yet
+    bool ordered;     //!< the criterion requests only samples that follow the order
+    int unexplained;  //!< number of samples drawn from the best model's outliers that the criterion
+                      //!< requires before the search ends; -1: not decided yet
     int iterations;   //!< Termination::iterations
 };
 

@@ -43,7 +43,7 @@ struct Case
     }
 
     //! The expected result, by evaluating the definitions for all numbers n of best points.
-    //! `length` is set to the best n, or to 0 if there is none.
+    //! `length` is set to the n that needs the fewest samples, or to 0 if there is none.
     int bruteForce(int& length) const
     {
         const int N = (int)inliers.size();
@@ -125,8 +125,8 @@ TEST(Usac_TerminationProsac, againstBruteForce)
     EXPECT_GT(atTheEnd, 10);
 }
 
-//! The smallest support that is not random must be the quantile of the exact distribution, for a
-//! single model and for the best of all models.
+//! The smallest number of inliers that is not random must be the quantile of the exact binomial
+//! distribution, for a single model and for the best of all models.
 TEST(Usac_TerminationProsac, minimalSupport)
 {
     for (int n = 20; n <= 120; n += 25)
@@ -230,8 +230,8 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
         1, problemObject(HOMOGRAPHY).randomInlierRatio(OwnPoints(HOMOGRAPHY, equal, equal).view()));
 }
 
-//! Parameters with scores that sort the points: the best points are mostly true matches; the larger
-//! `separation` is, the more of them are true.
+//! Parameters with scores that sort the points: the scores of wrong matches are worse by
+//! `separation` on average, so that true matches are more frequent among the best points.
 Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
 {
     RNG rng(scene.size());
@@ -274,8 +274,8 @@ TEST(Usac_TerminationProsac, endsARun)
 }
 
 //! Number of samples that the criterion asks for with the true model and these parameters. It must
-//! be that of Case::bruteForce with the same `kept`, the expected probability that a sample is
-//! drawn in PROSAC's way and that the verifier keeps its model if the model is good.
+//! differ by at most 3 from that of Case::bruteForce. `kept` is the expected probability that a
+//! sample is drawn in PROSAC's way and that the verifier keeps its model if the model is good.
 int iterationsFor(const Scene& scene, const Params& params, double kept)
 {
     const Ptr<Usac> usac = createUsac(scene, params);

@@ -108,8 +108,8 @@ TEST(Usac_PairModels, evidence_against_the_cameras)
 }
 
 //! The focal lengths are wrong, so that F replaces E. The report must contain the noise of the
-//! inliers of F, as if F had been estimated alone with the threshold of the pair. E, which set this
-//! threshold, fits its inliers worse.
+//! inliers of F, as if F had been estimated alone with the threshold of the pair. The threshold has
+//! been estimated from the errors of E, which are larger than those of F.
 TEST(Usac_PairModels, noise_of_an_F_that_replaces_E)
 {
     int replaced = 0;

@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! Points of image 1 with the given x coordinates, and the points to which H maps them, whether
-//! their third homogeneous coordinate is positive or negative.
+//! Points of image 1 with the given x coordinates, and the points to which H maps them, regardless
+//! of the sign of their third homogeneous coordinate.
 struct Mapped
 {
     explicit Mapped(const std::vector<double>& xs) : H(1, 0, 3, 0, 1, -2, 0.01, 0, 1)

@@ -216,7 +216,8 @@ TEST(Usac_TwoViewRules, samples)
                  expected = std::ceil(std::log(0.001) / std::log1p(-right));
     EXPECT_EQ(expected, rules.samples(params, 5, 75));
     EXPECT_NEAR(1 - std::pow(1 - right, 7070), rules.reached(params, 5, 75), 1e-12);
-    EXPECT_EQ(500, rules.samples(params, 7, 15));  // all matches are true: the minimum, 500
+    // at least 15 inliers (minInliers) are assumed, here all matches: the minimum of 500 samples
+    EXPECT_EQ(500, rules.samples(params, 7, 15));
     EXPECT_EQ(1, rules.reached(params, 7, 15));
     EXPECT_GT(rules.samples(params, 7, 1000000000), 1e5);
     Params usual;

@@ -152,9 +152,9 @@ TEST(Usac_TwoViewGeometry, focal_lengths_that_are_not_known)
     }
 }
 
-//! F must reveal a wrong focal length, even if many true matches are on a plane, with which an E of
-//! wrong focal lengths can agree. `rotations` must contain one rotation, that of the essential
-//! matrix nearest to F.
+//! F must reveal a wrong focal length, even if many true matches are on a plane, with which an E
+//! estimated with wrong focal lengths can agree. `rotations` must contain one rotation, that of the
+//! essential matrix nearest to F.
 TEST(Usac_TwoViewGeometry, wrong_focal_lengths)
 {
     for (uint64 seed = 1; seed <= 20; ++seed)
@@ -431,9 +431,9 @@ TEST(Usac_TwoViewGeometry, watermark_of_known_cameras)
 //! 45 % of the matches follow a rotation exactly. The others are shifted in image 2 by 3.35 pixels,
 //! which is nearly the threshold of H, more of them to the right than to the left. All are inliers
 //! of the homography of this rotation. But the rotation fitted to all of them is closer to those on
-//! the right, so that those on the left are not its inliers, and the pair counts as planar. To the
-//! rotation of E, `rotations` then adds the only rotation that H allows, also if the determinant of
-//! H is negative (`center` 20000).
+//! the right, so that those on the left are not its inliers, and the pair counts as planar. After
+//! the rotation of E, `rotations` then contains the only rotation that H allows, even if the
+//! determinant of H is negative (`center` 20000).
 TEST(Usac_TwoViewGeometry, homography_that_is_a_rotation)
 {
     for (double center : {320., 20000.})
