@@ -24,7 +24,7 @@ TEST(Usac_Presets, change_what_they_say)
 {
     const Params v20, ransac = Params::ransac(), lo = Params::loRansac();
     Params trusted = Params::trustedScores();
-    EXPECT_THROW(trusted.check(), cv::Exception);  // it needs scores or sorted points
+    EXPECT_THROW(trusted.check(), cv::Exception);  // PROSAC needs scores or sorted points
     trusted.scores.assign(10, 1.f);
     const Expected all[] = {
         {"usacV20", Params::usacV20(), v20, ""},
@@ -162,7 +162,7 @@ TEST(Usac_Presets, from_the_parameters_of_calib3d)
     params = Params::fromUsacParams(other);
     EXPECT_EQ(0, params.threads);
     EXPECT_EQ((int)SAMPLER_PROSAC, params.sampler);
-    EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering) << "calib3d's PROSAC wants sorted points";
+    EXPECT_EQ((int)ORDERING_INPUT_ORDER, params.ordering) << "calib3d's PROSAC needs sorted points";
 }
 
 //! Sets `final_polisher`. @return false if this version of OpenCV has no such field

@@ -95,8 +95,9 @@ TEST(Usac_RelativePose, two_cameras_with_lenses)
     }
 }
 
-//! Makes the first matches those of points X = -4 x1, where x1 is a point of the normalized image
-//! plane of camera 1. X is behind camera 1, and its image in camera 2 is on the same epipolar line.
+//! Moves the points of image 2 of the first `count` matches to the projections of X = -4 x1, where
+//! x1 is the point of image 1 in normalized coordinates. X is behind camera 1, but its projection
+//! is on the epipolar line of x1.
 void moveBehind(Scene& scene, int count)
 {
     const Matx33d inverse = scene.K.inv();
@@ -108,8 +109,8 @@ void moveBehind(Scene& scene, int count)
     }
 }
 
-//! A match whose points are on their epipolar lines, but whose point of space would be behind a
-//! camera, must not be an inlier.
+//! A match whose points are on their epipolar lines, but whose 3-D point would be behind a camera,
+//! must not be an inlier.
 TEST(Usac_RelativePose, points_behind)
 {
     SceneOptions options;
@@ -130,8 +131,8 @@ TEST(Usac_RelativePose, points_behind)
     EXPECT_EQ(scene.size() - behind, pose.report.inliers);
 }
 
-//! Independent inliers are those of the mask: neither matches that occur twice nor points behind a
-//! camera count.
+//! Independent inliers must be counted among the inliers of the mask: matches that occur twice must
+//! count once, and points behind a camera must not count.
 TEST(Usac_RelativePose, independentInliers)
 {
     SceneOptions options;
@@ -146,7 +147,7 @@ TEST(Usac_RelativePose, independentInliers)
         scene.points2.push_back(scene.points2[size - 1 - i]);
     }
     Params params;
-    params.threshold = 0.01;  // different points are in different cells
+    params.threshold = 0.01;  // so small that different points count as independent
     Mat R, t, mask;
     RelativePose pose;
     ASSERT_TRUE(relativePose(scene, params, R, t, mask, pose));

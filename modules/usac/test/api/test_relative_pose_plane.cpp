@@ -165,9 +165,9 @@ TEST(Usac_RelativePosePlane, stopped)
     EXPECT_TRUE(pose.otherR.empty());
 }
 
-//! A run that is canceled while the plane is searched says so, and returns the motion of E. The
-//! progress function recognizes the second search by Report::setupMs, which does not change within
-//! a search.
+//! If a run is canceled during the search for the plane, the report must say so, and the motion of
+//! E must be returned. The progress function recognizes this second search by Report::setupMs,
+//! which does not change within a search.
 TEST(Usac_RelativePosePlane, canceledInTheSearchForThePlane)
 {
     SceneOptions options;
@@ -234,8 +234,8 @@ TEST(Usac_RelativePosePlane, planeWithSigmas)
 
 //! No sigmas, equal sigmas and equal covariances of both images describe the same noise, and must
 //! give the same plane, with a difference of at most one inlier. Sigmas that include 1e-6, the
-//! smallest accepted value, must raise no exception, although this is even less if it is divided by
-//! the mean sigma, as in the search for the plane.
+//! smallest accepted value, must raise no exception, although the search for the plane divides all
+//! sigmas by their mean of 1.5 and thus makes this one even smaller.
 TEST(Usac_RelativePosePlane, planeWithEqualNoiseInAllForms)
 {
     const Scene scene = nearlyPlanar(0.3);

@@ -6,8 +6,8 @@
 #include "support/run_context.hpp"
 #include "support/contracts.hpp"
 
-// Tests of a custom problem with one array of points: a plane n x + d = 0 is fitted to points of
-// space. The model has four numbers.
+// Tests of a custom problem with one array of points: a plane n x + d = 0 is fitted to 3-D points.
+// The model has four numbers.
 
 namespace opencv_test {
 namespace {
@@ -223,8 +223,8 @@ TEST(Usac_CustomPlane, everyPreset)
     }
 }
 
-//! If a problem has a parameterization but no non-minimal solver, the module must make the fits.
-//! The results must be as good as with the non-minimal solver PlaneFit.
+//! If a problem has a parameterization but no non-minimal solver, the module must make a solver
+//! from the parameterization. The results must be as good as with the non-minimal solver PlaneFit.
 TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
 {
     const PlaneParameterization planes;
@@ -262,8 +262,9 @@ TEST(Usac_CustomPlane, chanceOfRandomPoints)
 }
 
 //! Planes perpendicular to an axis, as the ground is. Report::chance is computed from the errors of
-//! artificial wrong points. If these were made of coordinates of different points, they would be on
-//! the plane, too, and the plane would look like a result of chance.
+//! artificial wrong points. If each of these combined coordinates of different points, a fifth of
+//! them would be on the plane, as many as of the given points, and the plane would look like a
+//! result of chance.
 TEST(Usac_CustomPlane, parallelToTheAxes)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -368,7 +369,7 @@ public:
 };
 
 //! All inliers are near one number, and must nevertheless count as independent of each other. If
-//! all numbers are random, the place with most of them must look like a result of chance.
+//! all numbers are random, the number with the most inliers must look like a result of chance.
 TEST(Usac_CustomPlane, locationOfNumbers)
 {
     RNG rng(5);
@@ -417,8 +418,8 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
         }
 }
 
-//! For points of space, the neighbors must be the point itself and the six points at the smallest
-//! distances, which the test finds by exhaustive search.
+//! The neighbors of a 3-D point must be the point itself and the six points nearest to it, which
+//! the test finds by exhaustive search.
 TEST(Usac_CustomPlane, nearestNeighbors)
 {
     Params params;

@@ -35,7 +35,7 @@ struct AffineScene
             ->run(mask, report);
     }
 
-    //! Largest error of the four corners of the image in pixels.
+    //! Largest error in pixels at the four corners of the image.
     static double error(const Mat& model)
     {
         double largest = 0;
@@ -76,9 +76,9 @@ TEST(Usac_CustomProblem, everyPreset)
     }
 }
 
-//! The problem has no parameterization, so that the module has no covariance of its models, but the
-//! problem converts initial models (fromOutput). An initial model with a covariance (a prior) must
-//! then have the same effect as one without.
+//! The problem has no parameterization, so that the module cannot compute the covariance of a
+//! model, but it converts initial models (fromOutput). An initial model with a covariance (a prior)
+//! must then have the same effect as one without.
 class StartedAffineProblem : public custom::AffineProblem
 {
 public:
@@ -246,9 +246,9 @@ TEST(Usac_CustomProblem, modelsOfTheCallerAreRefused)
                     "initialModel: the 6 numbers are not a model of the problem affine");
 }
 
-//! The problem has a residual for the original points of the caller (createImageResidual), but no
-//! conversion of these points. The residual is that of the search, so that the results must be the
-//! same as without it.
+//! The problem has a residual for the original image points (createImageResidual), but does not
+//! override toImageCoordinates(). The residual is that of the search, so that the results must be
+//! the same as without createImageResidual().
 class SeenAffineProblem : public custom::AffineProblem
 {
 public:

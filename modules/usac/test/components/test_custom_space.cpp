@@ -6,7 +6,7 @@
 #include "support/contracts.hpp"
 
 // Tests of a custom problem whose errors have three dimensions: a translation is fitted to pairs of
-// points of space. The model has three numbers.
+// 3-D points. The model has three numbers.
 
 namespace opencv_test {
 namespace {

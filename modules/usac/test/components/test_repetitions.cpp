@@ -118,8 +118,8 @@ TEST(Usac_Repetitions, firstOfACellIsNotRepeated)
     EXPECT_EQ(expectedSum, sum);
 }
 
-//! Points with a single coordinate: in cells of side 2, and with side 0, for which only points
-//! equal to an earlier inlier are repeated.
+//! Points with a single coordinate, in cells of side 2 and of side 0. With side 0, only points
+//! equal to an earlier inlier must be marked as repeated.
 TEST(Usac_Repetitions, pointsOnALine)
 {
     const double x[] = {0.5, 1.5, -0.5, 0.5, 2.5, -1.5, 2.5}, *const columns[] = {x};

@@ -56,7 +56,7 @@ inline Mat threeDimensional(const Mat& points, int first, int second)
     return points.clone().reshape(1, 3, sizes).clone();
 }
 
-//! The points as an Nx1x3 array, or as 1xNx3 if `across`.
+//! The points as an N x 1 x cols array, or as 1 x N x cols if `across`.
 inline Mat solid(const Mat& points, bool across)
 {
     return threeDimensional(points, across ? 1 : points.rows, across ? points.rows : 1);

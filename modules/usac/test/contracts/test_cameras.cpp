@@ -53,8 +53,8 @@ TEST(Usac_Cameras, transposed)
                     "cameraMatrix: ");
 }
 
-//! A camera with skew sees the rays of a scene, once without distortion, once with distortion so
-//! weak that both results must nearly agree.
+//! The scene is projected by a camera with skew. E is estimated once without distortion and once
+//! with a distortion so weak that both results must nearly agree.
 TEST(Usac_Cameras, skew_and_distortion)
 {
     const Scene scene = makeScene(ESSENTIAL);
@@ -101,7 +101,7 @@ TEST(Usac_Cameras, every_form_of_distortion)
     expectException([&]() { essentialOf(scene, scene.K, channels, other); }, "distCoeffs1");
 }
 
-//! The points as a lens with these coefficients shows them.
+//! The image points after distortion by a lens with these coefficients.
 std::vector<Point2d> taken(const std::vector<Point2d>& points, const Matx33d& K,
                            const Mat& distortion)
 {
@@ -141,8 +141,9 @@ TEST(Usac_Cameras, distortion_is_removed_exactly)
     }
 }
 
-//! The distorted radius r (1 - 0.25 r^2) is at most 0.77, so that the lens shows no point at a
-//! larger radius. A match with an image point at a larger radius must never be an inlier.
+//! In normalized coordinates, the distorted radius r (1 - 0.25 r^2) is at most 0.77: no ray is
+//! imaged at a larger radius. A match with an image point at a larger radius must never be an
+//! inlier.
 TEST(Usac_Cameras, what_the_lens_does_not_show_is_no_inlier)
 {
     Scene scene = makeScene(ESSENTIAL);

@@ -9,9 +9,9 @@
 namespace opencv_test {
 namespace {
 
-//! If an estimation of a batch raises an exception, mistakeOf() must return its message, whether it
-//! is a cv::Exception or a std::exception, for example because memory cannot be allocated.
-//! Exceptions of other types, which have no message, are not caught.
+//! If an estimation of a batch raises a cv::Exception or another std::exception (for example
+//! std::bad_alloc), mistakeOf() must return the message of the exception. Exceptions of other
+//! types, which have no message, are not caught.
 TEST(Usac_BatchTasks, mistakes)
 {
     EXPECT_EQ("", mistakeOf([] {}));

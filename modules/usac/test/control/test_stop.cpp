@@ -290,8 +290,8 @@ TEST(Usac_Stop, many_points)
         }
 }
 
-//! Of many points, only a random part is searched. The inlier ratio and cost that the progress
-//! function gets must be those of this part, not its inliers divided by the number of all points.
+//! With many points, the search uses only a random subset. The inlier ratio and the cost that the
+//! progress function gets must refer to this subset, not to the number of all points.
 TEST(Usac_Stop, progressOfManyPoints)
 {
     SceneOptions options;
@@ -350,7 +350,7 @@ TEST(Usac_Stop, batches_of_short_tasks)
                             Task(HOMOGRAPHY, Mat(scene.points1), Mat(scene.points2), Params()));
     int asked = 0;
     const ProgressScope scope([&](const Report& report) {
-        EXPECT_EQ(report.inliers == 0, report.cost == 1) << "no model has the cost 1";
+        EXPECT_EQ(report.inliers == 0, report.cost == 1) << "without a model, the cost must be 1";
         return ++asked < 3;
     });
     const std::vector<Estimate> found = estimateBatch(tasks, 1);

@@ -90,8 +90,7 @@ TEST(Usac_StopLate, no_time_for_the_order)
 }
 
 //! The same test as `a_million_points`, but the progress function ends the run by returning false.
-//! The run cannot know this in advance, so that it cannot skip long steps as it does with a time
-//! limit.
+//! This cannot be foreseen, so that the run cannot skip long steps as it does with a time limit.
 TEST(Usac_StopLate, a_million_points_cancelled)
 {
     for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL})

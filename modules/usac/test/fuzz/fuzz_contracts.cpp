@@ -78,7 +78,7 @@ int wrongCamera(const Mat& K)
 
 bool wrongDistortion(const Mat& d)
 {
-    return d.total() == 3 || !cv::checkRange(d);  // FuzzInput has no other wrong length than 3
+    return d.total() == 3 || !cv::checkRange(d);  // 3 is the only wrong length that is read
 }
 
 bool isSpace(ProblemType problem) { return problem == RIGID_3D || problem == SIMILARITY_3D; }

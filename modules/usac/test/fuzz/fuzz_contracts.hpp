@@ -11,11 +11,11 @@
 namespace opencv_test {
 
 /** Makes the call twice. Returns a description of the first contract that is broken, or "" if none
-is. A call must raise a cv::Exception, whose message begins with the name of an argument, exactly if
-an argument is wrong. For camera matrices that are nearly singular or have a huge determinant, an
-exception is allowed. The input must not change. The result must be either no model, a zero mask and
-a reason (Report::stop), or a finite model of the documented norm and rank with mask == (error <=
-threshold). Both calls must give the same bits. */
+is. A call must raise a cv::Exception if and only if an argument is wrong, and the message begins
+with the name of an argument. For camera matrices that are nearly singular or have a huge
+determinant, an exception is allowed. The input must not change. The result must be either no model,
+a zero mask and a reason (Report::stop), or a finite model of the documented norm and rank with
+mask == (error <= threshold). Both calls must give the same bits. */
 std::string brokenContract(const FuzzInput& input);
 
 }  // namespace opencv_test

@@ -96,7 +96,7 @@ Mat readDistortion(Bytes& bytes)
     return coefficients;
 }
 
-//! Reads options and makes from them a scene with true and wrong matches.
+//! Reads the options of a scene with true and wrong matches, and makes this scene.
 void readScene(Bytes& bytes, FuzzInput& input)
 {
     SceneOptions options;

@@ -14,7 +14,8 @@ namespace opencv_test {
 
 namespace {
 
-//! Reads options and makes from them a scene without lens distortion, with true and wrong matches.
+//! Reads the options of a scene with true and wrong matches, and makes this scene, without lens
+//! distortion.
 void readPoseScene(Bytes& bytes, FuzzInput& input)
 {
     PoseSceneOptions options;

@@ -81,7 +81,7 @@ struct Samples
 typedef std::vector<std::vector<double>> Solutions;  //!< the entries of all models of each sample
 
 //! Solves all samples with one kernel: the first `apart` samples one by one, the others in groups
-//! of `together` samples at once.
+//! of `together` samples.
 Solutions solutions(const Samples& samples, SolverKernel solver, int together, int apart = 0)
 {
     Solutions result;

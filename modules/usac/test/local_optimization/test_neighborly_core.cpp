@@ -8,8 +8,9 @@
 #include "support/facade.hpp"
 #include "support/run_context.hpp"
 
-// Tests of neighborlyCore(): from only those inliers of a given model that have enough neighbors in
-// common in both images (commonNeighbors()), it finds another model, the core of the given one.
+// Tests of neighborlyCore(), which computes another model, called the core of a given model. It
+// uses only those inliers of the given model that have enough neighbors in common in both images,
+// see commonNeighbors().
 
 namespace opencv_test {
 namespace {
@@ -81,9 +82,10 @@ struct Core
 };
 
 //! If the F of lowest cost is wrong (by more than 0.5 pixels, see Facade::error()), its core must
-//! often be right. The core of the true F must be near the true F; the limit is 1 pixel, because a
-//! core is not polished. Of these 60 scenes, the F of lowest cost is wrong in 21, and its core is
-//! wrong in 11 of these; the core of the true F is wrong in 4. The numbers depend on the platform.
+//! be right in at least a third of the scenes. The core of the true F must be near the true F; the
+//! limit is 1 pixel, because a core is not polished. The F of lowest cost is wrong in 21 of these
+//! 60 scenes, and its core is wrong in 11 of the 21. The core of the true F is wrong in 4 of the 60
+//! scenes. The numbers depend on the platform.
 TEST(Usac_NeighborlyCore, ofWrongAndRightModels)
 {
     int wrong = 0, wrongCores = 0, wrongCoresOfRight = 0;

@@ -8,14 +8,14 @@
 #include "support/problem_objects.hpp"
 #include "support/run_context.hpp"
 
-// Tests of what a search forgets when its threshold changes: samples that a criterion has counted,
-// and what the degeneracy checks have found.
+// Tests of what a search discards when its threshold changes: samples that a criterion has counted,
+// and results of the degeneracy checks.
 
 namespace opencv_test {
 namespace {
 
-//! After Ransac::forgetSamples(), samples that followed the order do not count any longer: a
-//! criterion must ask for new ones.
+//! After Ransac::forgetSamples(), the samples that PROSAC has drawn in the order of the scores must
+//! no longer count: the criterion must require new ones.
 TEST(Usac_ChangedThreshold, orderedSamplesAreDrawnAgain)
 {
     for (int termination : {TERMINATION_ORDER | TERMINATION_STANDARD, (int)TERMINATION_PROSAC})
@@ -52,7 +52,8 @@ TEST(Usac_ChangedThreshold, orderedSamplesAreDrawnAgain)
         }
 }
 
-//! Quality of a model after a check has seen the threshold `before`, and then `now` (in pixels).
+//! Quality of a model after a check that was started with the threshold `before` has been notified
+//! of the threshold `now` (both in pixels).
 Quality discounted(const Ptr<Degeneracy>& check, const Scene& scene, const Matx33d& given,
                    double before, double now)
 {
@@ -74,10 +75,10 @@ Quality discounted(const Ptr<Degeneracy>& check, const Scene& scene, const Matx3
 }
 
 //! Half of the matches have their points of image 2 in one square of side 12 pixels, and unrelated
-//! points in image 1. With a threshold of 6 pixels, the check for crowded places must take these
-//! matches for one place, so that they count as a single inlier. With a tenth of this threshold,
-//! only ten of them are inliers, too few for a place. The result must not depend on an earlier
-//! threshold.
+//! points in image 1. With a threshold of 6 pixels, the check for crowded places must treat these
+//! matches as one crowded place, so that they count as a single inlier. With a tenth of this
+//! threshold, only about ten of them are inliers, too few for a crowded place. The result must not
+//! depend on an earlier threshold.
 TEST(Usac_ChangedThreshold, placesAreSearchedAgain)
 {
     RNG rng(3);
@@ -100,9 +101,10 @@ TEST(Usac_ChangedThreshold, placesAreSearchedAgain)
     EXPECT_EQ(narrow.cost, discounted(createCrowdedPlaces(), scene, shrinks, 6, 0.6).cost);
 }
 
-//! Half of the matches share a point of image 2, up to at most two pixels in each coordinate. With
-//! a threshold of 4 pixels, a sample that contains two of these matches must be rejected, also if
-//! the search has begun with a threshold so narrow that they do not seem to share a point.
+//! Half of the matches share a point of image 2, with deviations of at most two pixels in each
+//! coordinate. With a threshold of 4 pixels, a sample that contains two of these matches must be
+//! rejected, even if the search began with a threshold so small that they did not seem to share a
+//! point.
 TEST(Usac_ChangedThreshold, sharedPointsAreSearchedAgain)
 {
     RNG rng(3);
@@ -181,7 +183,8 @@ TEST(Usac_ChangedThreshold, forgottenSamplesDoNotCount)
     EXPECT_EQ(80, state.iteration);
 }
 
-//! A check of a caller that compares the current threshold with the one it was told.
+//! A caller's check that compares the current threshold with the one of the last notification, that
+//! is, of the last call of start() or thresholdChanged().
 class Informed : public Degeneracy
 {
 public:
@@ -205,8 +208,8 @@ public:
     int told, wrong;
 };
 
-//! Runs an estimator with a check that must be told of each new threshold before it is asked about
-//! a model, and a refinement. @return how often it was told
+//! Runs an estimation and a refinement with the check Informed, which must be notified of each new
+//! threshold before it examines a model. @return the number of calls of thresholdChanged()
 int timesTold(const Scene& scene, const Params& params)
 {
     const Ptr<Usac> usac = createUsac(scene, params);
@@ -236,7 +239,8 @@ TEST(Usac_ChangedThreshold, checksAreToldOfPolishing)
     EXPECT_GT(timesTold(makeScene(HOMOGRAPHY, options), params), 0);
 }
 
-//! The threshold is a tenth of the noise, so that the reach must grow.
+//! The threshold is a tenth of the noise, so that the search must enlarge the reach, see
+//! Params::widestReach.
 TEST(Usac_ChangedThreshold, checksAreToldOfTheReach)
 {
     SceneOptions options;
@@ -247,8 +251,8 @@ TEST(Usac_ChangedThreshold, checksAreToldOfTheReach)
     EXPECT_GT(timesTold(makeScene(HOMOGRAPHY, options), params), 0);
 }
 
-//! In some of the scenes with a plane, the search continues with another estimated threshold. There
-//! is no polishing, which would tell the checks, too.
+//! In some of the scenes with a plane, the search continues with another estimated threshold.
+//! Polishing is off, because it would notify the checks, too.
 TEST(Usac_ChangedThreshold, checksAreToldOfTheEstimate)
 {
     int told = 0;
@@ -266,8 +270,8 @@ TEST(Usac_ChangedThreshold, checksAreToldOfTheEstimate)
     EXPECT_GT(told, 0);
 }
 
-//! DEGENSAC knows the plane that it has handled last and the F that it has found. With another
-//! threshold, it must not return this F with the score of the old threshold.
+//! DEGENSAC stores the last plane and the F that it has found from this plane. After a change of
+//! the threshold, it must not return this F with its score under the old threshold.
 TEST(Usac_ChangedThreshold, planeIsHandledAgain)
 {
     int replaced = 0, handled = 0;

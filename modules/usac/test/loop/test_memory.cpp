@@ -244,8 +244,8 @@ TEST_P(Usac_Memory, ofOpenCV)
             for (int run = 0; run < 4; ++run)
                 counts[run] = allocationsOf(*usac, mask, report, found) - model;
             ASSERT_TRUE(found);
-            EXPECT_EQ(counts[2], counts[1]) << "no growth from run to run";
-            EXPECT_EQ(counts[3], counts[1]) << "no growth from run to run";
+            EXPECT_EQ(counts[2], counts[1]) << "the number of allocations changes from run to run";
+            EXPECT_EQ(counts[3], counts[1]) << "the number of allocations changes from run to run";
             const long ofCuts = spatial ? 12L * report.localOptimizations * params.localIterations
                                         : 0;
             const long ofTree = neighborhood ? 3L * scene.size() : 0;

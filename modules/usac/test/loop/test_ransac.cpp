@@ -378,7 +378,7 @@ TEST(Usac_Ransac_Stop, custom)
 {
     const Scene scene = sceneWith(HOMOGRAPHY, 0.5, 1);
     Params params = stopBy(0);
-    // otherwise, samples of the outliers of the best model would be additional iterations
+    // otherwise, samples drawn from the outliers of the best model would count as iterations, too
     params.runnersUp = 0;
     Report report;
     const Ptr<Usac> usac = createUsac(scene, params);

@@ -12,8 +12,8 @@
 namespace opencv_test {
 namespace {
 
-//! The residual of the sample program, which is the distance to the epipolar line in image 2. Its
-//! derivative is the analytic one, or (if `derived` is false) computed by finite differences.
+//! The residual of the sample program: the distance to the epipolar line in image 2. Its derivative
+//! is computed analytically or (if `derived` is false) by finite differences.
 class LineDistance : public custom::LineDistance
 {
 public:
@@ -178,7 +178,8 @@ public:
     bool countsInliers() const CV_OVERRIDE { return true; }
 };
 
-//! A score of a caller that has a number for each point, so that it must get all points at once.
+//! A caller's score that needs the errors of all points in each call of accumulate(), as a score
+//! with a value for each point would. `wrong` counts the calls with another number of errors.
 class OwnNumbers : public Score
 {
 public:
@@ -196,8 +197,8 @@ public:
     mutable int calls, wrong;
 };
 
-//! If Score::wholeModel is true, each call must get all points, also before the search, when the
-//! score is checked.
+//! If Score::wholeModel() returns true, each call of accumulate() must get the errors of all
+//! points, also in the check of the score before the search.
 TEST(Usac_Replacement, scoreOfAllPoints)
 {
     for (int size : {0, 3, 300})

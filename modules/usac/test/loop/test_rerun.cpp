@@ -76,7 +76,8 @@ TEST_P(Usac_Rerun, withOtherPoints)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Rerun, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-//! After setPoints() with a mistake, there must be no points, and valid points must work afterward.
+//! After setPoints() has raised an exception, the object must have no points. It must then accept
+//! valid points again.
 TEST(Usac_RerunPoints, afterAMistake)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

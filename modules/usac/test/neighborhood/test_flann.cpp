@@ -91,7 +91,6 @@ void checkKnn(const Pixels& pixels, int k)
     for (int point = 0; point < pixels.size(); ++point)
     {
         const std::vector<double> distances = pixels.sorted(point);
-        std::vector<int> coarser;
         for (int step = 0; step < LAYERS; ++step)
         {
             const int layer = point % 2 ? step
@@ -233,8 +232,8 @@ TEST(Usac_NeighborhoodFlann, edges)
     }
 }
 
-//! With a radius, edges must join only points within this distance, and a point must have edges
-//! exactly if it has neighbors.
+//! With a radius, edges must join only points within this distance, and a point must have edges if
+//! and only if it has neighbors.
 TEST(Usac_NeighborhoodFlann, edgesWithinTheRadius)
 {
     const Pixels pixels(makeScene(FUNDAMENTAL), Params());
@@ -379,7 +378,7 @@ TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
 
 //! The radius must be in pixels, whatever multiple of the threshold (Params::reach) the search
 //! uses.
-TEST(Usac_Neighborhood_Flann, radiusDoesNotDependOnTheReach)
+TEST(Usac_NeighborhoodFlann, radiusDoesNotDependOnTheReach)
 {
     const Scene scene = makeScene(HOMOGRAPHY);
     int counts[2] = {0, 0};

@@ -10,8 +10,8 @@
 namespace opencv_test {
 namespace {
 
-//! Radii are in pixels, but the coordinates of points of space are not. The neighbors of a match
-//! must therefore be those of its image point, whatever the unit of space is.
+//! Radii are in pixels, but the coordinates of 3-D points are not. The neighbors of a match must
+//! therefore be those of its image point, whatever the unit of the 3-D points is.
 TEST(Usac_NeighborhoodFlann, ofAPoseAreInTheImage)
 {
     for (double unit = 1e-3; unit < 2e3; unit *= 1e3)

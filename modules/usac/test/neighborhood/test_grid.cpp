@@ -170,7 +170,7 @@ TEST(Usac_Neighborhood, wantedEdges)
     EXPECT_TRUE(edgesOf(*grid, around.context, none.data()).empty());
 }
 
-//! A point must have an edge exactly if another point is in its cell of layer 1.
+//! A point must have an edge if and only if another point is in its cell of layer 1.
 TEST(Usac_Neighborhood, noPointIsForgotten)
 {
     const Scene scene = makeScene(HOMOGRAPHY);

@@ -8,9 +8,9 @@
 namespace opencv_test {
 namespace {
 
-//! The distribution is compared with an urn. The urn begins with the earlier trials and two
-//! imagined trials, one of which is a success. The probability that a trial succeeds is the
-//! fraction of successes among all trials before it.
+//! The beta-binomial distribution is compared with that of Polya's urn. The urn begins with the
+//! earlier trials and two imagined trials, one of which is a success. The probability that a trial
+//! succeeds is the fraction of successes among all trials before it.
 TEST(Usac_Significance, betaBinomialAgainstAnUrn)
 {
     const int trials[] = {1, 7, 60, 500}, earlier[] = {0, 9, 300, 4000};
