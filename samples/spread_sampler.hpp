@@ -12,9 +12,9 @@
 namespace custom {
 
 /** Draws the points of a sample from different cells of a grid over image 1. If too few cells
-contain points, samples are uniform. A model from distant points is more accurate outside of its
-sample, but local structures are found later. The samples count for the termination criteria
-(State::counts stays true), because any point can be drawn. */
+contain points, samples are uniform. A model from distant points is more accurate far from its
+sample, but a model whose inliers are in a small part of the image is found later. The samples count
+for the termination criteria (State::counts stays true), because any point can be drawn. */
 class SpreadSampler : public cv::usacv20::Sampler
 {
 public:

@@ -118,8 +118,8 @@ inline Matches match(const cv::Mat& image1, const cv::Mat& image2,
     return matches;
 }
 
-//! Runs estimate(mask), which returns the model, `runs` times. @return the result with the median
-//! time
+//! Runs estimate(mask), which returns the model, `runs` times. @return the result of the last run,
+//! with the median time of all runs
 template <class Estimate>
 Result measure(const std::string& method, int runs, Estimate estimate)
 {
@@ -171,8 +171,8 @@ inline int exitCode(const Result& result, double limit)
     return 1;
 }
 
-//! Largest error, in pixels, of an estimation that the paper counts as successful: 1 % of the
-//! diagonal of the image.
+//! Largest error, in pixels, of an estimation that the paper on USACv20 counts as successful: 1 %
+//! of the diagonal of the image.
 inline double failureLimit(const cv::Mat& image)
 {
     return 0.01 * std::sqrt((double)image.cols * image.cols + (double)image.rows * image.rows);

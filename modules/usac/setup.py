@@ -61,8 +61,8 @@ def alone():
 
 
 def remove_later(folders):
-    """When this script ends, removes those of the folders that do not exist now: setuptools leaves
-    them next to the sources."""
+    """Registers those of the folders that do not exist yet for removal at the end of this script:
+    setuptools makes them next to the sources and leaves them there."""
     for folder in folders:
         if not os.path.exists(folder):
             atexit.register(shutil.rmtree, folder, True)

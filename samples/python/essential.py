@@ -92,8 +92,8 @@ def main() -> int:
             rate(result, points1, points2, stereo)
         results.append(result)
 
-    # Repeats the estimation to get the report, which a call with a flag does not return. 1000 is also
-    # the maximum number of samples of findEssentialMat.
+    # Repeats the estimation to get the report, which a call with a flag does not return. 1000 is
+    # findEssentialMat's default maximum number of samples.
     ours = results[-1]
     _, _, report = usacv20.estimateEssential(points1, points2, stereo.K1, stereo.K2, stereo.dist1, stereo.dist2,
                                              tools.usacv20_params(args, 1000))

@@ -103,8 +103,8 @@ def flag_of(name: str) -> int:
 
 
 def measure(method: str, runs: int, estimate: Callable[[], Any]) -> Result:
-    """Runs estimate(), which returns model and mask, `runs` times. Returns the last result with the
-    median time."""
+    """Runs estimate(), which returns model and mask, `runs` times. Returns the result of the last run,
+    with the median time of all runs."""
     times = []
     for _ in range(max(runs, 1)):
         start = time.perf_counter()
@@ -137,8 +137,8 @@ def exit_code(result: Result, limit: float) -> int:
 
 
 def failure_limit(image: Image) -> float:
-    """Returns the largest error, in pixels, of an estimation that the paper counts as successful: 1 % of
-    the diagonal of the image."""
+    """Returns the largest error, in pixels, of an estimation that the paper on USACv20 counts as
+    successful: 1 % of the diagonal of the image."""
     return 0.01 * float(np.hypot(image.shape[0], image.shape[1]))
 
 

@@ -31,7 +31,7 @@ ours = tools.measure("USACV20", args.runs, lambda: usacv20.findFundamentalMat(
     points1, points2, usacv20.USACV20, args.threshold, args.confidence, 5000))
 tools.print_table(len(points1), [theirs, ours], args.runs)
 
-# %% All options, including the ratios of the matches as scores, and a report on the estimation.
+# %% Params with an option that a flag does not have (scores, here the ratios), and a report.
 params = usacv20.Params(threshold=args.threshold, confidence=args.confidence, scores=ratios)
 F, mask, report = usacv20.estimateFundamental(points1, points2, params)
 print(params)

@@ -25,7 +25,7 @@ const PerfProblem PERF_PROBLEMS[] = {
 #include "problems/registry.inl.hpp"
 };
 
-/** A synthetic scene with 50 % outliers, and a run whose components have been started. */
+/** A synthetic scene with 50 % outliers, and an estimator whose components have been started. */
 struct PerfScene
 {
     PerfScene(ProblemType problem, int size, const Params& params_ = Params())

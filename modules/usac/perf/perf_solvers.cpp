@@ -12,8 +12,8 @@ namespace {
 
 typedef TestBaseWithParam<PerfProblem> UsacSolver;
 
-//! Each test cycle solves 10000 samples, as many at once as in a run. Because 50 % of the points
-//! are outliers, most samples contain outliers, as in a real run.
+//! Each test cycle solves 10000 samples, as many at once as in a run. 50 % of the points are
+//! outliers, so about half of the samples, or more, contain outliers, as in a real run.
 PERF_TEST_P(UsacSolver, minimal_10000samples, testing::ValuesIn(PERF_PROBLEMS))
 {
     const int samples = 10000;

@@ -9,12 +9,12 @@
 #include <vector>
 #include "opencv2/core/parallel/parallel_backend.hpp"
 
-/* ThreadSanitizer sees only the synchronization in code that is compiled with it. OpenCV's thread
-pool is not, so each parallel loop would be reported as a race. This backend of parallel_for_
+/* ThreadSanitizer sees synchronization only in instrumented code. OpenCV's thread pool is not
+instrumented, so each parallel loop would be reported as a race. This backend of parallel_for_
 replaces the pool before the first test: every loop starts and joins its threads in instrumented
 code. No suppressions are needed, and the loop bodies of the module are fully checked. The
 assignment of tasks to threads is fixed: a queue would add synchronization, which could hide races,
-and the first thread would run all fast tasks. */
+and the first thread would run all tasks of a loop if they are fast. */
 
 namespace {
 

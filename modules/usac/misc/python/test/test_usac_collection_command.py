@@ -158,7 +158,7 @@ class CommandTest(unittest.TestCase):
         self.assertEqual(self.verify("--resume")[0], 1)
         code, out, err = self.run_main("report", self.path, "--json", self.file("a.json"), "--csv", self.file("a.csv"))
         self.assertEqual((code, err), (0, ""))
-        # The reason does not begin with the names, so that the same reason of several pairs is one.
+        # The reason is listed without the names of the images, so that equal reasons are counted together.
         self.assertRegex(out, r"\n +1  N rows of N numbers do not fit into N bytes of matches +"
                               r"for example \\xe8 1.jpg - \\xea 1.jpg\n")
         with open(self.file("a.csv"), encoding="utf-8") as file:
@@ -270,7 +270,7 @@ class CommandTest(unittest.TestCase):
 
     @needsH5py
     def test_damaged_groups_of_hloc(self):
-        """A damaged group, or something else in its place, must be a fault of its pair only."""
+        """A damaged group, or another object in its place, must make only its own pair unreadable."""
         matches, right = collection(self.path)
         day, night = ("day-a.jpg/day-b.jpg", "day/a.jpg - day/b.jpg"), ("night-c.jpg/d.jpg", "night/c.jpg - d.jpg")
         for name, (pair, images) in (("day-a.jpg", day), (day[0], day), (night[0], night)):

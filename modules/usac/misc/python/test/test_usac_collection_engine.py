@@ -210,8 +210,8 @@ class ThreadsTest(EngineCase):
 
 
     def test_interrupted_while_pairs_are_skipped(self):
-        """The first Ctrl-C must also stop a resumed run that is still skipping pairs, and the pairs that it
-        has found so far must not be begun."""
+        """The first Ctrl-C must also stop a resumed run that is still skipping finished pairs. Unfinished
+        pairs that the run has found so far must not be processed."""
         path = self.fresh()
         self.run_engine(path)
         change(path, "DELETE FROM two_view_geometries WHERE pair_id = ?", pairId(1, 4))

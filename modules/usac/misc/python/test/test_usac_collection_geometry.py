@@ -152,10 +152,10 @@ class GeometryTest(unittest.TestCase):
         self.assertEqual(verifyPairs([pair], Settings(threshold=2))[0].configuration, Configuration.UNCALIBRATED)
 
     def test_samples_by_the_other_pairs(self):
-        """The inlier ratios of some pairs of the collection are known. Then the number of samples must
-        be the smallest (but at least 500) with which the model of a random pair is found with
-        probability `confidence`. The random pair is one of the known pairs or one further pair with a
-        lower ratio, all with the same probability."""
+        """If the inlier ratios of some pairs of the collection are known, the number of samples must be
+        the smallest (but at least 500) with which the model of a random pair is found with probability
+        `confidence`. The random pair is, with equal probabilities, any of these pairs or one further
+        pair with a lower ratio."""
         plain = Settings()
         self.assertEqual(Settings(ratios=(0.25,) * 9).needed(5, 80), plain.needed(5, 80))
         self.assertEqual(Settings(ratios=(0.1, 0.2)).needed(5, 80), plain.needed(5, 80))
@@ -359,8 +359,8 @@ class GeometryTest(unittest.TestCase):
             self.assertEqual(settings.iterations(sample, matches), needed)
             self.assertAlmostEqual(settings.reached(sample, matches), 1 - (1 - part)**needed, places=12)
         # For 75 matches and an inlier ratio of 0.25, at least 19 matches are right. 7070 samples would
-        # be enough if points were drawn with replacement. Without replacement, 7070 samples reach only
-        # a confidence of 0.9915, so more samples are needed.
+        # be enough if each drawn match were right with probability 0.25. But matches are drawn without
+        # replacement, so 7070 samples reach only a confidence of 0.9915, and more are needed.
         part = math.factorial(19) * math.factorial(70) / (math.factorial(14) * math.factorial(75))
         wide = Settings(maxIterations=20000, method="USACV20_FAST")  # USACV20_FAST: each sample counts once
         self.assertEqual(wide.iterations(5, 75), math.ceil(math.log(0.001) / math.log(1 - part)))

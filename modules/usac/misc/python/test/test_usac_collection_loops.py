@@ -214,8 +214,8 @@ class CourtTest(unittest.TestCase):
         self.assertEqual(dump(os.path.join(self.folder, "again.db"), RESULTS[0]), before)
 
     def test_pairs_that_are_not_selected(self):
-        """First the pairs without a common point are verified, then the others. The rows of the former must
-        not change, although the latter contradict them, until a run includes them."""
+        """First the pairs without a common point are verified, then the others, which contradict them. The
+        rows of the first pairs must not change until a run includes these pairs."""
         self.verified("whole.db")
         names = os.path.join(self.folder, "parts.txt")
         for overlap in (False, True):

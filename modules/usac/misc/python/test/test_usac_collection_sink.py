@@ -295,8 +295,9 @@ class RunTest(SinkCase):
         self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
 
     def test_graph_of_some_pairs(self):
-        """With keep=True, the graph must contain the pairs of all earlier runs with the same settings,
-        whether a run is resumed or not; otherwise only those of the new run."""
+        """With keep=True, the edges for the loop check must include the accepted pairs of all earlier runs
+        with the same settings, whether a run is resumed or not. Otherwise they must include only those
+        of the new run."""
         one = np.array([[1.0, 0, 0, 0]])
         for settings, second in (({"threshold": 2.0}, 2), ({"threshold": 3.0}, 3), ({"threshold": 2.0}, 4)):
             sink = self.sink(settings, keep=True)

@@ -142,7 +142,7 @@ class PatchTest(unittest.TestCase):
             self.assertEqual(cv.findFundamentalMat, NATIVE.findFundamentalMat)
             a, b = PLANE.points1, PLANE.points2
             self.assertEqual(bits(cv.findHomography(a, b, RANSAC)), bits(NATIVE.findHomography(a, b, RANSAC)))
-            # The call reaches OpenCV's own function, which does not know the flag.
+            # The call reaches OpenCV's own function, which does not support the flag.
             self.assertRaises(cv.error, cv.findHomography, a, b, usac.USACV20)
         finally:
             cv.findHomography = NATIVE.findHomography

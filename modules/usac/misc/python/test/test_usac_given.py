@@ -85,8 +85,8 @@ class GivenTest(unittest.TestCase):
         self.assertEqual((model, mask.tolist(), report.stop), (None, [[0]] * 3, usac.STOP_TOO_FEW_POINTS))
 
     def emptyLists(self, points1, points2):
-        """An empty list is a list of wrong length, unless there are no points. Only None means all
-        points."""
+        """An empty list of weights or of chosen points has the wrong length, unless there are no points.
+        Only None stands for all points."""
         for empty in ([], (), np.zeros((0, 1), bool)):
             for name in ("weights", "chosen"):
                 with self.assertRaisesRegex(usac.error, name + ": .*None"):

@@ -45,7 +45,8 @@ def scene(seed, count):
     moved[bad] = rng.uniform(-5, 5, (len(bad), 3))
     plane = views[0].dot([[0.9, -0.2], [0.2, 0.9]]) + [40, -25] + rng.normal(0, 0.4, views[0].shape)
     plane[bad] = views[1][bad]
-    # Drawn last: an array that was added later must not change the random numbers of the others.
+    # This array was added later. It is drawn last, so that it does not change the random numbers of the
+    # others.
     shifted = views[0] + [37.25, -12.5] + rng.normal(0, 0.4, views[0].shape)
     shifted[bad] = views[1][bad]
     return [np.rint(points * 64) / 64 for points in (X, *views, moved, plane, shifted)]

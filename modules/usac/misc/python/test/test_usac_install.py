@@ -67,8 +67,8 @@ class MissingTest(unittest.TestCase):
         self.assertEqual(run.stderr, b"usacv20: Python 3.8 or later is needed, this is 3.6\n")
 
     def test_builds_at_the_same_time(self):
-        """Each build of the same sources must wait for the others and leave no files. The sources are a
-        copy, because other programs might build the package from the original ones."""
+        """Simultaneous builds of the same sources must run one after another and leave no files. The sources
+        are a copy, because other programs might build the package from the original ones."""
         with tempfile.TemporaryDirectory() as folder:
             copy = os.path.join(folder, "modules", "usac")
             for part in ("cmake", "misc", "include"):

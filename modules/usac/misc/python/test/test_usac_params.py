@@ -85,7 +85,8 @@ class ParamsTest(unittest.TestCase):
                 usac.estimateHomography(PLANE.points1, PLANE.points2, params)
 
     def test_sigmas_for_another_number_of_matches(self):
-        # Read without their shape, these sigmas would be valid for 60 or 120 matches.
+        # Without their shape, these sigmas would fit the wrong count, too: 60 numbers, for example, are one
+        # for each of 60 matches or three for each of 20.
         rows3, rows6 = np.tile([4., 1, 3], (20, 1)), np.tile([4., 1, 3, 2, 0, 2], (30, 1))
         scene = lambda count: (PLANE.points1[:count], PLANE.points2[:count])
         for sigmas, count in ((rows3, 60), (rows6, 60), (np.ones((20, 3)), 60), (rows3.reshape(60, 1), 20)):

@@ -26,8 +26,8 @@ IMAGES = os.environ.get("OPENCV_SAMPLES_DATA_PATH", "")
 @once
 @needsCv2
 class SampleTest(unittest.TestCase):
-    """A sample must exit with code 0. All samples except `walkthrough` do so only if the error of their
-    model is below a limit that the sample sets."""
+    """A sample must exit with code 0. All samples except `walkthrough` do so only if they find a model
+    whose error, if known, is within a limit that the sample sets."""
 
     def setUp(self):
         if not os.path.isdir(SAMPLES):

@@ -185,7 +185,7 @@ class StopTest(unittest.TestCase):
             calls.append(report)
             if len(calls) > 1:  # the estimation below calls this function, too
                 return True
-            with usac.progress(lambda report: True):  # a scope that the function itself has entered can end
+            with usac.progress(lambda report: True):  # a function may leave a scope that it has entered itself
                 usac.estimateHomography(*hard(), usac.Params(maxTime=20, **ENDLESS))
             return False
 

@@ -40,7 +40,7 @@ def project(X, rvec, tvec, K, coefficients=None):
 
 
 def normalize(pixels, K, coefficients=None):
-    """Converts pixels to points of the normalized image plane, without distortion."""
+    """Converts pixels to points of the normalized image plane and removes the lens distortion."""
     seen = (pixels - K[:2, 2]).dot(np.linalg.inv(K[:2, :2]).T)
     points = seen
     for _ in range(100):  # fixed-point iteration, which converges linearly for a weak distortion

@@ -73,7 +73,7 @@ class Files(unittest.TestCase):
         return self.path(name)
 
     def only(self, path, *more):
-        """Opens a source, which must have exactly one item, and returns this Pair or Fault."""
+        """Opens a source, which must have exactly one item, and returns this item (a Pair or a Fault)."""
         source = self.source(path, *more)
         self.assertEqual(len(source), 1)
         (loaded,) = source.load(list(source.keys()))
