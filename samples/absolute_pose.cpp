@@ -302,7 +302,7 @@ int main(int argc, char** argv)
                "{@next          |                   | image of the scene a moment later; the pose "
                "in the first scene is its initial model}"
                "{camera         |                   | file with camera_matrix and "
-               "distortion_coefficients; none: no distortion, focal length see `focal`}"
+               "distortion_coefficients; none: no distortion; for the focal length, see `focal`}"
                "{focal          | 0                 | focal length in pixels, without `camera`; 0: "
                "1.2 times the longer side of the image}"
                "{threshold      | 2                 | inlier threshold in pixels}"

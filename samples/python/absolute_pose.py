@@ -5,7 +5,7 @@
 
 """Finds the pose of a camera from images of a flat object.
 
-Points of the object's own image are 3-D points (Z = 0), and their matches in the scene are the image
+Points of the object's own image become 3-D points (Z = 0), and their matches in the scene are the image
 points. usacv20.solvePnPRansac finds the pose, and the axes of the object are drawn into the scene.
 The pose of the first scene is the initial model for the second scene. Without images, a synthetic
 board and its photographs are made, and the true poses are known.
@@ -152,7 +152,7 @@ def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
         if truth is not None and result.model is not None:
             error = result.error = angle_between(result.model, truth)
             result.errorText = "%.2f deg, %.4f" % (error, np.linalg.norm(result.model[:, 3] - truth[:, 3]))
-    print("error: angle of the rotation; distance from the true position, in widths of the object")
+    print("error: angle between the rotations; |t - true t|, in widths of the object")
     tools.print_table(len(pixels), results, args.runs)
     ours = results[-1]
     if ours.model is None:
@@ -164,7 +164,7 @@ def find_pose(board: Image, image: Image, truth: Any, before: Optional[Array],
 def main() -> int:
     parser = tools.arguments(__doc__, None, "box_in_scene.png", "absolute_pose_py.jpg", 2.0)
     parser.add_argument("next", nargs="?", help="image of the scene a moment later; the pose in the first scene is its initial model")
-    parser.add_argument("--camera", help="file with camera_matrix and distortion_coefficients; none: no distortion, see --focal")
+    parser.add_argument("--camera", help="file with camera_matrix and distortion_coefficients; none: no distortion; for the focal length, see --focal")
     parser.add_argument("--focal", type=float, help="focal length in pixels, without --camera; none: 1.2 times the longer side")
     parser.add_argument("--iterations", type=int, default=2000, help="largest number of samples")
     args = parser.parse_args()

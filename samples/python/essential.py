@@ -33,6 +33,8 @@ class Stereo:
             found = [self._corners(image, board) for image in images]
             if all(c is not None for c in found):
                 corners.append(found)
+        if not corners:
+            raise SystemExit("%s: no pair of images shows the whole chessboard" % list_name)
         size = images[0].shape[::-1]
         corners1, corners2 = zip(*corners)
         planes = [plane] * len(corners)

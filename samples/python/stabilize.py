@@ -30,8 +30,9 @@ def square(motion: Array) -> Array:
 
 def read_frames(path: str) -> List[Image]:
     if os.path.isdir(path):
-        images = [cv2.imread(os.path.join(path, name)) for name in sorted(os.listdir(path))]
-        return [image for image in images if image is not None and image.shape == images[0].shape]
+        read = [cv2.imread(os.path.join(path, name)) for name in sorted(os.listdir(path))]
+        images = [image for image in read if image is not None]
+        return [image for image in images if image.shape == images[0].shape]
     video = cv2.VideoCapture(path)
     frames: List[Image] = []
     while True:
