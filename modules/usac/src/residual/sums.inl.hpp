@@ -150,8 +150,8 @@ and v with respect to these rows are p / d times (1, 0, -u) and (0, 1, -v), wher
 homogeneous point and d its depth, so that all blocks of J^T J are multiples of p p^T / d^2. There
 are COUNT sums: the upper triangle of p p^T / d^2 times 1, u, v and u^2 + v^2, then the gradient,
 then the cost. They take a third of the time of GeneralSums. `Error::At` has the members p(0) ..
-p(POINT - 1), w (1 / d, or 0 for a point that contributes only to the cost), u, v and the error (du,
-dv). */
+p(POINT - 1), w (1 / d, or 0 for a point that contributes only to the cost), u, v, the error
+(du, dv) and cost(). */
 template <class Error>
 struct ProjectionSums
 {

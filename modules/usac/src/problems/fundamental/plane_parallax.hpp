@@ -66,7 +66,7 @@ private:
     //! Maximum number of points in each of the first two steps of a fit. These steps decide whether
     //! the fit continues.
     enum { FIRST_FIT = 128 };
-    //! Rows of `numbers`: for each voter its line n and the symmetric matrix G, see setPlane().
+    //! Rows of `numbers`: for each voter its line n and the symmetric matrix G of setPlane().
     enum { N0, N1, N2, G00, G01, G02, G11, G12, G22 };
 
     const float* number(int which) const { return &numbers[(size_t)which * stride]; }
