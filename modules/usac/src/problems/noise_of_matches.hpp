@@ -21,7 +21,7 @@ error. The quotient is multiplied by Correspondences::unit, so that thresholds k
 but no version of `residual` that uses them. */
 Ptr<Residual> residualWithNoise(const Ptr<Residual>& residual, const Correspondences& points);
 
-/** @brief The result of Problem::createImageResidual, with errors that are divided as by
+/** @brief The result of Problem::createImageResidual, with its errors divided in the same way as by
 residualWithNoise(); empty if the problem has no such residual.
 @param problem kind of model
 @param residual the residual that does not use the sigmas or, if these are covariances, possibly the

@@ -20,9 +20,9 @@ inline void drawUniform(const Context& context, State& state, int* sample)
 
 /** @brief Decides from Params::orderedEvery how the current sample is drawn.
 
-If the result is true, the sampler must draw the sample in its own, non-uniform way; such a sample
-counts for the termination criteria only if all samples are drawn in this way. If the result is
-false, this function has drawn a uniform sample. */
+If the result is true, the sampler must draw the sample in its own, non-uniform way; State::counts
+is true for such a sample only if all samples are drawn in this way. If the result is false, this
+function has drawn a uniform sample. */
 inline bool isOrdered(const Context& context, State& state, int* sample)
 {
     const int every = context.params.orderedEvery;
@@ -35,10 +35,10 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
     return false;
 }
 
-//! Number of samples at the start of a search that are uniform even if later samples follow an
-//! order of the points (unless Params::orderedEvery is 1). Many searches end with these samples,
-//! and then need neither the order nor neighborhoods. doc/measurements/constants_tables.md shows
-//! the effects of other values.
+//! Number of samples at the start of a search that are uniform even if later samples follow a known
+//! order of the points (unless Params::orderedEvery is 1). PNapsacSampler also uses this number for
+//! a guessed order. Many searches end with these samples, and then need neither the order nor
+//! neighborhoods. doc/measurements/constants_tables.md shows the effects of other values.
 constexpr int BEFORE_ORDER = 8;
 
 //! The same as isOrdered() for a known order of the points, see orderIsKnown(). Depending on

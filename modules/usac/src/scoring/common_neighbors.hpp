@@ -10,7 +10,7 @@
 namespace cv {
 namespace usacv20 {
 
-//! Number of nearest neighbors of a point that are looked at in each image, see commonNeighbors().
+//! Number of nearest neighbors of a point that are compared in each image, see commonNeighbors().
 constexpr int NEIGHBORS_COMPARED = 8;
 //! Maximum number of matches for which commonNeighbors() should be called, so that it takes little
 //! time.
@@ -26,11 +26,11 @@ bool hasCommonNeighbors(const Problem& problem);
 @cite ma2019locality.
 
 The surfaces of a scene are mostly smooth, so that points that are neighbors in one image are mostly
-neighbors in the other image. For each match, the matches with the #NEIGHBORS_COMPARED nearest
-points in image 1 are compared with those with the nearest points in image 2. The result is the
-number of matches that are among both. It does not depend on the scale and rotation of the images or
-on the density of the points. Two matches are not neighbors if their points coincide in one of the
-images.
+neighbors in the other image. Each match has two sets of neighbors: the #NEIGHBORS_COMPARED matches
+whose points in image 1 are nearest to its own point, and the same for image 2. The result is the
+number of matches that are in both sets. It does not depend on the scale and rotation of the images
+or on the density of the points. Two matches are not neighbors if their points coincide in one of
+the images.
 @param points the matches
 @param count only the first `count` matches are used
 @param threshold distance up to which points coincide, in the unit of Correspondences::threshold

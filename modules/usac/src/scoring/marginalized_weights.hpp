@@ -67,7 +67,7 @@ public:
     //! doc/constants.md.
     enum { SIZE = 2048 };
 
-    //! The instance for errors with 1, 2 or 3 degrees of freedom, made at first use.
+    //! The instance for errors with 1, 2 or 3 degrees of freedom, created at the first call.
     static const MarginalizedWeights& of(int degrees);
 
     explicit MarginalizedWeights(int degrees);

@@ -31,9 +31,9 @@ where the inlier ratio gamma is found for each model by expectation maximization
 sum of 1 - l / log(q) over the points: 0 if all errors are 0, and at most the number of points,
 which is the cost for gamma = 0.
 
-There is one pass over all points, with an exponential for each point near the model (that is, each
-point that is not a certain outlier, see NEGLIGIBLE), and then several passes over the points near
-the model. */
+There is one pass over all points, with an exponential for each point near the model, and then
+several passes over the points near the model. All points except the certain outliers (see
+NEGLIGIBLE) are called near. */
 class MlesacScore : public Score
 {
 public:

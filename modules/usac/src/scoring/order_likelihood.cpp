@@ -10,8 +10,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Log-likelihood of `count` flags, of which `ones` are set, for the most likely common probability
-//! that a flag is set.
+//! Log-likelihood of `count` flags, of which `ones` are set. The probability that a flag is set is
+//! the same for all flags; its maximum-likelihood estimate is used.
 double logLikelihood(int ones, int count)
 {
     const double share = (double)ones / count;

@@ -27,8 +27,8 @@ public:
     static int dimension() { return DIMENSION; }
     //! False if H maps the plane to a line or a point, up to rounding.
     bool hasFullRank() const;
-    //! False if H is close to such a map. Only for the normalized coordinates of Correspondences,
-    //! because the limit depends on the unit of length.
+    //! False if H nearly maps the plane to a line or a point. Only for the normalized coordinates
+    //! of Correspondences, because the limit depends on the unit of length.
     bool wellConditioned() const;
     //! Derivatives of the model, as a 9-vector row by row, with respect to the parameters at 0.
     Basis tangent() const;

@@ -15,8 +15,8 @@ struct TranslationMap
 {
     enum { DIMENSION = 2 };
 
-    //! Reads the translation that maps the origin to the same point as the map `m` does. In the
-    //! coordinates of the search, the origin is the center of the points in image 1.
+    //! Reads the translation that maps the origin to the same point as the map `m` does. In
+    //! normalized coordinates, the origin is the center of the points in image 1.
     static void read(const double* m, double* p)
     {
         p[0] = m[2];

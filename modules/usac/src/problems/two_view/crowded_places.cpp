@@ -93,9 +93,9 @@ object keeps most of its quality, because this map does not shrink the object to
 
 Matches from one place of array 1 to many points of array 2 need no check, because no map fits them.
 Places are searched for at the start, and again when the inlier threshold has changed. The larger
-distances that some scores use (Params::reach) are not suitable for this,
-because a small object would look like one place. The quality is not changed for scores that are not
-a sum over the points. */
+threshold that some scores use (Params::reach) is not suitable for this search, because a small
+object would look like one place. The quality is not changed for scores that are not a sum over the
+points. */
 class CrowdedPlaces : public Degeneracy
 {
 public:

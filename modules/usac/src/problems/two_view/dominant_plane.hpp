@@ -20,8 +20,8 @@ bool planeOfThree(const Correspondences& p, const int* triple, const Matx33d& A,
 //! Computes the unit epipole `e` of image 2 and A = [e]x F. False if F determines no epipole.
 bool epipolar(const Model& F, Vec3d& e, Matx33d& A);
 
-//! Points count as points on a plane that was found from three points if their transfer error is at
-//! most three thresholds; PLANE_LIMIT is the square of 3. See doc/constants.md.
+//! Matches count as lying on a plane that was found from three matches if their transfer error is
+//! at most three inlier thresholds; PLANE_LIMIT is the square of 3. See doc/constants.md.
 constexpr int PLANE_LIMIT = 9;
 inline double planeLimit(const Context& context)
 {
@@ -35,9 +35,9 @@ class DominantPlane
 public:
     DominantPlane() : count(0) {}
 
-    /** @brief Computes homographies from random triples of inliers and finds the one that maps the
-    largest number of inliers. An inlier is here a match whose Sampson distance is at most the
-    inlier threshold. Only the first MAX_INLIERS inliers are used.
+    /** @brief Computes homographies from random triples of inliers and finds the one with the
+    most inliers on its plane, see planeLimit(). An inlier of F is a match whose Sampson distance is
+    at most the inlier threshold. Only the first MAX_INLIERS inliers are used.
     @param context the points
     @param rng draws the triples
     @param F model whose inliers are tested

@@ -15,9 +15,9 @@ namespace {
 
 //! If both points of a match are epipoles, the numerator and the denominator of the Sampson
 //! distance are 0. For a term of the symmetric epipolar distance, both are 0 even if only one point
-//! is an epipole; for the Sampson distance with covariances, if only one point is an epipole and
-//! its covariance is 0. Fits add this constant to each denominator, so that the quotient is then 0.
-//! The constant is far below any other denominator.
+//! is an epipole. For the Sampson distance with covariances, both are 0 even if only one point is
+//! an epipole, provided that its covariance is 0. Fits add this constant to each denominator, so
+//! that the quotient is then 0. The constant is far below any other denominator.
 constexpr double BOTH_EPIPOLES = 1e-200;
 
 //! Computes the first two entries (a, b) of F x1 and (d, e) of F^T x2, and r = x2^T F x1.

@@ -13,8 +13,8 @@ namespace usacv20 {
 
 /** @brief Weighted means and second moments of matches, from which the least-squares affinity or
 similarity x2 = A x1 + t is computed. The problem is linear, and t is 0 for points relative to the
-means @cite umeyama1991least. The moments take one pass over the matches,
-with about 30 operations per match. */
+means @cite umeyama1991least. The moments take one pass over the matches, with about 30 operations
+per match. */
 struct Moments
 {
     /** Moments of `count` matches. The sums use coordinates relative to the first match, so that
@@ -27,7 +27,7 @@ struct Moments
     Matx33d map(double a, double b, double c, double d) const;
 
     double mean[4];     //!< means of x1, y1, x2, y2
-    double xx, xy, yy;  //!< moments of image 1 about the means, not divided by the sum of weights
+    double xx, xy, yy;  //!< moments of x1, y1 about the means, not divided by the sum of weights
     double xu, xv, yu, yv;  //!< the same for the products x1 x2, x1 y2, y1 x2 and y1 y2
 };
 

@@ -16,8 +16,8 @@ namespace {
 // In this file, the two ends of a match are its point in image 1 and its point in image 2.
 // doc/measurements/constants_tables.md lists the effects of halving and doubling these constants.
 
-//! The quality is lowered only if at least FEW of the first LOOKED_AT points are matches that would
-//! be inliers for every position of one of their ends.
+//! The quality is lowered only if at least FEW of the first LOOKED_AT matches would be inliers for
+//! every position of one of their ends.
 constexpr int LOOKED_AT = 64, FEW = 8;
 //! Many matches share points if at least SHARED_PAIRS pairs of the first FIRST_PAIRS matches (3 %
 //! of all pairs of these matches) share a point up to noise, see shareATarget(). For comparison: if
@@ -28,9 +28,9 @@ constexpr int FIRST_PAIRS = 32, SHARED_PAIRS = 16;
 constexpr int TRIMMED = 10;
 
 //! A match counts as not constraining F only if a shift of one end by this many thresholds moves
-//! the epipolar line across the whole other image. SharedPoints describes another condition, with
-//! #FAR_APART. In images of 640 pixels, that condition is stricter if the threshold exceeds 1.1
-//! pixels.
+//! the epipolar line across the whole other image. It must also fulfill the condition with
+//! #FAR_APART, see SharedPoints. In images of 640 pixels, that condition is stricter if the
+//! threshold exceeds 1.1 pixels.
 constexpr double ANYWHERE = 60;
 
 /** Tests whether a match would be an inlier of F for every position of one of its two ends, see
@@ -69,8 +69,8 @@ inliers of every epipolar geometry whose epipole is the target, for every positi
 ends. Matches to two targets, or to points on a line, are inliers of an F of nearly rank 1 whose
 epipolar lines all coincide with the line through these targets or points. Therefore
 - samples are rejected in which two matches share a point. If many matches share points, points that
-are the same up to noise count as shared, too, see shareATarget(). If few matches share points, such
-near points can belong to correct matches that one camera sees close together;
+are the same up to noise count as shared, too, see shareATarget(). If few matches share points, two
+matches whose points are close together in one image can both be correct;
 - in the quality of each new best model, all inliers that would be inliers for every position of one
 of their ends count as a single inlier. The model is kept, because there may be no better model, but
 its score is no longer better than that of correct models.
@@ -96,8 +96,8 @@ public:
     /** Estimates the extents of the points in both images in two ways: from the box
     Correspondences::lower, upper, which is robust against a few points far from the other points,
     and from the first points without the outermost ones, which is robust against many matches to
-    one target. The estimate with more equal extents is used, because in most pairs both images have
-    the same size. */
+    one target. The estimate whose two extents are more nearly equal is used, because most image
+    pairs consist of two images of the same size. */
     void start(const Context& context) CV_OVERRIDE
     {
         const Correspondences& p = context.points;

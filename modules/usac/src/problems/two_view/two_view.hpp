@@ -13,8 +13,8 @@ namespace usacv20 {
 
 //! Creates the check of the oriented epipolar constraint for F and E, see OrientedEpipolar.
 Ptr<Degeneracy> createOrientedEpipolar();
-//! Creates the check for repeated matches, for problems that map points to points, see
-//! RepeatedPoints.
+//! Creates the check for matches that share a point and for repeated matches, for problems that map
+//! points to points, see RepeatedPoints.
 Ptr<Degeneracy> createRepeatedPoints();
 //! Creates the check for matches of many points to one small region, for problems that map points
 //! to points, see CrowdedPlaces.
@@ -24,7 +24,7 @@ Ptr<Degeneracy> createCrowdedPlaces();
 //! contains the name `problem`, if #DEGENERACY_DEGENSAC is set but not all flags are set.
 void createChecksOfMaps(int flags, const String& problem,
                         std::vector<Ptr<Degeneracy>>& degeneracies);
-//! Creates the check for matches that share a point, for F and E, see SharedPoints.
+//! Creates the check for matches that share a point (up to noise), for F and E, see SharedPoints.
 Ptr<Degeneracy> createSharedPoints();
 
 }  // namespace usacv20
