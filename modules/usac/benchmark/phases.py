@@ -27,10 +27,10 @@ SCENES = collections.OrderedDict((("H", "planar"), ("F", "general"), ("E", "gene
 # one (or None) for callers from which such calls do not count, because the caller itself already
 # belongs to the phase.
 PHASES = collections.OrderedDict((
-    ("samples", (r"Ransac::drawBatch", None)),
-    ("their models", (r"Ransac::solve", None)),
-    ("test, score", (r"Ransac::hypothesize", None)),
-    ("degeneracy", (r"Ransac::recover", None)),
+    ("samples", (r"SampleBatch::draw", None)),
+    ("their models", (r"SampleBatch::solve", None)),
+    ("test, score", (r"SampleBatch::score", None)),
+    ("degeneracy", (r"Checks::recover", None)),
     ("graph cut", (r"Labeling::cut", None)),
     ("local fits", (r"\w*Optimizer::optimize", None)),
     ("polishing", (r"\w*Polisher::polish|Leverage::improve|Restarts::improve", r"Restarts::|Leverage::"))))

@@ -292,7 +292,7 @@ class PhasesTest(unittest.TestCase):
 events: Ir
 fn=(1) cv::usacv20::(anonymous namespace)::UsacImpl::run(cv::_OutputArray const&)
 +3 50
-cfn=(2) cv::usacv20::Ransac::drawBatch()
+cfn=(2) cv::usacv20::SampleBatch::draw()
 calls=4 100
 +1 100
 cfn=(3) cv::usacv20::(anonymous namespace)::GraphCutOptimizer::optimize(cv::usacv20::Context const&)

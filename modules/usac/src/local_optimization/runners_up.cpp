@@ -11,6 +11,11 @@ namespace usacv20 {
 
 namespace {
 
+//! A model can become a runner-up if its gain is more than this fraction of the gain of the best
+//! model that any sample has given so far. The gain is the number of points, which is the cost
+//! without any model, minus the cost. See doc/measurements/constants_tables.md.
+constexpr double PROMISING = 0.6;
+
 bool before(const RunnerUp& a, const RunnerUp& b)
 {
     return a.unexplained > b.unexplained ||
@@ -53,7 +58,7 @@ int InlierBits::without(const InlierBits& others) const
 }
 
 RunnersUp::RunnersUp(int most_, Arena& arena_)
-    : most(most_), kept(0), given(0), count(0), arena(arena_)
+    : most(most_), kept(0), given(0), count(0), unexplainedBefore(0), arena(arena_)
 {}
 
 void RunnersUp::insert(const RunnerUp& item)
@@ -92,8 +97,14 @@ void RunnersUp::setBest(const InlierBits& inliers)
     }
 }
 
+double RunnersUp::uselessCost(double best, double points) const
+{
+    return none() ? best : std::max(best, points - PROMISING * (points - best));
+}
+
 int RunnersUp::take(const RunnerUp*& taken)
 {
+    unexplainedBefore = mostUnexplained();
     std::swap(kept, given);
     taken = given;
     const int all = count;

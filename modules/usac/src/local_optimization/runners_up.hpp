@@ -65,7 +65,7 @@ Because of noise, the model of one sample can be worse than that of another samp
 optimization, but better after it @cite lebeda2012fixing. Models that are better than all models of
 previous samples are optimized at once. Of the other models, those with the most inliers that the
 best model does not explain are optimized when the search is about to end. (The best model explains
-the points within Ransac::EXPLAINED = 1.5 thresholds.) If the models were chosen by their cost
+the points within #EXPLAINED thresholds.) If the models were chosen by their cost
 instead, they might all be variants of one wrong model:
 points with a common shift, or on an independently moving plane, fit a whole family of F. If an
 optimized F of this family is the best model, the other F of the family can have a lower cost than
@@ -73,6 +73,11 @@ models of all-inlier samples that are not yet optimized. take() returns each mod
 class RunnersUp
 {
 public:
+    /** The best model explains the points whose errors are at most EXPLAINED times
+    Context::inlierThreshold. The factor is above 1 because some correct matches lie beyond the
+    threshold if the noise is wide. See doc/constants.md. */
+    static constexpr double EXPLAINED = 1.5;
+
     //! @param most maximum number of models that are stored, at least 0
     //! @param arena memory of the run
     RunnersUp(int most, Arena& arena);
@@ -84,6 +89,11 @@ public:
     {
         return count < most || unexplained >= kept[most - 1].unexplained;
     }
+    //! A model of a sample with this cost or more is not stored, unless it is a rival (see
+    //! RivalSearch).
+    //! @param best lowest cost of a model of a sample so far
+    //! @param points number of points of the run
+    double uselessCost(double best, double points) const;
     //! Stores the model if it is among the most promising ones.
     void add(const Candidate& candidate, const InlierBits& inliers);
     //! Sets the points that the best model explains, and updates RunnerUp::unexplained of all
@@ -93,6 +103,8 @@ public:
     const InlierBits& best() const { return known; }
     //! The largest RunnerUp::unexplained of the stored models; 0 if there are none.
     int mostUnexplained() const { return count > 0 ? kept[0].unexplained : 0; }
+    //! The value of mostUnexplained() at the beginning of the last call of take(); 0 before it.
+    int mostTaken() const { return unexplainedBefore; }
     //! Returns the models stored since the last call of take(), in the order of descending
     //! RunnerUp::unexplained, then of ascending cost, and forgets them. `taken` is valid until the
     //! next call of take().
@@ -110,6 +122,7 @@ private:
                        //!< the first add()
     RunnerUp* given;   //!< models returned by the last take()
     int count;         //!< number of models in `kept`
+    int unexplainedBefore;  //!< see mostTaken()
     Arena& arena;
 };
 

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "loop/automatic_threshold.hpp"
+#include "control/watch.hpp"
 #include "components/sample_statistics.hpp"
 #include "loop/factory.hpp"
 #include "scoring/scores.hpp"

@@ -3,35 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "loop/rival_search.hpp"
 #include "components/check_components.hpp"
 #include "components/sample_statistics.hpp"
 #include "components/streams.hpp"
-#include "loop/ransac.hpp"
-
-/* Draws samples of the points that the best model does not explain, when the search is about to
-end.
-
-Wrong matches can be consistent with each other: matches of repeated windows have a common shift, a
-moving object has its own motion. Their model can have enough inliers to end the search before the
-model of the correct matches is found. Finding the model of the correct matches takes a good sample,
-and many all-inlier samples are not good: with noise, half of the all-inlier samples for H and most
-of those for F and E yield models that SPRT rejects. But if two models share few of their inliers,
-the points that one model does not explain are mostly inliers of the other model, and samples of
-these points are all-inlier samples far more often. For example, suppose that 45 % of the points are
-inliers of a first model and another 35 % are inliers of a second model. Then (45 / 65)^7 = 8 % of
-the samples of seven points that the second model does not explain are all-inlier samples of the
-first model, instead of (45 / 100)^7 = 0.4 % of the samples of all points.
-
-For each best model, a few such samples are drawn if there are enough points for a rival. There
-might be a rival, a second model with about as many inliers as the best model, if the model of such
-a sample, or a runner-up, has many inliers that the best model does not explain: at least the
-fraction RIVAL of the number of inliers of the best model. Then more such samples are drawn: as many
-as are needed to find, with the required confidence, a model that has as many inliers as the best
-model and shares at most a third of them with it; but at most a third of the number of other samples
-drawn so far. If ConfirmedOrderTermination is about to end the search, a group of wrong matches
-might come first in the order of the points; that criterion then sets the minimum number of these
-samples (State::unexplainedSamples). All these samples count as iterations, but not for
-State::countedSamples. */
 
 namespace cv {
 namespace usacv20 {
@@ -58,13 +33,20 @@ constexpr double FOR_ITSELF = 2. / 3;
 
 }  // namespace
 
-int Ransac::unexplainedPoints(int* indices) const
+RivalSearch::RivalSearch(const Context& context_, State& state_, const Checks& checks_,
+                         const SampleBatch& batch_, RunnersUp& runnersUp_,
+                         const Stopping& stopping_)
+    : context(context_), state(state_), checks(checks_), batch(batch_), runnersUp(runnersUp_),
+      stopping(stopping_), m(context_.components.minimalSolver->sampleSize()), unexplainedSamples(0)
+{}
+
+int RivalSearch::unexplainedPoints(int* indices) const
 {
     const Correspondences& p = context.points;
     Arena::Scope scope(context.arena);
     float* const errors = scope.take<float>(p.size);
-    parts.residual->squaredErrors(p, state.best, 0, p.size, errors);
-    const double width = EXPLAINED * context.inlierThreshold();
+    context.components.residual->squaredErrors(p, state.best, 0, p.size, errors);
+    const double width = RunnersUp::EXPLAINED * context.inlierThreshold();
     const float limit = (float)(width * width);
     int count = 0;
     for (int i = 0; i < p.size; ++i)
@@ -75,13 +57,13 @@ int Ransac::unexplainedPoints(int* indices) const
     return count;
 }
 
-double Ransac::rivalInliers() const
+double RivalSearch::rivalInliers() const
 {
     const double looked = std::min<int>(context.points.size, InlierBits::MOST);
     return RIVAL * state.bestQuality.inliers * looked / context.points.size;
 }
 
-bool Ransac::searchUnexplained()
+bool RivalSearch::search(int ending)
 {
     const int drawn = state.iteration;
     if (runnersUp.none() || explored == state.best || state.bestQuality.inliers <= m ||
@@ -107,7 +89,7 @@ bool Ransac::searchUnexplained()
     return true;
 }
 
-void Ransac::sampleForRivals(const int* indices, int count, double wanted, int drawn)
+void RivalSearch::sampleForRivals(const int* indices, int count, double wanted, int drawn)
 {
     const int needed = samplesNeeded(goodSampleProbability(wanted, count, m, true),
                                      std::log(1 - context.params.confidence));
@@ -115,27 +97,28 @@ void Ransac::sampleForRivals(const int* indices, int count, double wanted, int d
     const int many = std::max((drawn - unexplainedSamples) / MOST_PART - unexplainedSamples,
                               LEAST_SAMPLES);
     const double rival = rivalInliers();
-    if (rivals < rival)
+    if (runnersUp.mostTaken() < rival)
         sampleUnexplained(indices, count, std::min(needed, few) - (state.iteration - drawn));
-    if (std::max(rivals, runnersUp.mostUnexplained()) >= rival)
+    if (std::max(runnersUp.mostTaken(), runnersUp.mostUnexplained()) >= rival)
         sampleUnexplained(indices, count, std::min(needed, many) - (state.iteration - drawn));
 }
 
-void Ransac::sampleUnexplained(const int* indices, int count, int most)
+void RivalSearch::sampleUnexplained(const int* indices, int count, int most)
 {
     const int end = state.iteration +
                     std::min(most, context.params.maxIterations - state.iteration);
     Sample drawn[MinimalSolver::MAX_TOGETHER];
     Hypotheses solved[MinimalSolver::MAX_TOGETHER];
-    for (int i = ahead; state.iteration < end && !stop(sampleWork); ++state.iteration, ++i)
+    for (int i = batch.ahead(); state.iteration < end && !stopping.interrupt();
+         ++state.iteration, ++i)
     {
-        if (i == ahead)
+        if (i == batch.ahead())
         {
             i = 0;
-            const int next = std::min(ahead, end - state.iteration);
+            const int next = std::min(batch.ahead(), end - state.iteration);
             for (int k = 0; k < next; ++k)
                 drawn[k] = drawUnexplained(indices, count, state.iteration + k);
-            solve(drawn, next, solved);
+            batch.solve(drawn, next, solved);
         }
         if (solved[i].rejectedSample)
         {
@@ -146,17 +129,16 @@ void Ransac::sampleUnexplained(const int* indices, int count, int most)
         const Model* const models = solved[i].models;
         checkModels(models, computed);
         state.report.models += computed;
-        anyModel = anyModel || computed > 0;
         state.report.degenerateSamples += computed == 0;
         for (int k = 0; k < computed; ++k)
-            if (!validModel(drawn[i].val, models[k]))
+            if (!checks.validModel(drawn[i].val, models[k]))
                 ++state.report.rejectedModels;
             else if (!addRival(drawn[i], models[k]))
                 ++state.report.droppedModels;
     }
 }
 
-Sample Ransac::drawUnexplained(const int* indices, int count, int index) const
+Sample RivalSearch::drawUnexplained(const int* indices, int count, int index) const
 {
     Rng rng(context.params.seed, streamOf(STREAM_UNEXPLAINED, index));
     Sample sample;
@@ -166,7 +148,7 @@ Sample Ransac::drawUnexplained(const int* indices, int count, int index) const
     return sample;
 }
 
-bool Ransac::addRival(const Sample& sample, const Model& model)
+bool RivalSearch::addRival(const Sample& sample, const Model& model)
 {
     const InlierBits inliers(context, model);
     const int own = inliers.without(runnersUp.best());

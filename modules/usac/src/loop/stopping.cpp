@@ -3,9 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "loop/ransac.hpp"
-
-// Decides when the search ends: line 2 of Algorithm 1.
+#include "loop/stopping.hpp"
+#include "control/watch.hpp"
+#include "termination/termination.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -18,9 +18,18 @@ constexpr int HOPELESS = 1000000;
 
 }  // namespace
 
-bool Ransac::terminate()
+Stopping::Stopping(const Context& context_, const State& state_)
+    : context(context_), state(state_),
+      sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
+      exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
+      requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), ending(STOP_STANDARD)
+{}
+
+bool Stopping::interrupted() const { return context.watch && context.watch->stopped(); }
+
+bool Stopping::reached()
 {
-    if (stopped())
+    if (interrupted())
         ending = context.watch->stopReason();
     else if (state.iteration >= context.params.maxIterations)
         ending = STOP_MAX_ITERATIONS;
@@ -28,9 +37,10 @@ bool Ransac::terminate()
         ending = requiredReason;
     else if (state.remembered() >= requiredOfAll)
         ending = reasonOfAll;
-    else if (state.iteration >= HOPELESS && !anyModel && !parts.terminations.empty())
+    else if (state.iteration >= HOPELESS && state.report.models == 0 &&
+             !context.components.terminations.empty())
         ending = STOP_NO_MODEL;
-    else if (stop(sampleWork))
+    else if (interrupt())
         ending = context.watch->stopReason();
     else
         return false;
@@ -39,47 +49,42 @@ bool Ransac::terminate()
 
 /* If more than half of the points outside the sample of the best model are inliers of this model, a
 model with more inliers must share some of these inliers. Then all samples count, whatever points
-the sampler prefers, unless the model can be degenerate. Forgotten samples (forgetSamples()) and
+the sampler prefers, unless the model can be degenerate. Forgotten samples (State::forgotten) and
 samples that contain a match twice do not count. */
-int Ransac::samplesThatCount() const
+int Stopping::samplesThatCount() const
 {
+    const int m = context.components.minimalSolver->sampleSize();
     // if so, a wrong model can have nearly all inliers of the right model
     const bool planar = state.degenerate || state.successProbability < 1;
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;
     return most ? state.iteration - state.forgotten - state.repeatedSamples : state.countedSamples;
 }
 
-void Ransac::updateTermination()
+void Stopping::update()
 {
     required = exhaustive;
     requiredReason = STOP_STANDARD;
     requiredOfAll = INT_MAX;
-    for (size_t t = 0; t < parts.terminations.size(); ++t)
-        require((double)parts.terminations[t]->iterations(context, state) *
-                    context.params.persistence,
-                parts.terminations[t]->countsAll(), parts.terminations[t]->reason());
+    for (const Ptr<Termination>& criterion : context.components.terminations)
+        require((double)criterion->iterations(context, state) * context.params.persistence,
+                criterion->countsAll(), criterion->reason());
 }
 
-bool Ransac::adaptTerminations()
-{
-    const int wanted = state.wanted;
-    bool changed = false;
-    for (size_t t = 0; t < parts.terminations.size(); ++t)
-        changed = parts.terminations[t]->adapt(context, state) || changed;
-    if (state.wanted != wanted && state.iteration > 0)
-        improveRunnersUp();
-    if (changed)
-        updateTermination();
-    return changed;
-}
-
-void Ransac::require(double wanted, bool all, int reason)
+void Stopping::require(double wanted, bool all, int reason)
 {
     int& least = all ? requiredOfAll : required;
     if (wanted >= least)
         return;
     least = (int)wanted;
     (all ? reasonOfAll : requiredReason) = reason;
+}
+
+bool Stopping::adapt(State& changing) const
+{
+    bool changed = false;
+    for (const Ptr<Termination>& criterion : context.components.terminations)
+        changed = criterion->adapt(context, changing) || changed;
+    return changed;
 }
 
 }  // namespace usacv20

@@ -1,0 +1,85 @@
+// This file is part of OpenCV project.
+// It is subject to the license terms in the LICENSE file found in the top-level directory
+// of this distribution and at http://opencv.org/license.html.
+
+#include "precomp.hpp"
+#include "loop/checks.hpp"
+
+namespace cv {
+namespace usacv20 {
+
+namespace {
+
+Degeneracy* const* pointersTo(const std::vector<Ptr<Degeneracy>>& checks, Arena& arena)
+{
+    Degeneracy** const result = arena.take<Degeneracy*>(checks.size());
+    for (size_t d = 0; d < checks.size(); ++d)
+        result[d] = checks[d].get();
+    return result;
+}
+
+}  // namespace
+
+Checks::Checks(const Context& context_, State& state_)
+    : context(context_), state(state_),
+      checks(pointersTo(context_.components.degeneracies, context_.arena)),
+      count((int)context_.components.degeneracies.size())
+{}
+
+bool Checks::validSample(const int* sample) const
+{
+    bool valid = true;
+    for (int d = 0; valid && d < count; ++d)
+        valid = checks[d]->validSample(context, sample);
+    return valid;
+}
+
+bool Checks::validModel(const int* sample, const Model& model) const
+{
+    bool valid = true;
+    for (int d = 0; valid && d < count; ++d)
+        valid = checks[d]->validModel(context, sample, model);
+    return valid;
+}
+
+bool Checks::mayBeGood(const int* sample) const
+{
+    bool maybe = false;
+    for (int d = 0; !maybe && d < count; ++d)
+        maybe = checks[d]->mayBeGood(context, sample);
+    return maybe;
+}
+
+bool Checks::recover(const int* sample, Model& model, Quality& quality) const
+{
+    for (int d = 0; d < count; ++d)
+        if (!checks[d]->recover(context, state, sample, model, quality))
+            return false;
+    quality = discounted(model, quality);
+    return true;
+}
+
+Quality Checks::discounted(const Model& model, const Quality& rated) const
+{
+    Quality quality = rated;
+    for (int d = 0; d < count; ++d)
+        checks[d]->discount(context, model, quality);
+    return quality;
+}
+
+double Checks::successProbability(const Model& model) const
+{
+    double probability = 1;
+    for (int d = 0; d < count; ++d)
+        probability *= checks[d]->successProbability(context, state, model);
+    return probability;
+}
+
+void Checks::thresholdChanged() const
+{
+    for (int d = 0; d < count; ++d)
+        checks[d]->thresholdChanged(context);
+}
+
+}  // namespace usacv20
+}  // namespace cv
