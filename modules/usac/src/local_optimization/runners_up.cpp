@@ -11,11 +11,6 @@ namespace usacv20 {
 
 namespace {
 
-//! A model can become a runner-up if its gain is more than this fraction of the gain of the best
-//! model that any sample has given so far. The gain is the number of points, which is the cost
-//! without any model, minus the cost. See doc/measurements/constants_tables.md.
-constexpr double PROMISING = 0.6;
-
 bool before(const RunnerUp& a, const RunnerUp& b)
 {
     return a.unexplained > b.unexplained ||
@@ -95,11 +90,6 @@ void RunnersUp::setBest(const InlierBits& inliers)
         item.unexplained = item.inliers.without(known);
         insert(item);
     }
-}
-
-double RunnersUp::uselessCost(double best, double points) const
-{
-    return none() ? best : std::max(best, points - PROMISING * (points - best));
 }
 
 int RunnersUp::take(const RunnerUp*& taken)

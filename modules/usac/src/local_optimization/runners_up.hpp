@@ -93,7 +93,10 @@ public:
     //! RivalSearch).
     //! @param best lowest cost of a model of a sample so far
     //! @param points number of points of the run
-    double uselessCost(double best, double points) const;
+    double uselessCost(double best, double points) const
+    {
+        return none() ? best : std::max(best, points - PROMISING * (points - best));
+    }
     //! Stores the model if it is among the most promising ones.
     void add(const Candidate& candidate, const InlierBits& inliers);
     //! Sets the points that the best model explains, and updates RunnerUp::unexplained of all
@@ -114,6 +117,11 @@ public:
     void clear();
 
 private:
+    //! A model can become a runner-up if its gain is more than this fraction of the gain of the
+    //! best model that any sample has given so far. The gain is the number of points, which is the
+    //! cost without any model, minus the cost. See doc/measurements/constants_tables.md.
+    static constexpr double PROMISING = 0.6;
+
     void insert(const RunnerUp& item);
 
     const int most;

@@ -19,7 +19,7 @@ constexpr int HOPELESS = 1000000;
 }  // namespace
 
 Stopping::Stopping(const Context& context_, const State& state_)
-    : context(context_), state(state_),
+    : context(context_), state(state_), m(context_.components.minimalSolver->sampleSize()),
       sampleWork(context_.points.problem->sampleCost().time + context_.points.size),
       exhaustive(exhaustiveSamples(context_)), required(exhaustive), requiredReason(STOP_STANDARD),
       requiredOfAll(INT_MAX), reasonOfAll(STOP_STANDARD), ending(STOP_STANDARD)
@@ -53,7 +53,6 @@ the sampler prefers, unless the model can be degenerate. Forgotten samples (Stat
 samples that contain a match twice do not count. */
 int Stopping::samplesThatCount() const
 {
-    const int m = context.components.minimalSolver->sampleSize();
     // if so, a wrong model can have nearly all inliers of the right model
     const bool planar = state.degenerate || state.successProbability < 1;
     const bool most = !planar && 2 * (state.bestQuality.inliers - m) > context.points.size - m;

@@ -38,6 +38,7 @@ private:
 
     const Context& context;
     const State& state;
+    const int m;              //!< sample size
     const double sampleWork;  //!< work to solve a sample and to score one model, in point tests
     const int exhaustive;     //!< see exhaustiveSamples()
     //! The search can end after `required` samples that count, see samplesThatCount(), or after
