@@ -10,12 +10,13 @@
 namespace cv {
 namespace usacv20 {
 
-//! Computes column K of the Cholesky decomposition of an N x N matrix and the columns after it.
+//! Computes column K of the decomposition A = L D L^T of an N x N matrix and the columns after it. D
+//! is diagonal; the diagonal of L is 1.
 template <int N, int K>
 struct CholeskyColumns
 {
     //! @param A columns of a symmetric matrix, from which the columns before K have been
-    //! eliminated; the factor replaces the entries below the diagonal
+    //! eliminated; overwritten
     //! @param x right-hand side, from which the unknowns before K have been eliminated; from entry
     //! K on, becomes the solution
     static bool solve(double (&A)[N][N], double (&x)[N])
@@ -23,23 +24,22 @@ struct CholeskyColumns
         const double pivot = A[K][K];
         if (!(pivot > 0 && pivot <= DBL_MAX))
             return false;
-        const double inverse = 1 / std::sqrt(pivot);
-        x[K] *= inverse;
+        const double inverse = 1 / pivot;
+        double column[N];  // of L
         for (int i = K + 1; i < N; ++i)
-        {
-            A[K][i] *= inverse;
-            x[i] -= A[K][i] * x[K];
-        }
+            column[i] = A[K][i] * inverse;
+        for (int i = K + 1; i < N; ++i)
+            x[i] -= column[i] * x[K];
         // updates both triangles: with loops of constant length, this is faster than updating one
         // triangle
         for (int j = K + 1; j < N; ++j)
             for (int i = K + 1; i < N; ++i)
-                A[j][i] -= A[K][j] * A[K][i];
+                A[j][i] -= column[j] * A[K][i];
+        x[K] *= inverse;
         if (!CholeskyColumns<N, K + 1>::solve(A, x))
             return false;
         for (int i = K + 1; i < N; ++i)
-            x[K] -= A[K][i] * x[i];
-        x[K] *= inverse;
+            x[K] -= column[i] * x[i];
         return true;
     }
 };
@@ -51,8 +51,8 @@ struct CholeskyColumns<N, N>
 };
 
 /** @brief Solves A x = b for a symmetric positive definite matrix by its Cholesky decomposition
-@cite golub2013matrix. For the few unknowns of a fit, this takes a fraction of the time of
-Eigen::LLT, whose loops are made for large matrices.
+without square roots @cite golub2013matrix. For the few unknowns of a fit, this takes a fraction of
+the time of Eigen::LLT, whose loops are made for large matrices.
 @param A the matrix; overwritten
 @param x b, replaced by x
 @return false if A is not positive definite or not finite; rounding errors can hide that A is

@@ -7,6 +7,7 @@
 #include "problems/fundamental/plane_parallax.hpp"
 #include "problems/kernels.hpp"
 #include "components/sample_statistics.hpp"
+#include "numeric/bits.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -81,16 +82,16 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
 }
 
 /** Finds the first range of adjacent bins that are covered by the largest number of arcs.
-@param change number of arcs that begin in each bin minus number of arcs that end in the previous
-bin; an arc that passes the end of the line also begins in bin 0
+@param begins, ends numbers of arcs that begin in each bin, and that end in the bin before it; an
+arc that passes the end of the line also begins in bin 0
 @param own two bins that do not count, together with the bins near them, see NEAR
 @param first, last output: the first and the last of the bins found
 @return the number of arcs that cover these bins */
-int densest(const int* change, const int* own, int& first, int& last)
+int densest(const int* begins, const int* ends, const int* own, int& first, int& last)
 {
     int votes[ARCS_BINS];
     for (int k = 0, sum = 0; k < ARCS_BINS; ++k)
-        votes[k] = sum += change[k];
+        votes[k] = sum += begins[k] - ends[k];
     for (int i = 0; i < 2; ++i)
         for (int k = own[i] - NEAR; k <= own[i] + NEAR; ++k)
             votes[(k + ARCS_BINS) % ARCS_BINS] = 0;  // the line is closed
@@ -218,20 +219,22 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     formWeights(u, u, weights + 6);
     formWeights(u, v, weights + 12);
     formWeights(v, v, weights + 18);
-    int change[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
+    int begins[ARCS_BINS + 1] = {0}, ends[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
     kernels().arcs(numbers, stride, weights, from, to);
+    int passing = 0;  // number of arcs that pass the end of the line
     for (int k = 0; k < p.size; ++k)
     {
-        ++change[from[k]];
-        --change[to[k] + 1];
-        change[0] += from[k] > to[k] + 1;
+        ++begins[from[k]];
+        ++ends[to[k] + 1];
+        passing += from[k] > to[k] + 1;
     }
+    begins[0] += passing;
     const Vec3d x2(p.column[X2][line], p.column[Y2][line], 1),
         y = H * Vec3d(p.column[X1][line], p.column[Y1][line], 1);
     const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))),
                         binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
     int first = 0, last = -1;
-    const int votes = densest(change, own, first, last);
+    const int votes = densest(begins, ends, own, first, last);
     if (votes > 0)
         epipole = middleOf(first, last, u, v);
     return votes;
@@ -283,12 +286,11 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
     toFloat(F, m);
     kernelsOf<SampsonError>().errors(p, m, 0, p.size, errors);
     const float widest = (float)(width * width * limit);
-    int near[MAX_POINTS + 1], count = 0;
-    for (int i = 0; i < p.size && count < most; ++i)  // no `if`: it would be hard to predict
-    {
-        near[count] = i;
-        count += errors[i] <= widest;
-    }
+    int near[MAX_POINTS], count = 0;
+    for (int i = 0; i < p.size && count < most; i += WORD_BITS)
+        for (uint64 word = within(errors + i, std::min(p.size - i, (int)WORD_BITS), widest);
+             word && count < most; word &= word - 1)
+            near[count++] = i + lowestOne(word);
     const float* rows[ARCS_ROWS];
     for (int k = 0; k < ARCS_ROWS; ++k)
         rows[k] = number(k);
