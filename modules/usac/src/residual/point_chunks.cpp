@@ -80,6 +80,22 @@ bool PointChunks::get(int index, double* datum, double& weight) const
     return true;
 }
 
+namespace {
+
+//! The sum of SUMS_LANES numbers; the two halves are added first, then the halves of the result.
+inline double sumOfLanes(const double* lanes)
+{
+    CV_StaticAssert(SUMS_LANES == 8, "three steps add eight lanes");
+    double four[4], two[2];
+    for (int k = 0; k < 4; ++k)
+        four[k] = lanes[k] + lanes[k + 4];
+    for (int k = 0; k < 2; ++k)
+        two[k] = four[k] + four[k + 2];
+    return two[0] + two[1];
+}
+
+}  // namespace
+
 void PointChunks::sum(SumsKernel kernel, int count, const double* model, double* sums) const
 {
     static const double zeros[MAX_SUMS][SUMS_LANES] = {{0}};
@@ -89,13 +105,7 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, double*
     for (int c = 0; c < chunks; ++c)
         kernel(rows + c * stride, model, lanes);
     for (int i = 0; i < count; ++i)
-    {
-        double* l = lanes[i];
-        for (int width = SUMS_LANES / 2; width > 0; width /= 2)
-            for (int k = 0; k < width; ++k)
-                l[k] += l[k + width];
-        sums[i] = l[0];
-    }
+        sums[i] = sumOfLanes(lanes[i]);
 }
 
 }  // namespace usacv20
