@@ -10,8 +10,8 @@
 namespace cv {
 namespace usacv20 {
 
-//! Computes column K of the decomposition A = L D L^T of an N x N matrix and the columns after it. D
-//! is diagonal; the diagonal of L is 1.
+//! Computes column K of the decomposition A = L D L^T of an N x N matrix and the columns after it.
+//! D is diagonal; the diagonal of L is 1.
 template <int N, int K>
 struct CholeskyColumns
 {
