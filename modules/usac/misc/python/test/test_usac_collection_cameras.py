@@ -124,10 +124,11 @@ class CamerasTest(unittest.TestCase):
 
     def test_edge_of_a_fisheye(self):
         """At the edge, the derivative of the distorted radius is 0, so an error of 10^-12 in this radius
-        causes one of about 10^-6 in the angle."""
+        causes one of about 10^-6 in the angle. Angles much closer to the edge have a radius that differs
+        from that of the edge by less than its rounding error, which depends on the processor."""
         lens = camera(5, [400, 400, 400, 300, 1, -0.5, 0, 0])
         edge = np.sqrt((3 + np.sqrt(19)) / 5)  # the positive solution of 1 + 3 s - 2.5 s^2 = 0 is the square of the angle
-        angles = edge - 10.0**-np.arange(1, 9)
+        angles = edge - 10.0**-np.arange(1, 7)
         got = lens.ideal(seen(lens, np.tan(np.r_[angles, 0.1])[:, None] * (1, 0)))
         np.testing.assert_allclose(np.arctan((got[:-1, 0] - 400) / 400), angles, atol=1e-5)
 
