@@ -30,13 +30,40 @@ constexpr int MANY = 1 << 15, MORE = 6;
 //! Errors are computed for BLOCK points at a time. The last fit has at most LAST steps, which are
 //! enough to converge.
 constexpr int BLOCK = 256, LAST = 10;
-//! There is another step if the loss has decreased by at least SETTLED times the mean loss of a
-//! point within the support, or if the scale changes by at least the fraction SAME_SCALE.
-constexpr double SETTLED = 0.1, SAME_SCALE = 0.1;
+//! There is another step if further steps are expected to decrease the loss by at least SETTLED
+//! times the mean loss of a point within the support (see Convergence), or if the scale changes by
+//! at least the fraction SAME_SCALE. A decrease by SETTLED means that the model is about a tenth of
+//! its standard error away from the minimum.
+constexpr double SETTLED = 0.03, SAME_SCALE = 0.1;
 //! The noise is estimated before the first step, before the middle step, after each step with which
 //! the loss has settled (see SETTLED), and after each step that has decreased the loss by more than
 //! MARKED times the loss of the points within the support.
 constexpr double MARKED = 0.1;
+
+/** Predicts by how much further steps will decrease the loss. Near the minimum, the decrease of
+each step is a constant fraction (the rate) of the one before. */
+class Convergence
+{
+public:
+    Convergence() : rate(-1), before(0) {}
+
+    //! To be called if the next decrease cannot be compared with those before.
+    void restart() { before = 0; }
+    //! @param decrease decrease of the loss by the last step
+    //! @return the sum of all further decreases, but at most `decrease`, the sum for a rate of 1 /
+    //! 2
+    double left(double decrease)
+    {
+        if (before > 0)
+            rate = std::max(rate, std::min(std::max(decrease / before, 0.), 0.5));
+        before = decrease;
+        return decrease * (rate < 0 ? 1 : rate / (1 - rate));
+    }
+
+private:
+    double rate;    //!< largest rate so far; -1: not known
+    double before;  //!< the decrease before; 0: not known
+};
 
 /** Gauss-Newton minimization of the geometric error under Tukey's biweight @cite beaton1974fitting,
 by re-weighting with w = (1 - (error / support)^2)^2 in each step. The support is #SUPPORT standard
@@ -45,8 +72,8 @@ squares under Gaussian noise. Points beyond the support have no influence: a wro
 the other points in the images (for example near the epipole) would distort F even with a weight of
 1/100.
 
-The iteration ends when the last step has lowered the loss by less than a tenth of the mean loss of
-a point within the support (a limit that does not depend on the threshold) and the scale of the
+The iteration ends when further steps would lower the loss by less than #SETTLED times the mean loss
+of a point within the support (a limit that does not depend on the threshold) and the scale of the
 noise hardly changes, but at the latest after Params::polishingSteps steps, or #MORE steps later if
 there are more than #MANY points. The last of these possible steps is a fit that runs to
 convergence. */
@@ -59,6 +86,7 @@ public:
         const int steps = context.params.polishingSteps + (p.size > MANY ? MORE : 0);
         const int degrees = p.problem->errorDimension();
         double sigma = 0, lossBefore = DBL_MAX;
+        Convergence convergence;
         int wanted = std::max(FEW, p.size / PART), lookedBefore = 0;
         Arena::Scope scope(context.arena);
         errors = scope.take<float>(p.size);
@@ -70,7 +98,8 @@ public:
             double loss = i > 0 ? weigh(p, sigma, looked) : 0;
             const double decrease = lossBefore - loss;
             const bool settled = looked == lookedBefore &&
-                                 decrease < SETTLED * lossNear / std::max(count, 1);
+                                 convergence.left(decrease) <
+                                     SETTLED * lossNear / std::max(count, 1);
             if (settled && looked < p.size)
                 looked = look(context, model, wanted = p.size);
             if (i == 0 || i == steps / 2 || settled || decrease > MARKED * lossNear)
@@ -82,6 +111,8 @@ public:
                     return;
                 loss = weigh(p, sigma, looked);
             }
+            if (looked != lookedBefore)
+                convergence.restart();
             lossBefore = loss;
             lookedBefore = looked;
             if (!context.nonMinimalSolver().fit(p, near, count, weights, model,
