@@ -144,7 +144,7 @@ class Run:
         return sorted(path for letter in letters for path in glob.glob(os.path.join(self.data, "lists", "*.%s.list" % letter)))
 
     def benchmark(self, name, *options):
-        """Runs usac_benchmark. Returns its tables, the path of the file with the single runs, and its
+        """Runs usac_benchmark. Returns its tables, the path of the file with the individual runs, and its
         standard output without the title and with headings one level deeper."""
         csv, runs = self.path(name + ".csv"), self.path(name + ".runs.csv")
         text = self.call("usac_benchmark", *options, "--csv=" + csv, "--runs=" + runs)

@@ -34,7 +34,7 @@ const char KEYS
          "{seed           |1| seed of the first repeat; each further repeat adds 1 }"
          "{threads        |1| argument of cv::setNumThreads; -1: all processors }"
          "{csv            | | CSV file for the tables }"
-         "{runs           | | CSV file for the single runs }";
+         "{runs           | | CSV file for the individual runs }";
 
 std::string defaultBaseline(const std::vector<std::string>& methods)
 {

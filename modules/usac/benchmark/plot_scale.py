@@ -35,7 +35,7 @@ def read_scale(file, methods=()):
     read_rows(file, COLUMNS, "usac_scale --csv", lambda row: _add(results, row))
     results = plot.choose(results, methods)
     if not any(results.values()):
-        raise ValueError(file + ": nothing" + (" of the methods asked for" if methods else ""))
+        raise ValueError(file + ": no results" + (" of the methods asked for" if methods else ""))
     return results
 
 

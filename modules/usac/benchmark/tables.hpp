@@ -23,7 +23,7 @@ public:
     //! Writes the same figures and mean wall times as CSV, with a row for each list and method. The
     //! list names of averages are `average`, `average.H` and so on.
     void csv(std::ostream& out) const;
-    //! Writes the single runs as CSV, one row for each.
+    //! Writes the individual runs as CSV, one row for each.
     void runsCsv(std::ostream& out) const;
 
 private:

@@ -96,7 +96,7 @@ class ScaleTest(FolderTest):
                 ("sweep,problem\n", [], "scale.csv:1: no column size"),
                 (HEAD + 'size,H,many,0.5,"a",9,1,1,1,0,5\n', [], "scale.csv:2: not a line"),
                 (HEAD + 'depth,H,50,0.5,"a",9,1,1,1,0,5\n', [], "scale.csv:2: not a line"),
-                (HEAD, [], "scale.csv: nothing"), (None, ["--method=c"], "nothing of the methods asked for")):
+                (HEAD, [], "scale.csv: no results"), (None, ["--method=c"], "no results of the methods asked for")):
             file = self.table() if contents is None else self.put("scale.csv", contents)
             with contextlib.redirect_stderr(io.StringIO()) as err:
                 self.assertEqual(plot_scale.main([file, "--out", self.path("none")] + arguments), 1)

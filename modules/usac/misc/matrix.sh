@@ -9,15 +9,15 @@
 # usage: matrix.sh [row...]          default: all rows, one after the other
 #
 #   bookworm trixie sid    run_tests.sh --installed with a complete consumer check, on Debian 12
-#                          (OpenCV 4.6, g++ 12), 13 (4.10, g++ 14) and the newest Debian with OpenCV
-#                          5 of experimental. Each row runs in a root file system made by
+#                          (OpenCV 4.6, g++ 12), 13 (4.10, g++ 14) and the newest Debian (sid) with
+#                          OpenCV 5 from experimental. Each row runs in a root file system made by
 #                          debootstrap, which is kept, or directly if this system has that version
 #   clang cxx17 cxx20 static debug    run_tests.sh --cpp on this system: compiled by clang++, with
 #                                     another C++ standard, as a static library with the samples, or
 #                                     as Debug with -Og (without slow_tests of common.sh). Rows other
 #                                     than cxx17 and cxx20 use C++11, except sid (C++17)
-#   arm64                  run_tests.sh --cpp for 64-bit ARM of bookworm: cross-compiled, run by
-#                          qemu, without slow_tests and statistics of common.sh
+#   arm64                  run_tests.sh --cpp for 64-bit ARM, with bookworm's packages:
+#                          cross-compiled, run by qemu, without slow_tests and statistics of common.sh
 #   mingw                  the library's sources are compiled for Windows by mingw-w64, with the
 #                          headers of this system's OpenCV; each file counts as a test
 #

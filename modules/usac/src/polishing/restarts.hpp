@@ -72,13 +72,13 @@ private:
     void restartOutside(Model& model, Quality& quality);
     //! Fits the inliers together with one outlier at a time, starting from the model.
     void extendInliers(Model& model, Quality& quality);
-    //! Least squares over the first `size` members, which starts from the best models of a sample
-    //! of these members. If `size` includes an outlier, the sample contains the outlier. `index`,
-    //! the number of the sample, selects the random numbers. @return true if the model was replaced
+    //! Least squares over the first `size` members, starting from the best models of a sample of
+    //! these members. If an outlier is among them, the sample contains it. `index`, the number of
+    //! the sample, selects the random numbers. @return true if the model was replaced
     bool restart(int index, int size, Model& model, Quality& quality);
     //! True if the degeneracy checks accept a sample and its model.
     bool isValid(const int* sample, const Model& model) const;
-    //! Least squares over the inliers and one outlier, which starts from the model; only for errors
+    //! Least squares over the inliers and one outlier, starting from the model; only for errors
     //! with several components. @return true if the model was replaced
     bool extend(int outside, Model& model, Quality& quality);
     //! Degrees of freedom that are left after a fit to `size` points.
