@@ -221,7 +221,7 @@ def tum(folder, step=1):
 def _tum_views(root, file):
     camera = [known for name, known in _TUM_CAMERAS.items() if name in os.path.basename(root)]
     if not camera:
-        raise DataError(root + ": the name tells no camera; it must contain freiburg1, freiburg2 or freiburg3")
+        raise DataError(root + ": the name does not say which camera was used; it must contain freiburg1, freiburg2 or freiburg3")
     (fx, fy, cx, cy), distortion = camera[0]
     K = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]])
     poses = np.array(sorted(_floats(file, number, words, 8).tolist() for number, words in _lines(file)))

@@ -50,7 +50,7 @@ void Meter::complain(const Method& method, ProblemType problem, const ImagePair&
         return;
     progress.clear();
     std::cerr << method.name() << " threw on " << pair.name << " (" << letterOf(problem)
-              << "), which counts as a failure; not told again: "
+              << "), which counts as a failure (reported only once): "
               << what.substr(0, what.find_last_not_of(" \n") + 1) << std::endl;
 }
 

@@ -50,9 +50,8 @@ PairList readPairList(const std::string& file, char letter)
     list.file = file;
     list.name = splitName(file, letterOfName);
     if (!problemOf(letter ? letter : letterOfName, list.problem))
-        throw std::runtime_error(
-            file +
-            ": neither the name (.H.list, .F.list and so on) nor --problem tells the problem");
+        throw std::runtime_error(file + ": neither the name (.H.list, .F.list and so on) nor "
+                                        "--problem says which problem it is");
 
     std::ifstream in(file.c_str());
     if (!in)

@@ -56,7 +56,7 @@ cv::Ptr<Method> createCustom(const MethodName& name)
             (registry().empty() ? "this program registers none" : "there are " + customMethods()));
     const cv::Ptr<Method> method = found->second(name);
     if (!method)
-        throw std::runtime_error(name.full + ": its factory made nothing");
+        throw std::runtime_error(name.full + ": its factory returned null");
     return method;
 }
 

@@ -54,6 +54,14 @@ class CovarianceTest(ProgramTest):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("--directed", done.stderr)
 
+    def test_means_over_no_scene(self):
+        """With ten right matches of 100, no model is significant."""
+        done = self.call("usac_covariance", "--problems=H", "--shapes=plane", "--sizes=100", "--ratios=0.1", "--noises=1", "--scenes=5",
+                         "--spread=5")
+        row = [cell.strip() for cell in done.stdout.splitlines()[-1].strip("|").split("|")]
+        self.assertEqual(row[2:4], ["5", "100.0"])
+        self.assertEqual(row[6:], 5 * ["-"])
+
     def test_wrong_options(self):
         for option in ("--spread=0", "--spread=x", "--directed=2", "--by=color", "--preset=none", "--problems=X", "--noises=-1"):
             done = self.call("usac_covariance", "--scenes=1", option)

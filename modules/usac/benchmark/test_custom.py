@@ -200,7 +200,7 @@ class CustomTest(FolderTest):
                            "custom:spread: no such method is registered; this program registers none\n")
         self.check_mistake("usac_custom_benchmark", "nope", "nope: no such method; there are USACV20, ")
         self.check_mistake("usac_custom_benchmark", "nope", ", custom:ransac, custom:spread, custom:tukey\n")
-        self.check_mistake("usac_test_methods", "custom:nothing", "custom:nothing: its factory made nothing\n")
+        self.check_mistake("usac_test_methods", "custom:nothing", "custom:nothing: its factory returned null\n")
 
     def test_help_in_alphabetical_order(self):
         for name, custom in (("usac_custom_benchmark", ", custom:ransac, custom:spread, custom:tukey."), ("usac_benchmark", ".")):
@@ -224,7 +224,7 @@ class CustomTest(FolderTest):
         must be reported only once."""
         for method, what in (("custom:complain", "not today"), ("custom:shortMask", "expected a mask with a byte for each"),
                              ("custom:smallModel", "expected a model of 3 x 3 doubles"), ("custom:noSampler", "components().sampler")):
-            message = r"%s threw on graf \(H\), which counts as a failure; not told again: .*%s.*\n" % (method, re.escape(what))
+            message = r"%s threw on graf \(H\), which counts as a failure \(reported only once\): .*%s.*\n" % (method, re.escape(what))
             rows, _ = self.runs("usac_test_methods", [method], message, "--problem=H")
             self.assertEqual([(row["failed"], row["error"]) for row in rows["H"][method]], [("1", "inf")] * REPEATS)
 

@@ -98,7 +98,7 @@ class ReadersTest(FolderTest):
         os.rename(self.path(root), self.path("freiburg1"))
         self.assertEqual(len(ground_truth.tum(self.folder)[0].cameras[0].distortion), 5)
         os.rename(self.path("freiburg1"), self.path("mine"))
-        with self.assertRaisesRegex(ground_truth.DataError, "the name tells no camera"):
+        with self.assertRaisesRegex(ground_truth.DataError, "the name does not say which camera"):
             ground_truth.tum(self.folder)
 
     def test_bundler(self):

@@ -290,7 +290,7 @@ def main() -> int:
     parser.add_argument("--seeds", type=int, default=3, help="collections of each layout (default %(default)s)")
     parser.add_argument("--unknown", action="store_true", help="the focal lengths are not known")
     parser.add_argument("--significance", type=float, nargs="+", default=[1e-4])
-    parser.add_argument("--keep", metavar="FOLDER", help="folder in which the databases are kept (default: they are removed)")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder in which the databases are kept; those that already exist are used again (default: they are removed)")
     options = parser.parse_args()
     print("{:<8}{:>8}{:>7}{:>9}{:>7}{:>8}{:>7}{:>12}{:>7}{:>6}{:>8}".format(
         "layout", "chance", "loops", "overlap", "kept", "without", "kept", "calibrated", "right", "lost", "CPU s"))
@@ -299,7 +299,8 @@ def main() -> int:
             counts: Dict[Tuple[float, bool], List[Tuple[int, ...]]] = {}
             for seed in range(options.seeds):
                 street = Street(Options(layout, options.images, known=not options.unknown, seed=seed))
-                path = os.path.join(options.keep or folder, "{}{}.db".format(layout, seed))
+                path = os.path.join(options.keep or folder,
+                                    "{}{}{}_{}.db".format(layout, options.images, "_unknown" if options.unknown else "", seed))
                 if not os.path.exists(path):
                     street.write(path)
                 for chance in options.significance:

@@ -18,6 +18,12 @@ const double WRONG = 1;
 //! The 0.95 quantiles of the chi-square distributions with 1 to 8 degrees of freedom.
 const double QUANTILES[] = {3.8415, 5.9915, 7.8147, 9.4877, 11.0705, 12.5916, 14.0671, 15.5073};
 
+//! A cell of a table; "-" for the mean over no scene, which is NaN.
+std::string cellOf(const char* format, double value)
+{
+    return std::isnan(value) ? std::string(" - |") : cv::format(format, value);
+}
+
 }  // namespace
 
 Calibration::Calibration()
@@ -87,24 +93,26 @@ void Calibration::add(const Calibration& other)
     logs[1] += other.logs[1];
 }
 
-std::string Calibration::header(bool compared)
+std::string Calibration::header(bool withErrors)
 {
-    const std::string more = compared ? " error | without sigmas |" : "",
-                      line = compared ? "---:|---:|" : "";
+    const std::string more = withErrors ? " error | without sigmas |" : "",
+                      line = withErrors ? "---:|---:|" : "";
     return " scenes | no model, % | wrong, % | not determined, % | mean / d | within 95 % | noise "
            "|" +
            more + "\n|---|---|---:|---:|---:|---:|---:|---:|---:|" + line;
 }
 
-std::string Calibration::row() const
+std::string Calibration::row(bool withErrors) const
 {
     const double part = 100. / scenes;
-    const std::string more = compared ? cv::format(" %.3f | %.3f |", relativeError(),
-                                                   relativeErrorWithoutSigmas())
-                                      : std::string();
-    return cv::format(" %d | %.1f | %.1f | %.1f | %.3f | %.1f | %.2f |", scenes, none * part,
-                      wrong * part, unknown * part, mean(), inside() * 100, sigma()) +
-           more;
+    std::string result = cv::format(" %d | %.1f | %.1f | %.1f |", scenes, none * part, wrong * part,
+                                    unknown * part);
+    result += cellOf(" %.3f |", mean()) + cellOf(" %.1f |", inside() * 100) +
+              cellOf(" %.2f |", sigma());
+    if (withErrors)
+        result += cellOf(" %.3f |", relativeError()) +
+                  cellOf(" %.3f |", relativeErrorWithoutSigmas());
+    return result;
 }
 
 }  // namespace benchmark

@@ -40,12 +40,11 @@ public:
     //! The same ratio for the estimator without Params::sigmas.
     double relativeErrorWithoutSigmas() const { return std::exp(logs[1] / compared); }
 
-    //! The header of a Markdown table without the first two columns. @param compared whether the
+    //! The header of a Markdown table without the first two columns. @param withErrors whether the
     //! table has columns for the two relative errors
-    static std::string header(bool compared);
-    //! A row of this table without the first two columns. It has the two relative errors if at
-    //! least one scene counts for them.
-    std::string row() const;
+    static std::string header(bool withErrors);
+    //! A row of this table. A mean over no scene is "-".
+    std::string row(bool withErrors) const;
 
 private:
     void compare(const KnownScene& scene, double error, const cv::usacv20::Params& params,

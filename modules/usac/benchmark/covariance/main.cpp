@@ -215,7 +215,7 @@ int program(int argc, char** argv)
         std::cout << "\n| problem | scenes of |" << Calibration::header(options.spread != 1)
                   << "\n";
         for (const std::pair<std::string, Calibration>& row : table)
-            std::cout << row.first << " |" << row.second.row() << "\n";
+            std::cout << row.first << " |" << row.second.row(options.spread != 1) << "\n";
     }
     return 0;
 }

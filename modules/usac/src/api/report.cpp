@@ -55,7 +55,9 @@ String Report::describe() const
         "%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s%s",
         inliers, cost, iterations, localOptimizations, reason,
         degenerate ? "; a dominant plane was found" : "",
-        wideThreshold ? "; the threshold is as wide as all the points: is it in their unit?" : "",
+        wideThreshold ? "; the threshold is as large as the extent of all points: is it in "
+                        "their unit?"
+                      : "",
         few.c_str(), model && chance > SIGNIFICANT ? "; no better than chance" : "");
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 //! For roughCubeRoot(): 2 / 3 of the upper 32 bits of the double 1, reduced so that the roots
 //! become 2 to 3 % smaller, which makes the largest positive and negative errors about equal.
-constexpr unsigned long long THIRD_OF_ONE = 715094163;
+constexpr unsigned long long TWO_THIRDS_OF_ONE = 715094163;
 
 #if defined __GNUC__
 
@@ -46,7 +46,7 @@ inline Pack absolute(const Pack& p) { return (Pack)((Bits)p & LLONG_MAX); }
 inline Pack roughCubeRoot(const Pack& p)
 {
     const Bits third = ((Bits)p >> 32) * 0x55555556 >> 32;
-    return (Pack)((third + THIRD_OF_ONE) << 32);
+    return (Pack)((third + TWO_THIRDS_OF_ONE) << 32);
 }
 
 //! Converts a mask to an integer whose bit k is set if lane k of the mask is set.
@@ -96,7 +96,7 @@ inline Pack roughCubeRoot(const Pack& p)
 {
     unsigned long long bits;
     memcpy(&bits, &p, sizeof(bits));
-    bits = (((bits >> 32) * 0x55555556 >> 32) + THIRD_OF_ONE) << 32;
+    bits = (((bits >> 32) * 0x55555556 >> 32) + TWO_THIRDS_OF_ONE) << 32;
     double result;
     memcpy(&result, &bits, sizeof(bits));
     return result;

@@ -21,7 +21,7 @@ bool says(const Report& report, const std::string& words)
     return std::string(report.describe()).find(words) != std::string::npos;
 }
 
-const char* const WIDE = "the threshold is as wide as all the points";
+const char* const WIDE = "the threshold is as large as the extent of all points";
 const char* const CHANCE = "no better than chance";
 
 typedef UsacProblem UsacReport;

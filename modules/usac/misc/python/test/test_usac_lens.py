@@ -76,7 +76,7 @@ class ReportTest(unittest.TestCase):
         for threshold in (1.5, 1.5 / 800):
             _, _, report = usac.estimateEssential(points1, points2, np.eye(3), params=usac.Params(threshold=threshold))
             self.assertIs(report.wideThreshold, threshold == 1.5)
-            self.assertEqual("the threshold is as wide as all the points" in report.describe(), threshold == 1.5)
+            self.assertEqual("the threshold is as large as the extent" in report.describe(), threshold == 1.5)
             self.assertEqual(report.describe().endswith("no better than chance"), threshold == 1.5)
 
 
