@@ -32,6 +32,11 @@ constexpr int WIDEST = 3;
 //! The first iteration takes place only if the fits with shrinking thresholds have lowered the cost
 //! below this fraction of the cost of the best model so far.
 constexpr double WORTHWHILE = 0.97;
+//! The fits with shrinking thresholds end early if the gain of the model is below this fraction of
+//! the gain of the best model so far: after the fit with the widest threshold (FIRST_GAIN), or
+//! after the next one (SECOND_GAIN). The gain is the number of points minus the cost. Nearly all
+//! models that become the best model have more after these fits.
+constexpr double FIRST_GAIN = 0.5, SECOND_GAIN = 0.6;
 //! For Params::spatialWeight = 0: error, in thresholds, up to which a point is labeled as an
 //! inlier, as Labeling does for a point without edges. At this error, K (see Labeling) is 1 / 2.
 const double LABELED = std::sqrt(2 * CV_LOG2);
@@ -41,8 +46,8 @@ const double LABELED = std::sqrt(2 * CV_LOG2);
 First, as in LO-RANSAC @cite chum2003locally, the model is fitted in turn to the points within three
 times the threshold (#WIDEST), twice the threshold, and the threshold itself. With the threshold
 alone, the model of a minimal sample would end in the nearest local optimum, because a fit to the
-few points within the threshold hardly changes the model. Optimization ends after these fits unless
-the model is now clearly better than the best model so far.
+few points within the threshold hardly changes the model. Optimization ends after these fits, or
+between them (#FIRST_GAIN), unless the model is now clearly better than the best model so far.
 
 Then each iteration finds the spatially coherent inliers of the model (Labeling) and runs an inner
 RANSAC over these inliers: models are fitted to all inliers (to #MAX_INNER_FIT random inliers if
@@ -81,8 +86,9 @@ public:
     }
 
 private:
-    //! Fits the model to the points within #WIDEST, ..., 2 and 1 thresholds. Each fit starts from
-    //! the previous fit. @return true if the model was replaced
+    //! Fits the model to the points within #WIDEST, ..., 2 and 1 thresholds, as long as it can
+    //! still become the best model. Each fit starts from the previous fit. @return true if the
+    //! model was replaced
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;
@@ -94,6 +100,10 @@ private:
                 !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, SHRINK_STEPS))
                 break;
             improved |= keepBetter(context, fitted, model, quality);
+            const double points = context.points.size,
+                         least = multiple == WIDEST ? FIRST_GAIN : SECOND_GAIN;
+            if (points - quality.cost < least * (points - state.bestQuality.cost))
+                break;
         }
         return improved;
     }

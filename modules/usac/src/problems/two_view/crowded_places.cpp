@@ -28,7 +28,7 @@ constexpr int TRIMMED_PART = 32;
 //! A place has at least 1 / TENTH of all points. Even if all points lie on an object whose image is
 //! only 16 pixels wide, a region of the size of a place contains a smaller fraction of them.
 constexpr int TENTH = 10;
-//! Maximum number of places, because each has at least 1 / TENTH of all points.
+//! Maximum number of places. It follows from TENTH, because no point is in two places.
 constexpr int MOST_PLACES = TENTH;
 //! An apparent place is a distant object if an affine map from array 1 explains at least this
 //! fraction of the scatter of the place's points in array 2. If the scatter of n points is only

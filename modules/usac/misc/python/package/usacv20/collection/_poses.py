@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Rotations in the form of a COLMAP database: unit quaternions."""
+"""Rotations in the form that COLMAP databases use: unit quaternions."""
 
 from __future__ import annotations
 
