@@ -51,9 +51,9 @@ cv::Ptr<Method> createCustom(const MethodName& name)
 {
     const std::map<std::string, MethodFactory>::const_iterator found = registry().find(name.base);
     if (found == registry().end())
-        throw std::runtime_error(
-            name.full + ": no such method is registered; " +
-            (registry().empty() ? "this program registers none" : "there are " + customMethods()));
+        throw std::runtime_error(name.full + ": no such method is registered; " +
+                                 (registry().empty() ? "this program registers none"
+                                                     : "registered methods: " + customMethods()));
     const cv::Ptr<Method> method = found->second(name);
     if (!method)
         throw std::runtime_error(name.full + ": its factory returned null");

@@ -195,7 +195,7 @@ class CustomTest(FolderTest):
     def test_unknown_names(self):
         self.check_mistake("usac_custom_benchmark", "custom:nope{seed=1}",
                            "custom:nope{seed=1}: no such method is registered; "
-                           "there are custom:ransac, custom:spread, custom:tukey\n")
+                           "registered methods: custom:ransac, custom:spread, custom:tukey\n")
         self.check_mistake("usac_benchmark", "custom:spread",
                            "custom:spread: no such method is registered; this program registers none\n")
         self.check_mistake("usac_custom_benchmark", "nope", "nope: no such method; there are USACV20, ")

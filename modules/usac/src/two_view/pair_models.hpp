@@ -60,7 +60,7 @@ public:
     //! Finds the rotation of a camera that has not translated, from the inliers of H. @return false
     //! if this rotation explains too few of the inliers of `explained`
     bool turn(const PairModel& explained, Matx33d& R) const;
-    //! True if H explains so many of the inliers of a model that the pair is planar or panoramic.
+    //! True if H has so many inliers, compared with a model, that the pair is planar or panoramic.
     //! @param inliers the model (E, F or H itself) with its inliers
     bool mostlyOnPlane(const PairModel& inliers) const
     {
