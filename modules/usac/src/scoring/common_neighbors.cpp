@@ -184,7 +184,7 @@ void commonNeighbors(const Correspondences& points, int count, double threshold,
                      Arena& arena)
 {
     CV_StaticAssert(MATCHES_COMPARED <= 1 << INDEX_BITS, "an index must fit into the bits");
-    CV_Assert(count <= MATCHES_COMPARED);
+    CV_Assert(0 < count && count <= MATCHES_COMPARED);
     Arena::Scope scope(arena);
     Matches* neighbors[2];
     float same[2];

@@ -12,8 +12,7 @@ namespace usacv20 {
 
 //! Number of nearest neighbors of a point that are compared in each image, see commonNeighbors().
 constexpr int NEIGHBORS_COMPARED = 8;
-//! Maximum number of matches for which commonNeighbors() should be called, so that it takes little
-//! time.
+//! Maximum number of matches that commonNeighbors() compares.
 constexpr int MATCHES_COMPARED = 256;
 
 //! True for F, and for other problems with matches of two images, errors of one dimension and
@@ -32,7 +31,7 @@ number of matches that are in both sets. It does not depend on the scale and rot
 or on the density of the points. Two matches are not neighbors if their points coincide in one of
 the images.
 @param points the matches
-@param count only the first `count` matches are used
+@param count only the first `count` matches are used, from 1 to #MATCHES_COMPARED
 @param threshold distance up to which points coincide, in the unit of Correspondences::threshold
 @param common output, a number from 0 to #NEIGHBORS_COMPARED for each of these matches */
 void commonNeighbors(const Correspondences& points, int count, double threshold, uchar* common,
