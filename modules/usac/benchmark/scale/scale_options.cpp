@@ -126,8 +126,8 @@ bool ScaleOptions::parse(int argc, char** argv)
     cv::CommandLineParser parser(argc, argv, KEYS);
     const Arguments arguments(argc, argv, parser);
     parser.about(
-        "Measures time as a function of the number and of the fraction of right matches of "
-        "synthetic scenes, and the ratio of the time of the search to its lower bound.\n"
+        "Measures time as a function of the number of matches and of the fraction of right matches "
+        "in synthetic scenes, and the ratio of the time of the search to its lower bound.\n"
         "Methods: " +
         knownMethods() + ".");
     if (parser.has("help") || argc == 1)

@@ -56,7 +56,7 @@ class _Image(typing.NamedTuple):
     taken: npt.NDArray[np.float32]  # N x 2, keypoints of the original (distorted) image in pixels
     ideal: Optional[_Array]  # N x 2, the keypoints without distortion; None: the camera has no distortion
     finite: bool  # True: all coordinates of `taken` are finite
-    seen: Optional[npt.NDArray[np.bool_]]  # N entries, True where the point of `ideal` is finite; None: all points are finite
+    seen: Optional[npt.NDArray[np.bool_]]  # N entries, True where the point of `ideal` is finite; None: all of them are, or `ideal` is None
     fault: str  # why the image cannot be used; empty: it can be used
 
 
