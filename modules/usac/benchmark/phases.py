@@ -30,7 +30,7 @@ PHASES = collections.OrderedDict((
     ("samples", (r"SampleBatch::draw", None)),
     ("their models", (r"SampleBatch::solve", None)),
     ("test, score", (r"SampleBatch::score", None)),
-    ("degeneracy", (r"Checks::recover", None)),
+    ("degeneracy", (r"\w+::(?:recover|discount|discounted)", r"Checks::|Restarts::")),
     ("graph cut", (r"Labeling::cut", None)),
     ("local fits", (r"\w*Optimizer::optimize", None)),
     ("polishing", (r"\w*Polisher::polish|Leverage::improve|Restarts::improve", r"Restarts::|Leverage::"))))

@@ -75,7 +75,7 @@ class RunnersUp
 public:
     /** The best model explains the points whose errors are at most EXPLAINED times
     Context::inlierThreshold. The factor is above 1 because some correct matches lie beyond the
-    threshold if the noise is wide. See doc/constants.md. */
+    threshold if the noise is wide. See doc/measurements/constants_tables.md. */
     static constexpr double EXPLAINED = 1.5;
 
     //! @param most maximum number of models that are stored, at least 0
@@ -89,8 +89,8 @@ public:
     {
         return count < most || unexplained >= kept[most - 1].unexplained;
     }
-    //! A model of a sample with this cost or more is not stored, unless it is a rival (see
-    //! RivalSearch).
+    //! A model of a sample with this cost or more becomes neither the best model nor, unless it is
+    //! a rival (see RivalSearch), a runner-up; callers drop such models.
     //! @param best lowest cost of a model of a sample so far
     //! @param points number of points of the run
     double uselessCost(double best, double points) const

@@ -67,12 +67,11 @@ Quality Checks::discounted(const Model& model, const Quality& rated) const
     return quality;
 }
 
-double Checks::successProbability(const Model& model) const
+void Checks::updateSuccessProbability(const Model& model) const
 {
-    double probability = 1;
+    state.successProbability = 1;
     for (int d = 0; d < count; ++d)
-        probability *= checks[d]->successProbability(context, state, model);
-    return probability;
+        state.successProbability *= checks[d]->successProbability(context, state, model);
 }
 
 void Checks::thresholdChanged() const

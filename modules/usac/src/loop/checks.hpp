@@ -30,8 +30,8 @@ public:
     bool recover(const int* sample, Model& model, Quality& quality) const;
     //! The score `rated` of a model, lowered by the checks if inliers of the model are dependent.
     Quality discounted(const Model& model, const Quality& rated) const;
-    //! Probability that an all-inlier sample leads to this model.
-    double successProbability(const Model& model) const;
+    //! Computes State::successProbability for a new best model.
+    void updateSuccessProbability(const Model& model) const;
     //! To be called when the threshold has changed.
     void thresholdChanged() const;
 

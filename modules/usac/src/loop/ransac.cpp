@@ -207,7 +207,9 @@ void Ransac::setBest(const Model& model, const Quality& quality, const Sample* s
     state.best = model;  // 25
     offer(model, quality, sample);
     state.bestQuality = quality;
-    state.successProbability = quality.cost <= DBL_MAX ? checks.successProbability(model) : 1;
+    state.successProbability = 1;
+    if (quality.cost <= DBL_MAX)
+        checks.updateSuccessProbability(model);
     if (!runnersUp.none())
         runnersUp.setBest(InlierBits(context, model, RunnersUp::EXPLAINED));
     stopping.update();  // 26

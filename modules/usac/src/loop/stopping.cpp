@@ -12,8 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! If this many samples, which take some seconds, have given no model at all, the points are
-//! considered degenerate, and the search ends (unless there are no criteria).
+//! If this many samples, which take some seconds, have given no model at all (Report::models), the
+//! points are considered degenerate, and the search ends (unless there are no criteria).
 constexpr int HOPELESS = 1000000;
 
 }  // namespace

@@ -21,8 +21,8 @@ public:
     bool reached();
     //! Why the search ended when reached() was last true, see StopReason.
     int reason() const { return ending; }
-    //! True if the time limit or a ProgressScope ends the run. Calls between two samples, or
-    //! between the optimizations of two models.
+    //! True if the time limit or a ProgressScope ends the run. To be called once per sample or per
+    //! optimized model: counts the work of one sample, and reads the clock if this is due.
     bool interrupt() const { return context.stop(sampleWork); }
     //! True if interrupt() or another check of the clock has ended the run.
     bool interrupted() const;

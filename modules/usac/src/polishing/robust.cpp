@@ -47,14 +47,15 @@ class Convergence
 public:
     Convergence() : rate(-1), before(0) {}
 
-    //! To be called if the next decrease cannot be compared with those before.
+    //! To be called if the next decrease cannot be compared with those before, because other points
+    //! or another scale of the noise are used.
     void restart() { before = 0; }
     //! @param decrease decrease of the loss by the last step
     //! @return the sum of all further decreases, but at most `decrease`, the sum for a rate of 1 /
     //! 2
     double left(double decrease)
     {
-        if (before > 0)
+        if (before > 0 && decrease > 0)
             rate = std::max(rate, std::min(std::max(decrease / before, 0.), 0.5));
         before = decrease;
         return decrease * (rate < 0 ? 1 : rate / (1 - rate));
@@ -109,6 +110,8 @@ public:
                 if (settled && lookedBefore == p.size &&
                     std::abs(sigma - before) < SAME_SCALE * sigma)
                     return;
+                if (std::abs(sigma - before) >= SAME_SCALE * sigma)
+                    convergence.restart();
                 loss = weigh(p, sigma, looked);
             }
             if (looked != lookedBefore)

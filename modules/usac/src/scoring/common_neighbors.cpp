@@ -183,7 +183,8 @@ bool hasCommonNeighbors(const Problem& problem)
 void commonNeighbors(const Correspondences& points, int count, double threshold, uchar* common,
                      Arena& arena)
 {
-    CV_StaticAssert(MATCHES_COMPARED <= 1 << INDEX_BITS, "an index must fit into the bits");
+    CV_StaticAssert(MATCHES_COMPARED <= 1 << INDEX_BITS && MATCHES_COMPARED % WORD_BITS == 0,
+                    "an index must fit into the bits, and the matches into whole words");
     CV_Assert(0 < count && count <= MATCHES_COMPARED);
     Arena::Scope scope(arena);
     Matches* neighbors[2];

@@ -28,8 +28,9 @@ The surfaces of a scene are mostly smooth, so that points that are neighbors in 
 neighbors in the other image. Each match has two sets of neighbors: the #NEIGHBORS_COMPARED matches
 whose points in image 1 are nearest to its own point, and the same for image 2. The result is the
 number of matches that are in both sets. It does not depend on the scale and rotation of the images
-or on the density of the points. Two matches are not neighbors if their points coincide in one of
-the images.
+or on the density of the points. Distances that differ by less than 3e-5 of their value can count
+as equal; the match with the lower index is then nearer. Two matches are not neighbors if their
+points coincide in one of the images.
 @param points the matches
 @param count only the first `count` matches are used, from 1 to #MATCHES_COMPARED
 @param threshold distance up to which points coincide, in the unit of Correspondences::threshold
