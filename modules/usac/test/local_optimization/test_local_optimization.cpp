@@ -415,5 +415,63 @@ TEST(Usac_LocalOptimizers, fitsThatFail)
         }
 }
 
+//! Number of fits in a graph-cut optimization of a model. @param best quality of the best model
+int fitsOf(const Context& context, const UnreliableSolver& solver, const Model& given,
+           const Quality& best)
+{
+    Model model = given;
+    Quality quality = context.rate(model);
+    State state;
+    state.bestQuality = best;
+    const int before = solver.fits;
+    context.components.localOptimizer->optimize(context, state, model, quality);
+    return solver.fits - before;
+}
+
+//! Models of samples with outliers are far from the best model, even after one fit. Their
+//! optimization must end early, but not if there is no best model yet. That of a model near the
+//! true one must not end early.
+TEST(Usac_LocalOptimizers, graphCutEndsForModelsFarFromTheBest)
+{
+    SceneOptions options;
+    options.outliers = 60;
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    Params params;
+    const Ptr<Usac> usac = createUsac(scene, params);
+    const Correspondences& points = usac->points();
+    Components parts = usac->components();
+    const Ptr<UnreliableSolver> solver = makePtr<UnreliableSolver>(parts.nonMinimalSolver, INT_MAX,
+                                                                   false);
+    parts.nonMinimalSolver = solver;
+    const RunContext run(points, parts, params);
+    const Context& context = run;
+    const Model truth = toInternal(points, scene.model);
+    const Quality best = context.rate(truth);
+    int early = 0, tried = 0;
+    for (int i = 0; i < 200; ++i)
+    {
+        int sample[MAX_SAMPLE_SIZE];
+        Model models[MAX_MODELS];
+        Rng(1, i).distinct(points.size, 4, sample);
+        if (parts.minimalSolver->solve(points, sample, models) == 0 ||
+            points.size - context.rate(models[0]).cost > 0.2 * (points.size - best.cost))
+            continue;
+        const int all = fitsOf(context, *solver, models[0], Quality()),
+                  some = fitsOf(context, *solver, models[0], best);
+        EXPECT_LE(some, all);
+        if (all > 1)  // otherwise, there are too few points for a fit
+        {
+            ++tried;
+            early += some == 1;
+        }
+    }
+    EXPECT_GT(tried, 20);
+    EXPECT_GT(early, tried / 2);
+    Model rough = truth;
+    for (int k = 0; k < 9; ++k)
+        rough.val[k] *= k % 2 ? 1.001 : 0.999;
+    EXPECT_GE(fitsOf(context, *solver, rough, best), 3);
+}
+
 }  // namespace
 }  // namespace opencv_test

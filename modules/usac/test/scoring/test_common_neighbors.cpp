@@ -117,6 +117,16 @@ TEST(Usac_CommonNeighbors, same_points)
     EXPECT_EQ(std::vector<int>(30, 0), commonOf(line, same));
 }
 
+TEST(Usac_CommonNeighbors, numberOfMatches)
+{
+    std::vector<Point2d> points1, points2;
+    makeMatches(MATCHES_COMPARED + 1, 1, points1, points2);
+    EXPECT_THROW(commonOf(points1, points2), cv::Exception);
+    points1.pop_back();
+    points2.pop_back();
+    EXPECT_EQ(points1.size(), commonOf(points1, points2).size());
+}
+
 TEST(Usac_CommonNeighbors, problems)
 {
     for (int type = HOMOGRAPHY; type <= TRANSLATION_2D; ++type)
