@@ -109,7 +109,8 @@ private:
     //! Sets `nearest` to the neighbors of the matches `first`, ..., `first` + LANES - 1.
     void findNearest(int first)
     {
-        std::fill(nearest[0], nearest[0] + NEIGHBORS_COMPARED * LANES, NONE);
+        for (int n = 0; n < NEIGHBORS_COMPARED; ++n)
+            std::fill(nearest[n], nearest[n] + LANES, NONE);
         int left = first - 1, right = std::min(first + LANES, count);
         for (int k = first; k < right; ++k)
             look(first, k);
