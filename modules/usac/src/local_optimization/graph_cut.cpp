@@ -86,9 +86,9 @@ public:
     }
 
 private:
-    //! Fits the model to the points within #WIDEST, ..., 2 and 1 thresholds, as long as it can
-    //! still become the best model. Each fit starts from the previous fit. @return true if the
-    //! model was replaced
+    //! Fits the model to the points within #WIDEST, ..., 2 and 1 thresholds. Each fit starts from
+    //! the previous fit. Ends early if the model is far from the best one, see #FIRST_GAIN. @return
+    //! true if the model was replaced
     bool shrink(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         Model fitted = model;

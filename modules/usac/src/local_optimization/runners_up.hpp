@@ -65,11 +65,11 @@ Because of noise, the model of one sample can be worse than that of another samp
 optimization, but better after it @cite lebeda2012fixing. Models that are better than all models of
 previous samples are optimized at once. Of the other models, those with the most inliers that the
 best model does not explain are optimized when the search is about to end. (The best model explains
-the points within #EXPLAINED thresholds.) If the models were chosen by their cost
-instead, they might all be variants of one wrong model:
-points with a common shift, or on an independently moving plane, fit a whole family of F. If an
-optimized F of this family is the best model, the other F of the family can have a lower cost than
-models of all-inlier samples that are not yet optimized. take() returns each model once. */
+the points within #EXPLAINED thresholds.) If the models were chosen by their cost instead, they
+might all be variants of one wrong model: points with a common shift, or on an independently moving
+plane, fit a whole family of F. If an optimized F of this family is the best model, the other F of
+the family can have a lower cost than models of all-inlier samples that are not yet optimized.
+take() returns each model once. */
 class RunnersUp
 {
 public:

@@ -171,6 +171,7 @@ void SampleBatch::score(int index, Hypotheses& h, float* row) const
         return;
     checkModels(h.models, h.computed);
     Rng rotation(context.params.seed, streamOf(STREAM_ROTATION, first + index));
+    const double useless = runnersUp.uselessCost(state.sampleQuality.cost, context.points.size);
     for (int k = 0; k < h.computed; ++k)  // 7
     {
         const Model& model = h.models[k];
@@ -190,7 +191,6 @@ void SampleBatch::score(int index, Hypotheses& h, float* row) const
             ++h.refused;
             continue;  // 11
         }
-        const double useless = runnersUp.uselessCost(state.sampleQuality.cost, context.points.size);
         const Rating rating = rate(context, verifier, model, useless, start, row);  // 10, 12
         // after preTest(), the first block is evaluated only for models that have passed preTest();
         // its inlier ratio would be biased

@@ -219,7 +219,7 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     formWeights(u, u, weights + 6);
     formWeights(u, v, weights + 12);
     formWeights(v, v, weights + 18);
-    int begins[ARCS_BINS + 1] = {0}, ends[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
+    int begins[ARCS_BINS] = {0}, ends[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
     kernels().arcs(numbers, stride, weights, from, to);
     int passing = 0;  // number of arcs that pass the end of the line
     for (int k = 0; k < p.size; ++k)
