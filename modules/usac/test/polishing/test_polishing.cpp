@@ -2,6 +2,7 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
+#include "support/run_context.hpp"
 #include "test_precomp.hpp"
 #include "polishing/polishing.hpp"
 
@@ -71,6 +72,61 @@ TEST(Usac_Polishing, reweightedIsAFixedPoint)
         << "polishing must change the true model";
     EXPECT_LT(modelDistance(once, twice), 1e-3);
     EXPECT_LT(modelDistance(twice, thrice), 1e-5) << "polishing must have converged";
+}
+
+//! Counts fits.
+class CountedSolver : public NonMinimalSolver
+{
+public:
+    explicit CountedSolver(const Ptr<NonMinimalSolver>& solver_) : fits(0), solver(solver_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
+    {
+        ++fits;
+        return solver->fit(points, indices, count, weights, model, iterations);
+    }
+
+    mutable int fits;
+
+private:
+    const Ptr<NonMinimalSolver> solver;
+};
+
+//! Robust polishing must end as soon as further steps are expected to change hardly anything: for
+//! H, each step leaves only a small part of the distance to the minimum. The result must then be
+//! nearly as close to the minimum as that of many more steps.
+TEST(Usac_Polishing, robustEndsWhenFurtherStepsChangeLittle)
+{
+    int fits = 0;
+    for (uint64 seed = 1; seed <= 10; ++seed)
+    {
+        SceneOptions options;
+        options.noise = 0.5;
+        options.inliers = 3000;
+        options.outliers = 1000;
+        options.seed = seed;
+        const Scene scene = makeScene(HOMOGRAPHY, options);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        Components parts = usac->components();
+        const Ptr<CountedSolver> solver = makePtr<CountedSolver>(parts.nonMinimalSolver);
+        parts.nonMinimalSolver = solver;
+        Params params;
+        params.polishingSteps = 50;
+        const RunContext run(usac->points(), parts, params);
+        const Ptr<Polisher> polisher = createRobustPolisher();
+        Model model = toInternal(usac->points(), scene.model);
+        polisher->polish(run, model);
+        fits += solver->fits;
+        Model more = model;
+        for (int i = 0; i < 5; ++i)
+            polisher->polish(run, more);
+        const double moved = modelDistance(normalized(toInternal(usac->points(), scene.model)),
+                                           normalized(model));
+        EXPECT_LT(modelDistance(normalized(model), normalized(more)), 0.06 * moved) << seed;
+    }
+    EXPECT_LE(fits, 45);  // 50 if a step ends the polishing only by its own decrease
+    EXPECT_GE(fits, 20);
 }
 
 //! Without points near the model, a polisher must not change the model.
