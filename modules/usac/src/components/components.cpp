@@ -191,6 +191,13 @@ bool Verifier::preTest(const Context&, const Model&, Rng&, int& inliers, int& te
 double Verifier::keptProbability(const Context&, double, bool) const { return 1; }
 
 bool Degeneracy::validSample(const Context&, const int*) const { return true; }
+void Degeneracy::validSamples(const Context& context, const int* const* samples, int count,
+                              bool* valid) const
+{
+    for (int i = 0; i < count; ++i)
+        valid[i] = validSample(context, samples[i]);
+}
+
 bool Degeneracy::mayBeGood(const Context&, const int*) const { return false; }
 bool Degeneracy::validModel(const Context&, const int*, const Model&) const { return true; }
 bool Degeneracy::recover(const Context&, State&, const int*, Model&, Quality&) { return true; }

@@ -23,14 +23,22 @@ do not depend on the other samples.
 typedef void (*SolverKernel)(const Correspondences& points, const int* const* samples, int count,
                              double (*models)[MAX_MODELS][9], int* found);
 
-//! Minimal solvers for several samples at once, compiled once for each instruction set; the results
-//! of all versions are bit-identical.
+/** Tests several samples at once.
+@param samples, count see SolverKernel
+@param valid output: for each sample, whether it passes the test */
+typedef void (*SampleKernel)(const Correspondences& points, const int* const* samples, int count,
+                             bool* valid);
+
+//! Minimal solvers and tests for several samples at once, compiled once for each instruction set;
+//! the results of all versions are bit-identical.
 namespace lanes {
 
 struct Kernels
 {
     SolverKernel fivePoints;   //!< essential matrices
     SolverKernel sevenPoints;  //!< fundamental matrices
+    SolverKernel fourPoints;   //!< homographies
+    SampleKernel orientation;  //!< for homographies, see HomographyOrientation
 };
 
 Kernels baselineKernels();

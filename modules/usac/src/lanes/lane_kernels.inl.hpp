@@ -19,6 +19,7 @@ one copy of such a function, perhaps one with instructions that the processor do
 #include "lanes/five_points_polynomials.inl.hpp"
 #include "lanes/five_points.inl.hpp"
 #include "lanes/seven_points.inl.hpp"
+#include "lanes/four_points.inl.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -29,6 +30,8 @@ lanes::Kernels allKernels()
     lanes::Kernels all;
     all.fivePoints = fivePointKernel;
     all.sevenPoints = sevenPointKernel;
+    all.fourPoints = fourPointKernel;
+    all.orientation = orientationKernel;
     return all;
 }
 

@@ -26,12 +26,22 @@ Checks::Checks(const Context& context_, State& state_)
       count((int)context_.components.degeneracies.size())
 {}
 
-bool Checks::validSample(const int* sample) const
+int Checks::acceptSamples(const int** samples, int sampleCount) const
 {
-    bool valid = true;
-    for (int d = 0; valid && d < count; ++d)
-        valid = checks[d]->validSample(context, sample);
-    return valid;
+    int left = sampleCount;
+    for (int d = 0; left > 0 && d < count; ++d)
+    {
+        bool valid[MinimalSolver::MAX_TOGETHER];
+        checks[d]->validSamples(context, samples, left, valid);
+        int accepted = 0;
+        for (int i = 0; i < left; ++i)
+        {
+            samples[accepted] = samples[i];
+            accepted += valid[i];
+        }
+        left = accepted;
+    }
+    return left;
 }
 
 bool Checks::validModel(const int* sample, const Model& model) const

@@ -16,8 +16,10 @@ class Checks
 public:
     Checks(const Context& context, State& state);
 
-    //! True if all checks accept the sample.
-    bool validSample(const int* sample) const;
+    //! Moves the samples that all checks accept to the front of `samples`, in unchanged order.
+    //! @param samples, sampleCount samples and their number, at most MinimalSolver::MAX_TOGETHER
+    //! @return number of accepted samples
+    int acceptSamples(const int** samples, int sampleCount) const;
     //! True if all checks accept the model of the sample.
     bool validModel(const int* sample, const Model& model) const;
     //! True if the points of a rejected sample might nevertheless all be inliers, because the

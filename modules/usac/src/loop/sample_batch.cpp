@@ -142,16 +142,17 @@ void SampleBatch::solve(const Sample* sampled, int count, Hypotheses* h) const
 {
     const int* valid[MinimalSolver::MAX_TOGETHER];
     Model* models[MinimalSolver::MAX_TOGETHER];
-    int found[MinimalSolver::MAX_TOGETHER], accepted = 0;
+    int found[MinimalSolver::MAX_TOGETHER];
     for (int i = 0; i < count; ++i)
+        valid[i] = sampled[i].val;
+    const int accepted = checks.acceptSamples(valid, count);  // 4
+    for (int i = 0, k = 0; i < count; ++i)
     {
         const int* const sample = sampled[i].val;
-        h[i].rejectedSample = !checks.validSample(sample);  // 4
+        h[i].rejectedSample = k == accepted || valid[k] != sample;
         h[i].repeated = h[i].rejectedSample && checks.mayBeGood(sample);
-        if (h[i].rejectedSample)
-            continue;  // 5
-        valid[accepted] = sample;
-        models[accepted++] = h[i].models;
+        if (!h[i].rejectedSample)
+            models[k++] = h[i].models;  // 5
     }
     if (accepted > 0)
         context.components.minimalSolver->solveMany(context.points, valid, accepted, models,

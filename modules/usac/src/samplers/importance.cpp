@@ -39,7 +39,7 @@ public:
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
         const int m = context.components.minimalSolver->sampleSize();
-        if (!isOrdered(context, state, sample))
+        if (!isOrdered(context, state, m, sample))
             return;
         if (!points)
             build(context);

@@ -31,7 +31,7 @@ public:
     {
         const int m = context.components.minimalSolver->sampleSize(), size = context.points.size;
         Neighborhood& neighborhood = context.neighborhood();
-        if (!isOrdered(context, state, sample))
+        if (!isOrdered(context, state, m, sample))
             return;
         for (int i = 0; i < MOST_CENTERS; ++i)
         {

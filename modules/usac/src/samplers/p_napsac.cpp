@@ -47,19 +47,19 @@ because they take less time than computing the order. */
 class PNapsacSampler : public Sampler
 {
 public:
-    PNapsacSampler() : centers(0) {}
+    PNapsacSampler() : m(0), centers(0) {}
 
     void start(const Context& context) CV_OVERRIDE
     {
-        growth = GrowingSet(context.components.minimalSolver->sampleSize(), context.points.size);
+        m = context.components.minimalSolver->sampleSize();
+        growth = GrowingSet(m, context.points.size);
         centers = 0;
     }
 
     void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
     {
-        const int m = context.components.minimalSolver->sampleSize();
         const bool guess = isGuess(context);
-        if (!guess && !isOrderedByKnowledge(context, state, sample))
+        if (!guess && !isOrderedByKnowledge(context, state, m, sample))
             return;
         growth.next();
         const int n = growth.size();
@@ -70,8 +70,8 @@ public:
         const int turn = guess ? state.iteration / context.params.orderedEvery
                                : state.orderedSamples - 1;
         const int every = localEvery(context);
-        if (turn % every != every - 1 || !local(context, state, m, sample))
-            global(state, m, n, sample);
+        if (turn % every != every - 1 || !local(context, state, sample))
+            global(state, n, sample);
     }
 
     double growingShare(const Context& context) const CV_OVERRIDE
@@ -86,12 +86,11 @@ private:
     }
 
     //! The same as isOrdered(), except for the first samples, see PNapsacSampler.
-    static bool isOrderedGuess(const Context& context, State& state, int* sample)
+    bool isOrderedGuess(const Context& context, State& state, int* sample) const
     {
-        const int m = context.components.minimalSolver->sampleSize(),
-                  before = m < SMALL ? BEFORE_ORDER_CHEAP : BEFORE_ORDER;
+        const int before = m < SMALL ? BEFORE_ORDER_CHEAP : BEFORE_ORDER;
         if (context.params.orderedEvery == 1 || state.iteration >= std::max(before, ORDERED))
-            return isOrdered(context, state, sample);
+            return isOrdered(context, state, m, sample);
         if (m == SMALL)
         {
             state.counts = false;
@@ -99,10 +98,10 @@ private:
         }
         if (state.iteration < before)
         {
-            drawUniform(context, state, sample);
+            drawUniform(context, state, m, sample);
             return false;
         }
-        return isOrdered(context, state, sample);
+        return isOrdered(context, state, m, sample);
     }
 
     //! Number of times that a point was chosen as the first point of a local sample, and the finest
@@ -114,7 +113,7 @@ private:
 
     //! Draws the other points from the neighbors of sample[0]. False if this point has enough
     //! neighbors in no layer.
-    bool local(const Context& context, State& state, int m, int* sample)
+    bool local(const Context& context, State& state, int* sample)
     {
         Neighborhood& neighborhood = context.neighborhood();
         if (!centers)
@@ -139,11 +138,12 @@ private:
         return false;
     }
 
-    void global(State& state, int m, int n, int* sample)
+    void global(State& state, int n, int* sample)
     {
         drawOthers(state.rng, state.order, n, m, sample);
     }
 
+    int m;  //!< sample size
     GrowingSet growth;
     Center* centers;  //!< one element per point; null before the first local sample
 };

@@ -26,11 +26,11 @@ public:
     {
         const int m = context.components.minimalSolver->sampleSize();
         const bool known = orderIsKnown(context);
-        if (known && !isOrderedByKnowledge(context, state, sample))
+        if (known && !isOrderedByKnowledge(context, state, m, sample))
             return;
         growth.next();
         const int n = growth.size();
-        if (!known && !isOrdered(context, state, sample))
+        if (!known && !isOrdered(context, state, m, sample))
             return;
         if (growth.newest())
         {

@@ -11,19 +11,19 @@
 namespace cv {
 namespace usacv20 {
 
-//! Draws a uniform sample from all points.
-inline void drawUniform(const Context& context, State& state, int* sample)
+//! Draws a uniform sample of `m` points from all points.
+inline void drawUniform(const Context& context, State& state, int m, int* sample)
 {
     state.counts = true;
-    state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(), sample);
+    state.rng.distinct(context.points.size, m, sample);
 }
 
 /** @brief Decides from Params::orderedEvery how the current sample is drawn.
 
 If the result is true, the sampler must draw the sample in its own, non-uniform way; State::counts
 is true for such a sample only if all samples are drawn in this way. If the result is false, this
-function has drawn a uniform sample. */
-inline bool isOrdered(const Context& context, State& state, int* sample)
+function has drawn a uniform sample. @param m sample size */
+inline bool isOrdered(const Context& context, State& state, int m, int* sample)
 {
     const int every = context.params.orderedEvery;
     if (state.iteration % every == 0)
@@ -31,7 +31,7 @@ inline bool isOrdered(const Context& context, State& state, int* sample)
         state.counts = every == 1;
         return true;
     }
-    drawUniform(context, state, sample);
+    drawUniform(context, state, m, sample);
     return false;
 }
 
@@ -44,7 +44,7 @@ constexpr int BEFORE_ORDER = 8;
 //! The same as isOrdered() for a known order of the points, see orderIsKnown(). Depending on
 //! State::wanted, the result is true more often, but not for the first #BEFORE_ORDER samples if
 //! Params::orderedEvery is above 1.
-inline bool isOrderedByKnowledge(const Context& context, State& state, int* sample)
+inline bool isOrderedByKnowledge(const Context& context, State& state, int m, int* sample)
 {
     const int every = context.params.orderedEvery;
     const int step = state.wanted == SAMPLES_ORDERED ? 1
@@ -52,7 +52,7 @@ inline bool isOrderedByKnowledge(const Context& context, State& state, int* samp
                                                      : every;
     if (state.iteration % step != 0 || (every > 1 && state.iteration < BEFORE_ORDER))
     {
-        drawUniform(context, state, sample);
+        drawUniform(context, state, m, sample);
         return false;
     }
     state.counts = every == 1;

@@ -2,8 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Tests of the minimal solvers of F and E that solve several samples at once, each in one lane of
-// the vector registers (SIMD). Each instruction set has such solvers, called kernels.
+// Tests of the minimal solvers of H, F and E and of the check of H that process several samples at
+// once, each in one lane of the vector registers (SIMD). Each instruction set has such functions,
+// called kernels.
 
 #include "test_precomp.hpp"
 #include "support/problem_objects.hpp"
@@ -45,7 +46,9 @@ std::vector<NamedKernels> availableKernels()
 struct Samples
 {
     Samples(ProblemType problem_, double planeFraction)
-        : problem(problem_), count(4000), size(problem == ESSENTIAL ? 5 : 7)
+        : problem(problem_), count(4000), size(problem == ESSENTIAL     ? 5
+                                               : problem == FUNDAMENTAL ? 7
+                                                                        : 4)
     {
         SceneOptions options;
         options.seed = 5;
@@ -68,7 +71,9 @@ struct Samples
     const Correspondences& points() const { return usac->points(); }
     SolverKernel solverOf(const lanes::Kernels& kernels) const
     {
-        return problem == ESSENTIAL ? kernels.fivePoints : kernels.sevenPoints;
+        return problem == ESSENTIAL     ? kernels.fivePoints
+               : problem == FUNDAMENTAL ? kernels.sevenPoints
+                                        : kernels.fourPoints;
     }
 
     const ProblemType problem;
@@ -161,8 +166,9 @@ TEST_P(Usac_Lanes, sameBitsInEveryLane)
 TEST_P(Usac_Lanes, sameModelsOneByOne)
 {
     const Samples samples(problemOf(GetParam()), std::get<1>(GetParam()));
-    const Ptr<MinimalSolver> solver = samples.problem == ESSENTIAL ? createEssential5Solver()
-                                                                   : createFundamental7Solver();
+    const Ptr<MinimalSolver> solver = samples.problem == ESSENTIAL     ? createEssential5Solver()
+                                      : samples.problem == FUNDAMENTAL ? createFundamental7Solver()
+                                                                       : createHomography4Solver();
     EXPECT_GT(solver->together(), 1);
     const int counts[] = {1, 3, TOGETHER, TOGETHER + 1, 1000};
     std::vector<Model> models(1000 * MAX_MODELS);
@@ -184,8 +190,87 @@ TEST_P(Usac_Lanes, sameModelsOneByOne)
 }
 
 INSTANTIATE_TEST_CASE_P(Problems, Usac_Lanes,
-                        testing::Combine(testing::Values((int)FUNDAMENTAL, (int)ESSENTIAL),
+                        testing::Combine(testing::Values((int)HOMOGRAPHY, (int)FUNDAMENTAL,
+                                                         (int)ESSENTIAL),
                                          testing::Values(0., 0.8)));
+
+//! +1 or -1: orientation of a triangle of three points; 0: the points are collinear.
+int orientationOf(const double* x, const double* y, int a, int b, int c)
+{
+    const double area = (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
+    return (area > 0) - (area < 0);
+}
+
+//! True if the four triangles of a sample all keep their orientation or all reverse it.
+bool consistent(const Correspondences& p, const int* s)
+{
+    const int triangles[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    int same = 0;
+    for (const int(&t)[3] : triangles)
+        same += orientationOf(p.exact[X1], p.exact[Y1], s[t[0]], s[t[1]], s[t[2]]) *
+                    orientationOf(p.exact[X2], p.exact[Y2], s[t[0]], s[t[1]], s[t[2]]) >
+                0;
+    return same == 0 || same == 4;
+}
+
+TEST(Usac_LanesOrientation, agreesWithTheTriangles)
+{
+    const Samples samples(HOMOGRAPHY, 0);
+    const std::vector<NamedKernels> all = availableKernels();
+    for (size_t k = 0; k < all.size(); ++k)
+        for (int together = 1; together <= TOGETHER; ++together)
+        {
+            int accepted = 0;
+            for (int i = 0; i < samples.count; i += together)
+            {
+                bool valid[TOGETHER];
+                const int count = std::min(together, samples.count - i);
+                all[k].kernels.orientation(samples.points(), &samples.all[i], count, valid);
+                for (int j = 0; j < count; ++j)
+                {
+                    ASSERT_EQ(consistent(samples.points(), samples.all[i + j]), valid[j])
+                        << all[k].name << " " << together << " " << i + j;
+                    accepted += valid[j];
+                }
+            }
+            EXPECT_GT(accepted, samples.count / 10);
+            EXPECT_LT(accepted, samples.count / 2);
+        }
+}
+
+//! A check as a caller could write it, which does not override validSamples().
+class OwnCheck : public Degeneracy
+{
+public:
+    explicit OwnCheck(const Ptr<Degeneracy>& check_) : check(check_) {}
+    bool validSample(const Context& context, const int* sample) const CV_OVERRIDE
+    {
+        return check->validSample(context, sample);
+    }
+    bool validModel(const Context& context, const int* sample, const Model& model) const CV_OVERRIDE
+    {
+        return check->validModel(context, sample, model);
+    }
+
+private:
+    const Ptr<Degeneracy> check;
+};
+
+TEST(Usac_OwnCheck, sameRunAsWithTheBuiltInOne)
+{
+    SceneOptions options;
+    options.outliers = 200;
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    const Ptr<Usac> usac = createUsac(scene, Params()), other = createUsac(scene, Params());
+    Ptr<Degeneracy>& first = other->components().degeneracies[0];
+    first = makePtr<OwnCheck>(first);
+    Report expected, report;
+    EXPECT_EQ(0,
+              cv::norm(usac->run(noArray(), &expected), other->run(noArray(), &report), NORM_INF));
+    EXPECT_GT(expected.rejectedSamples, 0);
+    EXPECT_EQ(expected.rejectedSamples, report.rejectedSamples);
+    EXPECT_EQ(expected.models, report.models);
+}
 
 //! A solver as a caller could write it, which does not override solveMany().
 class OwnSolver : public MinimalSolver

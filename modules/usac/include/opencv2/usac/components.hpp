@@ -260,6 +260,15 @@ public:
     virtual ~Degeneracy();
     //! False: the sample is rejected, no model is computed from it. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
+    /** @brief The same for several samples; override it if this is faster than one at a time.
+    @param context the fixed data of the run
+    @param samples for each sample, an array of point indices
+    @param count number of samples, at most MinimalSolver::MAX_TOGETHER
+    @param valid output: result for each sample
+
+    Default: calls validSample() for each sample. */
+    virtual void validSamples(const Context& context, const int* const* samples, int count,
+                              bool* valid) const;
     //! Called for a sample that validSample() has rejected. True: its points might all be inliers
     //! (two of them repeat one match), so it is counted in State::repeatedSamples instead of
     //! State::countedSamples. Default: false.
