@@ -18,11 +18,8 @@ namespace {
 //! within one of the shrinking thresholds (MAX_SHRINK). While the inliers still change, fits to
 //! more points are slower but not better.
 constexpr int MAX_INNER_FIT = 256, MAX_SHRINK = 64;
-//! Maximum number of Gauss-Newton steps of a fit from a model that does not yet fit the inliers
-//! well.
-constexpr int SHRINK_STEPS = 2;
-//! Maximum number of Gauss-Newton steps of a fit from a model that already fits the inliers.
-constexpr int INNER_FIT_STEPS = 1;
+//! Number of Gauss-Newton steps of a fit. The fits that follow take the next steps.
+constexpr int FIT_STEPS = 1;
 //! An inner sample contains at most 1 / #LARGEST_PART of the inliers, as in @cite chum2003locally,
 //! but always more points than a minimal sample.
 constexpr int LARGEST_PART = 2;
@@ -97,7 +94,7 @@ private:
         {
             inliers.within(context, fitted, multiple);
             if (inliers.size() <= m ||
-                !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, SHRINK_STEPS))
+                !inliers.fit(context, inliers.select(state.rng, MAX_SHRINK), fitted, FIT_STEPS))
                 break;
             improved |= keepBetter(context, fitted, model, quality);
             const double points = context.points.size,
@@ -114,10 +111,10 @@ private:
         const int small = std::max(
             m + 1, std::min(m * context.params.localSampleMultiple, count / LARGEST_PART));
         bool improved = inliers.improve(context, inliers.select(state.rng, MAX_INNER_FIT), model,
-                                        quality, INNER_FIT_STEPS);
+                                        quality, FIT_STEPS);
         for (int i = 0; i < context.params.localSamples && small < count && !context.stop(); ++i)
             improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality,
-                                        INNER_FIT_STEPS);
+                                        FIT_STEPS);
         return improved;
     }
 
