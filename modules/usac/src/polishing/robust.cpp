@@ -118,9 +118,12 @@ public:
                 convergence.restart();
             lossBefore = loss;
             lookedBefore = looked;
+            const Model before = model;
             if (!context.nonMinimalSolver().fit(p, near, count, weights, model,
                                                 i + 1 < steps ? 1 : LAST))
                 return;
+            if (i + 1 < steps)
+                lengthen(before, degrees, model);
         }
     }
 
@@ -169,24 +172,42 @@ private:
             members[size] = i;
             size += e[i] < limit;  // NaN is not within the support
         }
-        double sum = 0;
+        double sum = 0, rests = 0, squares = 0;
         for (int k = 0; k < size; ++k)
         {
             const double rest = 1 - e[members[k]] * scale;
             weights[k] = rest * rest;
+            rests += rest;
+            squares += rest * rest;
             sum += 1 - rest * rest * rest;
         }
+        sumOfWeights = squares;
+        lostCurvature = 4 * (rests - squares);
         count = size;
         lossNear = sum;
         return lossNear + looked - count;
     }
 
+    /** Re-weighting takes the weight w of a point for the curvature of its loss. In the direction
+    of the error, the curvature is lower: with w = (1 - x)^2 it is (1 - x)(1 - 5x) = w - 4 (1 - x)
+    x. The step is lengthened by the ratio of the sums of w and of the curvature over all directions
+    of the errors, at most to twice its length, up to which the loss does not increase. The result
+    fulfills the constraints of the model only to first order. */
+    void lengthen(const Model& before, int degrees, Model& model) const
+    {
+        const double curvature = std::max(sumOfWeights - lostCurvature / degrees, sumOfWeights / 2),
+                     further = sumOfWeights / curvature - 1;
+        for (int k = 0; k < model.size(); ++k)
+            model.val[k] += further * (model.val[k] - before.val[k]);
+    }
+
     // The following members are valid only during polish().
-    float* errors;    //!< squared errors of the points
-    int* near;        //!< points within the support: the first `count` elements
-    double* weights;  //!< weights of the points in `near`
-    int count;        //!< number of points within the support
-    double lossNear;  //!< sum of the losses of the points within the support
+    float* errors;                       //!< squared errors of the points
+    int* near;                           //!< points within the support: the first `count` elements
+    double* weights;                     //!< weights of the points in `near`
+    int count;                           //!< number of points within the support
+    double lossNear;                     //!< sum of the losses of the points within the support
+    double sumOfWeights, lostCurvature;  //!< of the points within the support, see lengthen()
 };
 
 }  // namespace

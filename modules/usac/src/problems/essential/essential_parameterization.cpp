@@ -4,15 +4,37 @@
 
 #include "precomp.hpp"
 #include "problems/essential/essential_parameterization.hpp"
+#include "problems/two_view/null_vectors.hpp"
 
 #include <Eigen/SVD>
 
 namespace cv {
 namespace usacv20 {
 
+namespace {
+
+//! The rotation or reflection of the plane that is closest to a 2x2 matrix.
+Eigen::Matrix2d closestOrthogonal(const Eigen::Matrix2d& M)
+{
+    const double side = M.determinant() < 0 ? -1 : 1, cosine = M(0, 0) + side * M(1, 1),
+                 sine = M(1, 0) - side * M(0, 1), size = std::hypot(cosine, sine);
+    Eigen::Matrix2d result;
+    result << cosine, -side * sine, sine, side * cosine;
+    return result / size;
+}
+
+}  // namespace
+
 EssentialParameterization::EssentialParameterization(const Model& model)
 {
     const Eigen::Map<const RowMajor3> M(model.val);
+    if (completeNullVectors(M, U, V))
+    {
+        U.leftCols<2>() = (U.leftCols<2>() *
+                           closestOrthogonal(U.leftCols<2>().transpose() * M * V.leftCols<2>()))
+                              .eval();
+        return;
+    }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(M),
                                                 Eigen::ComputeFullU | Eigen::ComputeFullV);
     U = svd.matrixU();

@@ -5,8 +5,8 @@
 #include "precomp.hpp"
 #include "lanes/lane_kernels.hpp"
 #include "problems/fundamental/fundamental_parameterization.hpp"
+#include "problems/two_view/null_vectors.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 namespace cv {
@@ -18,37 +18,6 @@ namespace {
 //! most this number. The ratio has a rounding error of about 1e-16. For points in pixels, the ratio
 //! is about the inverse square of the focal length.
 constexpr double RANK_ONE = 1e-12;
-
-//! A Householder reflection whose last column is a multiple of the vector n; n is not zero.
-Eigen::Matrix3d completion(const Eigen::Vector3d& n)
-{
-    Eigen::Vector3d v = n.normalized();
-    v[2] += v[2] < 0 ? -1 : 1;
-    return Eigen::Matrix3d::Identity() - (2 / v.squaredNorm()) * v * v.transpose();
-}
-
-/** Computes orthogonal U and V whose last columns are the left and right null vectors of a matrix M
-of rank 2. This takes a fraction of the time of a singular value decomposition: all columns of the
-cofactor matrix are multiples of the left null vector, and all rows are multiples of the right null
-vector. False if the rank of M, up to rounding, is not 2, or if M is close to rank 1. */
-bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Matrix3d& V)
-{
-    Eigen::Matrix3d cofactors;
-    for (int i = 0; i < 3; ++i)
-        cofactors.row(i) = M.row((i + 1) % 3).cross(M.row((i + 2) % 3));
-    const double size = M.norm(), det = M.row(0).dot(cofactors.row(0));
-    // about the product of the first two singular values, so that |det| / rows is about the third
-    // one
-    const double rows = cofactors.norm();
-    if (!(rows > 1e-3 * size * size) || !(std::abs(det) < 1e-12 * rows * size))
-        return false;
-    int row, col;
-    cofactors.rowwise().squaredNorm().maxCoeff(&row);
-    cofactors.colwise().squaredNorm().maxCoeff(&col);
-    U = completion(cofactors.col(col));
-    V = completion(cofactors.row(row).transpose());
-    return true;
-}
 
 }  // namespace
 
