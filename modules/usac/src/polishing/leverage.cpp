@@ -49,6 +49,32 @@ constexpr double LEAST_NOISE = 1e-3;
 //! polished.
 constexpr int LEVERAGE_STEPS = 5;
 
+//! The sum of |L d|^2 over the derivatives d of the error of each point, see LeverageKernel.
+void squaredNorms(const Residual& residual, const PointChunks& points, const Model& model,
+                  const double* L, double* result)
+{
+    if (residual.kernels())
+    {
+        points.leverages(residual.kernels()->leverages, model.val, L, result);
+        return;
+    }
+    const int numbers = model.size();
+    double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS], derivative[MAX_DERIVATIVE];
+    for (int i = 0; points.get(i, datum, weight); ++i)
+    {
+        const int components = residual.linearize(model, datum, error, derivative);
+        result[i] = 0;
+        for (int k = 0; k < components * numbers; ++k)
+        {
+            const int first = k - k % numbers;
+            double sum = 0;
+            for (int col = 0; col <= k % numbers; ++col)
+                sum += L[k % numbers * numbers + col] * derivative[first + col];
+            result[i] += sum * sum;
+        }
+    }
+}
+
 }  // namespace
 
 Leverage::Leverage(const Context& search_, const Context& polish, double threshold)
@@ -251,11 +277,12 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
                            double* result) const
 {
     typedef Eigen::Matrix<double, ENTRIES, ENTRIES> Square;
+    typedef Eigen::Matrix<double, ENTRIES, ENTRIES, Eigen::RowMajor> RowMajor;
     typedef Eigen::Matrix<double, ENTRIES, 1> Row;
     const Correspondences& p = context.points;
+    const PointChunks chunks(p, fitted.indices, fitted.count, 0, &context.arena);
     NormalEquationsOf<ENTRIES> sums;
-    sums.accumulate(*parts.residual,
-                    PointChunks(p, fitted.indices, fitted.count, 0, &context.arena), model);
+    sums.accumulate(*parts.residual, chunks, model);
     // Errors do not depend on the scale of the model, so JtJ is singular in the direction of a
     // change of scale; the first added term removes this singularity. If the derivative of a custom
     // residual is NaN, so is the trace of A, and false is returned.
@@ -266,19 +293,13 @@ bool Leverage::leveragesOf(const Model& model, const Points& fitted, const Point
     const Eigen::LLT<Square> llt(A);
     if (!(A.trace() <= DBL_MAX) || llt.info() != Eigen::Success)
         return false;
-    const Square inverse = llt.matrixL().solve(Square::Identity());
-    double datum[MAX_COLUMNS], error[Residual::MAX_COMPONENTS],
-        derivative[Residual::MAX_COMPONENTS * ENTRIES];
-    for (int k = 0; k < points.count; ++k)
-    {
-        for (int c = 0; c < p.numbers(); ++c)
-            datum[c] = p.exact[c][points.indices[k]];
-        const int components = parts.residual->linearize(model, datum, error, derivative);
-        result[k] = 0;
-        for (int c = 0; c < components; ++c)
-            result[k] += inverse.lazyProduct(Eigen::Map<const Row>(derivative + c * ENTRIES))
-                             .squaredNorm();
-    }
+    const RowMajor inverse = llt.matrixL().solve(Square::Identity());
+    if (points.indices == fitted.indices)
+        squaredNorms(*parts.residual, chunks, model, inverse.data(), result);
+    else if (points.count > 0)
+        squaredNorms(*parts.residual,
+                     PointChunks(p, points.indices, points.count, 0, &context.arena), model,
+                     inverse.data(), result);
     return true;
 }
 

@@ -49,6 +49,16 @@ weights of the points */
 typedef void (*SumsKernel)(const double (*chunk)[SUMS_CHUNK], const double* model,
                            double (*sums)[SUMS_LANES]);
 
+/** Computes, for #SUMS_CHUNK points, the weighted sum of |L d|^2 over the components of the error.
+Here d is the derivative of a component with respect to the N = Model::size() entries of the model.
+If L^T L is the inverse of the matrix of the normal equations, these are the leverages of the
+points.
+@param chunk, model see SumsKernel
+@param L lower triangular N x N matrix, row by row
+@param leverages output, #SUMS_CHUNK numbers */
+typedef void (*LeverageKernel)(const double (*chunk)[SUMS_CHUNK], const double* model,
+                               const double* L, double* leverages);
+
 /** The loops over points that the module compiles from the formula of an error, once for each
 instruction set. Entries can be null. The loops for all instruction sets return the same bits: they
 have the same partial sums, add in the same order, and fuse no multiplication with an addition. */
@@ -59,8 +69,9 @@ struct ResidualKernels
     FusedKernel inliers;  //!< score whose cost is the number of points that are not inliers
     SumsKernel sums;      //!< all sums for the normal equations
     SumsKernel cost;      //!< only the sum of the weighted squared errors
-    int columns;          //!< number of columns of a datum
-    int count;            //!< number of sums that the kernel `sums` computes
+    LeverageKernel leverages;
+    int columns;  //!< number of columns of a datum
+    int count;    //!< number of sums that the kernel `sums` computes
     /** Computes the normal equations of the Gauss-Newton method in the N = Model::size() entries of
     a model, for the weighted errors r with the Jacobian J.
     @param total the `count` sums

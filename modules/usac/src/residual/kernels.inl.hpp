@@ -127,6 +127,7 @@ ResidualKernels kernelsFor()
                                      scoreKernel<Error, InlierCost>,
                                      sumsKernel<Error>,
                                      costKernel<Error>,
+                                     leverageKernel<Error>,
                                      Error::COLUMNS,
                                      Sums::COUNT,
                                      Sums::toEquations};

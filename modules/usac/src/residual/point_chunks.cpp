@@ -108,5 +108,17 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, double*
         sums[i] = sumOfLanes(lanes[i]);
 }
 
+void PointChunks::leverages(LeverageKernel kernel, const double* model, const double* L,
+                            double* result) const
+{
+    for (int c = 0; c < chunks; ++c)
+    {
+        double here[SUMS_CHUNK];
+        kernel(rows + c * stride, model, L, here);
+        const int first = c * SUMS_CHUNK;
+        std::copy(here, here + std::min(size - first, SUMS_CHUNK), result + first);
+    }
+}
+
 }  // namespace usacv20
 }  // namespace cv

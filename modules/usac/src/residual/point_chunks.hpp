@@ -27,6 +27,10 @@ public:
     //! errors (see Correspondences::noise), the weights are multiplied by the squared factors.
     void sum(SumsKernel kernel, int count, const double* model, double* sums) const;
 
+    //! Computes a number for each point, see LeverageKernel.
+    void leverages(LeverageKernel kernel, const double* model, const double* L,
+                   double* result) const;
+
     //! Gets the Correspondences::numbers() numbers of a point, and its original weight, which is
     //! not multiplied by a squared factor. @return false if `index` is beyond the last point
     bool get(int index, double* datum, double& weight) const;

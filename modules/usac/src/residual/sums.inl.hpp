@@ -261,6 +261,45 @@ void sumsKernel(const double (*chunk)[SUMS_CHUNK], const double* m, double (*sum
     SumsOf<Error>::Type::add(chunk, m, sums, typename IndicesTo<Error::COLUMNS>::Type());
 }
 
+template <class Error, int... K>
+inline void leveragesOf(const double (*chunk)[SUMS_CHUNK], const double* m, const double* L,
+                        double* USAC_RESTRICT leverages, Indices<K...>)
+{
+    typedef GeneralSums<Error> Rows;
+    double J[int(Error::COMPONENTS) * Rows::ROWS][SUMS_CHUNK];
+    USAC_SIMD
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+        Rows::linearize(J, i, m, chunk[K][i]...);
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+        leverages[i] = 0;
+    for (int component = 0; component < Error::COMPONENTS; ++component)
+        for (int row = 0; row < Error::NUMBERS; ++row)
+        {
+            double sum[SUMS_CHUNK] = {0};
+            for (int col = 0; col <= row; ++col)
+            {
+                const double factor = L[row * Error::NUMBERS + col];
+                const double* const derivative = J[component * Rows::ROWS + col];
+                USAC_SIMD
+                for (int i = 0; i < SUMS_CHUNK; ++i)
+                    sum[i] += factor * derivative[i];
+            }
+            USAC_SIMD
+            for (int i = 0; i < SUMS_CHUNK; ++i)
+                leverages[i] += sum[i] * sum[i];
+        }
+    for (int i = 0; i < SUMS_CHUNK; ++i)
+        leverages[i] *= chunk[Error::COLUMNS][i];
+}
+
+//! See LeverageKernel.
+template <class Error>
+void leverageKernel(const double (*chunk)[SUMS_CHUNK], const double* m, const double* L,
+                    double* leverages)
+{
+    leveragesOf<Error>(chunk, m, L, leverages, typename IndicesTo<Error::COLUMNS>::Type());
+}
+
 template <class Error, typename... Numbers>
 inline double costAt(const double* m, Numbers... datum)
 {

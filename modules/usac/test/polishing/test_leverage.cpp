@@ -27,12 +27,12 @@ Scene smallBaseline(int size, double baseline, uint64 seed)
     return makeScene(FUNDAMENTAL, options);
 }
 
-//! Median and upper sextile (5/6 quantile), over 30 scenes, of the errors in pixels.
+//! Median and upper sextile (5/6 quantile), over 60 scenes, of the errors in pixels.
 struct Errors
 {
     Errors(const Params& preset, int size, double baseline)
     {
-        enum { RUNS = 30 };
+        enum { RUNS = 60 };
         std::vector<double> all;
         for (int seed = 1; seed <= RUNS; ++seed)
         {

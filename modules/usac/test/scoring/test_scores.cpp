@@ -120,6 +120,65 @@ TEST_P(Usac_Scores_Kernels, accumulateAgainstKernels)
         }
 }
 
+//! The kernels for fits must return the same bits with every instruction set. The leverages must
+//! agree with the derivatives of the single points.
+TEST_P(Usac_Scores_Kernels, kernelsOfFits)
+{
+    const Fixture f((Formula::Kind)GetParam(), 5);
+    const Residual& residual = *f.usac->components().residual;
+    const std::vector<NamedKernels> all = availableKernels();
+    const int numbers = f.models[0].size(), count = 2 * SUMS_CHUNK + 5;
+    RNG rng(5);
+    std::vector<int> indices(count);
+    std::vector<double> weights(count), L(numbers * numbers, NAN);  // NaN: must not be read
+    for (int i = 0; i < count; ++i)
+    {
+        indices[i] = rng.uniform(0, COUNT);
+        weights[i] = rng.uniform(0., 2.);
+    }
+    for (int row = 0; row < numbers; ++row)
+        for (int col = 0; col <= row; ++col)
+            L[row * numbers + col] = rng.gaussian(1);
+    const PointChunks chunks(f.points(), indices.data(), count, weights.data());
+    for (size_t k = 0; k < f.models.size(); ++k)
+    {
+        const Model& model = f.models[k];
+        std::vector<double> expected(count, -1.);
+        chunks.leverages(all[0].kernels.residuals[f.kind].leverages, model.val, L.data(),
+                         expected.data());
+        double datum[MAX_COLUMNS], weight, error[Residual::MAX_COMPONENTS],
+            derivative[MAX_DERIVATIVE];
+        for (int i = 0; chunks.get(i, datum, weight); ++i)
+        {
+            const int components = residual.linearize(model, datum, error, derivative);
+            double sum = 0;
+            for (int c = 0; c < components; ++c)
+                for (int row = 0; row < numbers; ++row)
+                {
+                    double entry = 0;
+                    for (int col = 0; col <= row; ++col)
+                        entry += L[row * numbers + col] * derivative[c * numbers + col];
+                    sum += weight * entry * entry;
+                }
+            EXPECT_NEAR(sum, expected[i], 1e-9 * sum) << k << " " << i;
+        }
+        double sums[MAX_SUMS], first[MAX_SUMS];
+        for (size_t s = 0; s < all.size(); ++s)
+        {
+            const ResidualKernels& loops = all[s].kernels.residuals[f.kind];
+            std::vector<double> leverages(count, -1.);
+            chunks.leverages(loops.leverages, model.val, L.data(), leverages.data());
+            EXPECT_EQ(0, memcmp(expected.data(), leverages.data(), count * sizeof(double)))
+                << all[s].name;
+            chunks.sum(loops.sums, loops.count, model.val, s == 0 ? first : sums);
+            if (s > 0)
+            {
+                EXPECT_EQ(0, memcmp(first, sums, loops.count * sizeof(double))) << all[s].name;
+            }
+        }
+    }
+}
+
 INSTANTIATE_TEST_CASE_P(All, Usac_Scores_Kernels, testing::Range(0, (int)Errors::COUNT));
 
 //! Points with infinite or undefined (NaN) errors must be outliers.
