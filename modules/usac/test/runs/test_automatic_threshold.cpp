@@ -152,10 +152,12 @@ TEST_P(UsacAutomaticThreshold, manyPoints)
     EXPECT_NEAR(0.6, (double)countNonZero(mask) / scene.size(), 0.05);
 }
 
-//! Random matches must give no model, whether they are uniform or in clusters.
+//! Random matches must give no model, whether they are uniform or in clusters, except by chance in
+//! about one of a hundred cases.
 TEST_P(UsacAutomaticThreshold, randomMatches)
 {
-    const int SIZE = 300, REPEATS = 10;
+    const int SIZE = 300, REPEATS = 50;
+    int models = 0;
     for (int clusters = 0; clusters < 2; ++clusters)
         for (int run = 0; run < REPEATS; ++run)
         {
@@ -174,9 +176,10 @@ TEST_P(UsacAutomaticThreshold, randomMatches)
             Mat mask;
             const Mat model = estimatePoints((ProblemType)GetParam(), points[0], points[1],
                                              widest(4.5), mask, report);
-            EXPECT_TRUE(model.empty()) << run << ": " << report.describe();
-            EXPECT_EQ(0, countNonZero(mask));
+            models += !model.empty();
+            EXPECT_EQ(model.empty(), countNonZero(mask) == 0) << run << ": " << report.describe();
         }
+    EXPECT_LE(models, 2) << "of " << 2 * REPEATS;
 }
 
 //! If the noise cannot be estimated, the threshold must be a third of the given one.

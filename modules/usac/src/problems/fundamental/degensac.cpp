@@ -175,8 +175,13 @@ private:
         toFloat(H, m);
         kernelsOf<TransferError>().errors(p, m, 0, p.size, errors);
         onCount = offCount = 0;
-        for (int i = 0; i < p.size; ++i)
-            (errors[i] <= (float)most ? onPlane[onCount++] : offPlane[offCount++]) = i;
+        for (int i = 0; i < p.size; ++i)  // without branches, which would often be mispredicted
+        {
+            const bool on = errors[i] <= (float)most;
+            onPlane[onCount] = offPlane[offCount] = i;
+            onCount += on;
+            offCount += !on;
+        }
     }
 
     /** Repeats least squares over the points on the plane until their number stops growing, at most

@@ -35,7 +35,10 @@ constexpr double WORTH_A_FIT = 0.8;
 //! because the points on the plane decide between similar epipoles. An outlier costs 1.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
 //! Each step of a fit uses voters within this many thresholds. The first steps have wider limits,
-//! because a fit starts at the middle of a range of bins, which can be inaccurate.
+//! because a fit starts at the middle of a range of bins, which can be inaccurate. From the step
+//! FIRST_FINAL on (0 is the first one), the fit ends if a step lowers the cost by at most SETTLED.
+constexpr size_t FIRST_FINAL = 3;
+constexpr double SETTLED = 0.05;
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Two epipoles (as unit vectors) count as the same if the squared sine of the angle between them
 //! is below this value: a distance of about two to four bins.
@@ -127,7 +130,7 @@ bool smallestEigenvector(const Matx33d& M, Vec3d& e)
 }  // namespace
 
 PlaneParallax::PlaneParallax()
-    : H(Matx33d::zeros()), limit(0), numbers(0), stride(0), next(0), fitted(0)
+    : H(Matx33d::zeros()), limit(0), numbers(0), terms(0), stride(0), next(0), fitted(0)
 {}
 
 /* With y = H x1 and h1, h2 the first two columns of H, the squared Sampson error of F = [e]x H has
@@ -146,7 +149,10 @@ void PlaneParallax::setPlane(const Context& context, const int* offPlane, int co
     voters.gather(points, offPlane, count);
     stride = (size() + ARCS_BLOCK - 1) / ARCS_BLOCK * ARCS_BLOCK;
     if (!numbers)
+    {
         numbers = context.arena.take<float>((size_t)ARCS_ROWS * MAX_POINTS);
+        terms = context.arena.take<Terms>(MAX_POINTS);
+    }
     for (int k = 0; k < ARCS_ROWS; ++k)
         std::fill(numbers + (size_t)k * stride + size(), numbers + (size_t)(k + 1) * stride, 0.f);
     best = Quality();
@@ -162,13 +168,15 @@ void PlaneParallax::setPlane(const Context& context, const int* offPlane, int co
                                 h2.cross(x2)};
         for (int k = 0; k < 3; ++k)
             numbers[(size_t)(N0 + k) * stride + i] = (float)n[k];
-        for (int k = 0, at = G00; k < 3; ++k)
+        for (int k = 0, at = 0; k < 3; ++k)
             for (int j = k; j < 3; ++j, ++at)
             {
                 double sum = 0;
                 for (int f = 0; f < 4; ++f)
                     sum += forms[f][k] * forms[f][j];
-                numbers[(size_t)at * stride + i] = (float)(sum * limit);
+                numbers[(size_t)(G00 + at) * stride + i] = (float)(sum * limit);
+                terms[i].numerator[at] = n[k] * n[j];
+                terms[i].denominator[at] = sum;
             }
     }
 }
@@ -259,11 +267,14 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
             lastFit = e;
             ++fitted;
         }
+        const bool settled = step >= FIRST_FINAL && here.cost >= lowest.cost - SETTLED;
         if (here.betterThan(lowest))
         {
             lowest = here;
             candidate = F;
         }
+        if (settled)
+            break;
     }
     if (!(lowest.cost <= best.cost + WORTH_RATING))
         return;
@@ -291,25 +302,17 @@ bool PlaneParallax::fit(const Model& F, double width, int most, Vec3d& e) const
         for (uint64 word = within(errors + i, std::min(p.size - i, (int)WORD_BITS), widest);
              word && count < most; word &= word - 1)
             near[count++] = i + lowestOne(word);
-    const float* rows[ARCS_ROWS];
-    for (int k = 0; k < ARCS_ROWS; ++k)
-        rows[k] = number(k);
     double weights[6], sums[6] = {0};
     formWeights(e, e, weights);
     for (int j = 0; j < count; ++j)
     {
-        const int i = near[j];
-        double d = 0;
+        const Terms& t = terms[near[j]];
+        double denominator = 0;
         for (int k = 0; k < 6; ++k)
-            d += weights[k] * rows[G00 + k][i];
-        const double inverse = d > 0 ? 1 / d : 0, n0 = rows[N0][i], n1 = rows[N1][i],
-                     n2 = rows[N2][i], a = n0 * inverse, b = n1 * inverse;
-        sums[0] += a * n0;
-        sums[1] += a * n1;
-        sums[2] += a * n2;
-        sums[3] += b * n1;
-        sums[4] += b * n2;
-        sums[5] += n2 * n2 * inverse;
+            denominator += weights[k] * t.denominator[k];
+        const double inverse = denominator > 0 ? 1 / denominator : 0;
+        for (int k = 0; k < 6; ++k)
+            sums[k] += t.numerator[k] * inverse;
     }
     return smallestEigenvector(
         Matx33d(sums[0], sums[1], sums[2], sums[1], sums[3], sums[4], sums[2], sums[4], sums[5]),

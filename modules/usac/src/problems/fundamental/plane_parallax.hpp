@@ -79,7 +79,15 @@ private:
     Matx33d H;     //!< homography of the plane, of unit Frobenius norm
     double limit;  //!< squared threshold
     GatheredPoints<MAX_POINTS> voters;
+    //! Upper triangles of the symmetric matrices of the numerator and of the denominator of a
+    //! voter's squared error, row by row, see setPlane().
+    struct Terms
+    {
+        double numerator[6], denominator[6];
+    };
+
     float* numbers;  //!< ARCS_ROWS rows of `stride` numbers; memory for MAX_POINTS columns
+    Terms* terms;    //!< one element per voter; memory for MAX_POINTS elements
     int stride;      //!< size(), rounded up to a multiple of ARCS_BLOCK
     Quality best;    //!< quality, over the voters, of the model with the lowest cost so far
     Vec3d lastFit;   //!< the last epipole whose fit continued after two steps

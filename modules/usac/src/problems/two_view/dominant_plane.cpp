@@ -7,6 +7,7 @@
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/epipole.hpp"
 #include "problems/share_a_point.hpp"
+#include "numeric/bits.hpp"
 #include "problems/kernels.hpp"
 
 namespace cv {
@@ -59,11 +60,17 @@ bool DominantPlane::find(const Context& context, Rng& rng, const Model& F, doubl
     Matx33d A;
     count = 0;
     const double limit = context.inlierThreshold() * context.inlierThreshold();
-    for (int i = 0; i < p.size && count < MAX_INLIERS; ++i)
-        if (SampsonError::At<double>(F.val, p.exact[X1][i], p.exact[Y1][i], p.exact[X2][i],
-                                     p.exact[Y2][i])
-                .squared() <= limit)
-            members[count++] = i;
+    float m[9];
+    toFloat(F, m);
+    for (int first = 0; first < p.size && count < MAX_INLIERS; first += WORD_BITS)
+    {
+        float errors[WORD_BITS];
+        const int size = std::min(p.size - first, (int)WORD_BITS);
+        kernelsOf<SampsonError>().errors(p, m, first, first + size, errors);
+        for (uint64 word = within(errors, size, (float)limit); word && count < MAX_INLIERS;
+             word &= word - 1)
+            members[count++] = first + lowestOne(word);
+    }
     if (count < LEAST_INLIERS || !epipolar(F, e, A))
         return false;
     someInliers.gather(p, members, count);
