@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "components/sample_group.hpp"
 #include "components/streams.hpp"
 #include "loop/given_models.hpp"
 
@@ -35,6 +36,30 @@ Mat readNumbers(InputArray given, int size, const char* name)
     (list.isContinuous() ? list : list.clone()).reshape(1, size).convertTo(numbers, CV_64F);
     return numbers;
 }
+
+//! The START_MODELS models of the lowest losses, in ascending order of the loss.
+struct Starts
+{
+    Starts() { std::fill(losses, losses + START_MODELS, DBL_MAX); }
+
+    void offer(const Model& model, double loss)
+    {
+        int place = START_MODELS;
+        for (; place > 0 && loss < losses[place - 1]; --place)
+            if (place < START_MODELS)
+            {
+                losses[place] = losses[place - 1];
+                models[place] = models[place - 1];
+            }
+        if (place == START_MODELS)
+            return;
+        losses[place] = loss;
+        models[place] = model;
+    }
+
+    Model models[START_MODELS];
+    double losses[START_MODELS];  //!< DBL_MAX: there is no model
+};
 
 }  // namespace
 
@@ -176,45 +201,34 @@ bool GivenModels::begin(Model& model) const
     PointSubset part(points, size, scope);
     for (int k = 0; k < size; ++k)
         part.add(indices[k]);
-    Model starts[START_MODELS];
-    double losses[START_MODELS];
-    std::fill(losses, losses + START_MODELS, DBL_MAX);
-    for (int i = 0; i < (count > m ? START_SAMPLES : 1); ++i)
+    Starts starts;
+    const int samples = count > m ? START_SAMPLES : 1;
+    SampleGroup group;
+    for (int i = 0; i < samples; i += SampleGroup::SIZE)
     {
-        Rng rng(context.params.seed, streamOf(STREAM_FIT, i));
-        int sample[MAX_SAMPLE_SIZE];
-        rng.distinct(count, m, sample);
-        for (int k = 0; k < m; ++k)
-            sample[k] = indices[sample[k]];
-        Model models[MAX_MODELS];
-        const int found = minimal.solve(context.points, sample, models);
-        for (int k = 0; k < found; ++k)
+        const int number = std::min<int>(samples - i, SampleGroup::SIZE);
+        for (int j = 0; j < number; ++j)
         {
-            const double loss = lossOf(part, models[k]);
-            int place = START_MODELS;
-            for (; place > 0 && loss < losses[place - 1]; --place)
-                if (place < START_MODELS)
-                {
-                    losses[place] = losses[place - 1];
-                    starts[place] = starts[place - 1];
-                }
-            if (place < START_MODELS)
-            {
-                losses[place] = loss;
-                starts[place] = models[k];
-            }
+            int* const sample = group.samples[j];
+            Rng(context.params.seed, streamOf(STREAM_FIT, i + j)).distinct(count, m, sample);
+            for (int k = 0; k < m; ++k)
+                sample[k] = indices[sample[k]];
         }
+        group.solve(minimal, context.points, number);
+        for (int j = 0; j < number; ++j)
+            for (int k = 0; k < group.found[j]; ++k)
+                starts.offer(group.models[j][k], lossOf(part, group.models[j][k]));
     }
     double least = DBL_MAX;
-    for (int i = 0; i < START_MODELS && losses[i] < DBL_MAX; ++i)
+    for (int i = 0; i < START_MODELS && starts.losses[i] < DBL_MAX; ++i)
     {
-        if (!leastSquares(size, starts[i]))
+        if (!leastSquares(size, starts.models[i]))
             continue;
-        const double loss = lossOf(part, starts[i]);
+        const double loss = lossOf(part, starts.models[i]);
         if (!(loss < least))
             continue;
         least = loss;
-        model = starts[i];
+        model = starts.models[i];
     }
     return least < DBL_MAX;
 }

@@ -4,6 +4,7 @@
 
 #include "precomp.hpp"
 #include "opencv2/usac/problem.hpp"
+#include "components/sample_group.hpp"
 #include "components/streams.hpp"
 #include "residual/normal_equations.hpp"
 #include "polishing/leverage.hpp"
@@ -216,28 +217,25 @@ bool Leverage::sampled(const Points& points, int first, Model& model) const
 {
     const int m = parts.minimalSolver->sampleSize();
     double least = DBL_MAX;
-    int samples[STARTS][MAX_SAMPLE_SIZE], found[STARTS];
-    Model models[STARTS][MAX_MODELS];
-    const int* drawn[STARTS];
-    Model* solved[STARTS];
+    SampleGroup group;
+    CV_StaticAssert((int)STARTS <= (int)SampleGroup::SIZE, "the samples are solved together");
     for (int i = 0; i < STARTS; ++i)
     {
         Rng rng(context.params.seed, streamOf(STREAM_LEVERAGE, 1 + first + i));
-        rng.distinct(points.count, m, samples[i]);
+        int* const sample = group.samples[i];
+        rng.distinct(points.count, m, sample);
         for (int k = 0; k < m; ++k)
-            samples[i][k] = points.indices[samples[i][k]];
-        drawn[i] = samples[i];
-        solved[i] = models[i];
+            sample[k] = points.indices[sample[k]];
     }
-    parts.minimalSolver->solveMany(search.points, drawn, STARTS, solved, found);
+    group.solve(*parts.minimalSolver, search.points, STARTS);
     for (int i = 0; i < STARTS; ++i)
-        for (int k = 0; k < found[i]; ++k)
+        for (int k = 0; k < group.found[i]; ++k)
         {
-            const double sum = sumOf(points, models[i][k]);
+            const double sum = sumOf(points, group.models[i][k]);
             if (!(sum < least))
                 continue;
             least = sum;
-            model = models[i][k];
+            model = group.models[i][k];
         }
     return least < DBL_MAX;
 }

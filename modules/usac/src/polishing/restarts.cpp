@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "polishing/restarts.hpp"
 #include "numeric/selection.hpp"
+#include "components/sample_group.hpp"
 #include "components/streams.hpp"
 
 namespace cv {
@@ -29,6 +30,11 @@ constexpr double UNLIKELY = 0.1;
 //! begin() accepts a model only if its loss is so low that a model of random points has such a low
 //! loss with at most this probability.
 constexpr double CHANCE = 1e-6;
+//! A fit that starts from a sample ends if the errors after one of its first FIRST_STEPS steps
+//! differ from those of the known minimum, on average, by at most the fraction SAME: it would only
+//! lead to this minimum. Fits that lead to another minimum differ by more than ten times as much.
+constexpr int FIRST_STEPS = 2;
+constexpr double SAME = 0.1;
 //! Maximum increase of the loss by an additional point, per component of its error and in units of
 //! the inliers' loss per degree of freedom. If ten degrees of freedom are left, the increase
 //! exceeds 8 for one right point in a hundred.
@@ -62,21 +68,36 @@ void Restarts::improve(Model& model, Quality& quality)
 void Restarts::restartInliers(Model& model, Quality& quality)
 {
     Model here = model;
-    if (fit(count, here))
+    double known[MOST + 1];
+    const bool fitted = fit(count, here);
+    if (fitted)
+    {
+        errorsOf(here, count, known);
         accept(here, count, CLEAR * loss, model, quality);
-    for (int i = 0; i < (count > m ? RESTARTS : 1) && !context.stop(); ++i)
-        restart(i, count, model, quality);
+    }
+    const int end = count > m ? RESTARTS : 1;
+    for (int i = 0; i < end;)
+        restart(i, end, count, fitted ? known : 0, model, quality);
 }
 
 void Restarts::restartOutside(Model& model, Quality& quality)
 {
     if (context.points.size - all > NEXT)
         return;
-    for (int i = 0; i < outside * RESTARTS_OUTSIDE && !context.stop(); ++i)
+    for (int i = 0; i < outside * RESTARTS_OUTSIDE;)
     {
-        members[count] = next[i / RESTARTS_OUTSIDE];
-        if (restart(RESTARTS + i, count + 1, model, quality))
+        const int other = i / RESTARTS_OUTSIDE;
+        members[count] = next[other];
+        Model here = model;
+        double known[MOST + 1];
+        const bool fitted = fit(count + 1, here);
+        if (fitted)
+            errorsOf(here, count + 1, known);
+        int index = RESTARTS + i;
+        if (restart(index, RESTARTS + (other + 1) * RESTARTS_OUTSIDE, count + 1, fitted ? known : 0,
+                    model, quality))
             look(model);
+        i = index - RESTARTS;
     }
 }
 
@@ -106,8 +127,8 @@ bool Restarts::begin(Model& model, Quality& quality)
                                  2. / p.problem->errorDimension());
     loss = count * std::min(part, 1.);
     bool found = false;
-    for (int i = 0; i < RESTARTS && !context.stop(); ++i)
-        found |= restart(i, count, model, quality);
+    for (int i = 0; i < RESTARTS;)
+        found |= restart(i, RESTARTS, count, 0, model, quality);
     return found;
 }
 
@@ -155,17 +176,46 @@ bool Restarts::look(const Model& model)
     return true;
 }
 
-bool Restarts::restart(int index, int size, Model& model, Quality& quality)
+bool Restarts::restart(int& index, int end, int size, const double* known, Model& model,
+                       Quality& quality)
+{
+    SampleGroup group;
+    while (index < end)
+    {
+        const int number = std::min<int>(end - index, SampleGroup::SIZE);
+        for (int i = 0; i < number; ++i)
+            draw(index + i, size, group.samples[i]);
+        group.solve(*parts.minimalSolver, search.points, number);
+        for (int i = 0; i < number; ++i)
+        {
+            if (context.stop())
+            {
+                index = end;
+                return false;
+            }
+            ++index;
+            if (tryModels(group.samples[i], group.models[i], group.found[i], size, known, model,
+                          quality))
+                return true;
+        }
+    }
+    return false;
+}
+
+void Restarts::draw(int index, int size, int* sample) const
 {
     Rng rng(context.params.seed, streamOf(STREAM_RESTARTS, 1 + index));
-    int places[MAX_SAMPLE_SIZE], sample[MAX_SAMPLE_SIZE];
+    int places[MAX_SAMPLE_SIZE];
     rng.distinct(count, m, places);
     if (size > count)
         places[0] = count;
     for (int k = 0; k < m; ++k)
         sample[k] = members[places[k]];
-    Model models[MAX_MODELS];
-    const int found = parts.minimalSolver->solve(search.points, sample, models);
+}
+
+bool Restarts::tryModels(const int* sample, Model* models, int found, int size, const double* known,
+                         Model& model, Quality& quality)
+{
     int best[2] = {-1, -1};  // best model that the checks reject, and best model that the checks
                              // accept
     double least[2] = {DBL_MAX, DBL_MAX};
@@ -183,10 +233,29 @@ bool Restarts::restart(int index, int size, Model& model, Quality& quality)
     const double before = loss + size - count;
     bool better = false;
     for (int valid = 0; valid < 2; ++valid)
-        if (best[valid] >= 0 && (fit(size, models[best[valid]]) || size == m))
+        if (best[valid] >= 0 && fitOther(size, known, models[best[valid]]))
             better |= accept(models[best[valid]], size, (valid ? CLEAR : refused) * before, model,
                              quality);
     return better;
+}
+
+bool Restarts::fitOther(int size, const double* known, Model& model) const
+{
+    for (int step = 0; known && step < FIRST_STEPS; ++step)
+    {
+        if (!fit(size, model, 1))
+            return size == m;
+        double errors[MOST + 1], sum = 0, difference = 0;
+        errorsOf(model, size, errors);
+        for (int k = 0; k < size; ++k)
+        {
+            sum += known[k];
+            difference += std::abs(errors[k] - known[k]);
+        }
+        if (difference <= SAME * sum)
+            return false;
+    }
+    return fit(size, model) || size == m;
 }
 
 bool Restarts::isValid(const int* sample, const Model& model) const
@@ -214,26 +283,35 @@ int Restarts::freedom(int size) const
     return problem.errorDimension() * size - problem.dimension();
 }
 
+void Restarts::errorsOf(const Model& model, int size, double* errors) const
+{
+    double columns[MAX_COLUMNS][MOST + 1];
+    const double* column[MAX_COLUMNS];
+    for (int c = 0; c < context.points.numbers(); ++c)
+    {
+        for (int k = 0; k < size; ++k)
+            columns[c][k] = context.points.exact[c][members[k]];
+        column[c] = columns[c];
+    }
+    parts.residual->squaredErrors(model, column, size, errors);
+}
+
 double Restarts::lossOf(const Model& model, int size) const
 {
     const double scale = 1 / (context.points.threshold * context.points.threshold);
-    double sum = 0;
+    double errors[MOST + 1], sum = 0;
+    errorsOf(model, size, errors);
     for (int k = 0; k < size; ++k)
     {
-        const double* column[MAX_COLUMNS];
-        for (int c = 0; c < context.points.numbers(); ++c)
-            column[c] = context.points.exact[c] + members[k];
-        double error;
-        parts.residual->squaredErrors(model, column, 1, &error);
-        const double part = error * scale;
+        const double part = errors[k] * scale;
         sum += part < 1 ? part : 1;  // NaN counts as 1
     }
     return sum;
 }
 
-bool Restarts::fit(int size, Model& model) const
+bool Restarts::fit(int size, Model& model, int steps) const
 {
-    return parts.nonMinimalSolver->fit(context.points, members, size, 0, model, STEPS);
+    return parts.nonMinimalSolver->fit(context.points, members, size, 0, model, steps);
 }
 
 bool Restarts::accept(const Model& fitted, int size, double limit, Model& model, Quality& quality)

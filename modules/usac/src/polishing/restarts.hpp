@@ -72,10 +72,23 @@ private:
     void restartOutside(Model& model, Quality& quality);
     //! Fits the inliers together with one outlier at a time, starting from the model.
     void extendInliers(Model& model, Quality& quality);
-    //! Least squares over the first `size` members, starting from the best models of a sample of
-    //! these members. If an outlier is among them, the sample contains it. `index`, the number of
-    //! the sample, selects the random numbers. @return true if the model was replaced
-    bool restart(int index, int size, Model& model, Quality& quality);
+    //! Tries samples of the first `size` members in turn until one of them has replaced the model.
+    //! @param index, end input: numbers of the first sample and of the one after the last sample,
+    //! which select the random numbers; output: `index` is the number of the next sample
+    //! @param known squared errors of the members at a minimum that is already known; may be null
+    //! @return true if the model was replaced
+    bool restart(int& index, int end, int size, const double* known, Model& model,
+                 Quality& quality);
+    //! Draws a sample of the first `size` members. If an outlier is among them, the sample contains
+    //! it.
+    void draw(int index, int size, int* sample) const;
+    //! Least squares over the first `size` members, starting from the best of the `found` models of
+    //! a sample. @return true if the model was replaced
+    bool tryModels(const int* sample, Model* models, int found, int size, const double* known,
+                   Model& model, Quality& quality);
+    //! Least squares over the first `size` members, starting from `model`. False if the fit fails
+    //! or leads to the known minimum.
+    bool fitOther(int size, const double* known, Model& model) const;
     //! True if the degeneracy checks accept a sample and its model.
     bool isValid(const int* sample, const Model& model) const;
     //! Least squares over the inliers and one outlier, starting from the model; only for errors
@@ -83,12 +96,14 @@ private:
     bool extend(int outside, Model& model, Quality& quality);
     //! Degrees of freedom that are left after a fit to `size` points.
     int freedom(int size) const;
+    //! Squared errors of the first `size` members.
+    void errorsOf(const Model& model, int size, double* errors) const;
     //! The loss of a model: the sum of the squared errors of the first `size` members, in squared
     //! thresholds, each capped at 1.
     double lossOf(const Model& model, int size) const;
     //! Least squares over the first `size` members, starting from `model`. @return false if the
     //! members do not determine a model
-    bool fit(int size, Model& model) const;
+    bool fit(int size, Model& model, int steps = STEPS) const;
     //! Polishes a fit. The result replaces the model if the loss of the fit, before and after
     //! polishing, is below `limit`, the checks accept the result, and its cost is not higher than
     //! that of the model. @return true if the model was replaced

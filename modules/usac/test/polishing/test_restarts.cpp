@@ -153,5 +153,55 @@ TEST(Usac_Restarts, manyInliersStay)
     EXPECT_GT(result.after.inliers, 40);
 }
 
+//! Counts fits with more than one step.
+class CountedFits : public NonMinimalSolver
+{
+public:
+    explicit CountedFits(const Ptr<NonMinimalSolver>& solver_) : fits(0), solver(solver_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
+    {
+        fits += iterations > 1;
+        return solver->fit(points, indices, count, weights, model, iterations);
+    }
+
+    mutable int fits;
+
+private:
+    const Ptr<NonMinimalSolver> solver;
+};
+
+//! If the inliers have only one minimum, the fits from 16 samples of inliers lead to it. Most of
+//! them must end after their first steps.
+TEST(Usac_Restarts, endNearTheKnownMinimum)
+{
+    int fits = 0;
+    const int SCENES = 20;
+    for (uint64 seed = 1; seed <= SCENES; ++seed)
+    {
+        SceneOptions options;
+        options.seed = seed;
+        options.inliers = 25;
+        options.outliers = 15;
+        options.noise = 0.5;
+        const Scene scene = makeScene(HOMOGRAPHY, options);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        Components parts = usac->components();
+        const Ptr<CountedFits> solver = makePtr<CountedFits>(parts.nonMinimalSolver);
+        parts.nonMinimalSolver = solver;
+        const Params params;
+        const RunContext run(usac->points(), parts, params);
+        const Context& context = run;
+        State state;
+        Model model = toInternal(usac->points(), scene.model);
+        Quality quality = context.rate(model);
+        Restarts(context, context, state).improve(model, quality);
+        fits += solver->fits;
+    }
+    EXPECT_GE(fits, SCENES) << "the inliers are fitted from the model";
+    EXPECT_LE(fits, 12 * SCENES) << "21 if no fit ends early; 5 of them start from the model";
+}
+
 }
 }  // namespace

@@ -35,9 +35,8 @@ constexpr double WORTH_A_FIT = 0.8;
 //! because the points on the plane decide between similar epipoles. An outlier costs 1.
 constexpr double GOES_ON = 8, WORTH_RATING = 3;
 //! Each step of a fit uses voters within this many thresholds. The first steps have wider limits,
-//! because a fit starts at the middle of a range of bins, which can be inaccurate. From the step
-//! FIRST_FINAL on (0 is the first one), the fit ends if a step lowers the cost by at most SETTLED.
-constexpr size_t FIRST_FINAL = 3;
+//! because a fit starts at the middle of a range of bins, which can be inaccurate. After the first
+//! two steps, the fit ends when a step lowers the cost by at most SETTLED (an outlier costs 1).
 constexpr double SETTLED = 0.05;
 constexpr double WIDTHS[] = {2, 2, 1.5, 1, 1, 1};
 //! Two epipoles (as unit vectors) count as the same if the squared sine of the angle between them
@@ -267,7 +266,7 @@ void PlaneParallax::refine(const Context& context, Vec3d e, Model& model, Qualit
             lastFit = e;
             ++fitted;
         }
-        const bool settled = step >= FIRST_FINAL && here.cost >= lowest.cost - SETTLED;
+        const bool settled = step > 1 && here.cost >= lowest.cost - SETTLED;
         if (here.betterThan(lowest))
         {
             lowest = here;
