@@ -8,61 +8,72 @@
 namespace cv {
 namespace usacv20 {
 
-PointChunks::PointChunks(const Correspondences& points, const int* indices, int count,
-                         const double* weights, Arena* arena)
-    : size(count), chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK),
-      columns(points.noise == 1 ? points.columns() : points.numbers()),
-      stride(columns + (points.noise == 1 ? 3 : 1)), scope(arena ? *arena : own), rows(few)
+PointChunks::PointChunks(const Correspondences& points_, const int* indices_, int count,
+                         const double* weights_, Arena* arena)
+    : points(points_), indices(indices_), weights(weights_), size(count),
+      chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK),
+      columns(points_.noise == 1 ? points_.columns() : points_.numbers()),
+      stride(columns + (points_.noise == 1 ? 3 : 1)), scope(arena ? *arena : own), rows(few)
 {
     CV_DbgAssert(count > 0);
+    if (chunks * stride > STORED_ROWS)
+    {
+        rows = 0;
+        return;
+    }
     if (chunks * stride > LOCAL_ROWS)
         rows = scope.take<Row>((size_t)chunks * stride);
+    for (int c = 0; c < chunks; ++c)
+        copy(c, rows + c * stride);
+}
+
+const PointChunks::Row* PointChunks::chunk(int index, Row* memory) const
+{
+    if (rows)
+        return rows + index * stride;
+    copy(index, memory);
+    return memory;
+}
+
+void PointChunks::copy(int index, Row* chunk) const
+{
+    const int first = index * SUMS_CHUNK, here = std::min(size - first, SUMS_CHUNK);
     if (columns == TWO_VIEW_ROWS - 1)
-        gather(points, indices, weights, std::integral_constant<int, TWO_VIEW_ROWS - 1>());
+        gather(first, here, std::integral_constant<int, TWO_VIEW_ROWS - 1>(), chunk);
     else
-        gather(points, indices, weights, columns);
+        gather(first, here, columns, chunk);
     if (points.noise == 1)
-        weigh(points.exact[columns], indices);
+        weigh(first, here, chunk);
 }
 
 //! @param width number of columns; for two views, a std::integral_constant, so that the compiler
 //! knows the number
 template <class Width>
-void PointChunks::gather(const Correspondences& points, const int* indices, const double* weights,
-                         Width width)
+void PointChunks::gather(int first, int here, Width width, Row* chunk) const
 {
-    for (int c = 0; c < chunks; ++c)
+    for (int k = 0; k < here; ++k)
     {
-        Row* const chunk = rows + c * stride;
-        const int first = c * SUMS_CHUNK, here = std::min(size - first, SUMS_CHUNK);
-        for (int k = 0; k < here; ++k)
-        {
-            const int i = indices[first + k];
-            for (int column = 0; column < width; ++column)
-                chunk[column][k] = points.exact[column][i];
-            chunk[width][k] = weights ? weights[first + k] : 1;
-        }
-        for (int row = 0; row <= width; ++row)  // pads with copies of the last point, of weight 0
-            std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK,
-                      row < width ? chunk[row][here - 1] : 0.);
+        const int i = indices[first + k];
+        for (int column = 0; column < width; ++column)
+            chunk[column][k] = points.exact[column][i];
+        chunk[width][k] = weights ? weights[first + k] : 1;
     }
+    for (int row = 0; row <= width; ++row)  // pads with copies of the last point, of weight 0
+        std::fill(chunk[row] + here, chunk[row] + SUMS_CHUNK,
+                  row < width ? chunk[row][here - 1] : 0.);
 }
 
 //! Replaces the weights by their products with the squared factors of the errors. Two more rows of
-//! each chunk keep the factors and the original weights.
-void PointChunks::weigh(const double* factors, const int* indices)
+//! the chunk keep the factors and the original weights.
+void PointChunks::weigh(int first, int here, Row* chunk) const
 {
-    for (int c = 0; c < chunks; ++c)
+    Row* const weight = chunk + columns;
+    for (int k = 0; k < here; ++k)
     {
-        double(*const weights)[SUMS_CHUNK] = rows + c * stride + columns;
-        const int first = c * SUMS_CHUNK, here = std::min(size - first, SUMS_CHUNK);
-        for (int k = 0; k < here; ++k)
-        {
-            const double factor = factors[indices[first + k]];
-            weights[1][k] = factor;
-            weights[2][k] = weights[0][k];
-            weights[0][k] *= factor * factor;
-        }
+        const double factor = points.exact[columns][indices[first + k]];
+        weight[1][k] = factor;
+        weight[2][k] = weight[0][k];
+        weight[0][k] *= factor * factor;
     }
 }
 
@@ -70,13 +81,10 @@ bool PointChunks::get(int index, double* datum, double& weight) const
 {
     if (index >= size)
         return false;
-    const Row* const chunk = rows + index / SUMS_CHUNK * stride;
-    const int k = index % SUMS_CHUNK;
-    for (int column = 0; column < columns; ++column)
-        datum[column] = chunk[column][k];
-    if (stride > columns + 1)
-        datum[columns] = chunk[columns + 1][k];
-    weight = chunk[stride - 1][k];
+    const int i = indices[index];
+    for (int column = 0; column < columns + (points.noise == 1); ++column)
+        datum[column] = points.exact[column][i];
+    weight = weights ? weights[index] : 1;
     return true;
 }
 
@@ -102,8 +110,9 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, double*
     double lanes[MAX_SUMS][SUMS_LANES];
     std::memcpy(lanes, zeros,
                 count * sizeof(lanes[0]));  // std::fill would be compiled to a slow instruction
+    Row memory[MAX_ROWS];
     for (int c = 0; c < chunks; ++c)
-        kernel(rows + c * stride, model, lanes);
+        kernel(chunk(c, memory), model, lanes);
     for (int i = 0; i < count; ++i)
         sums[i] = sumOfLanes(lanes[i]);
 }
@@ -111,10 +120,11 @@ void PointChunks::sum(SumsKernel kernel, int count, const double* model, double*
 void PointChunks::leverages(LeverageKernel kernel, const double* model, const double* L,
                             double* result) const
 {
+    Row memory[MAX_ROWS];
     for (int c = 0; c < chunks; ++c)
     {
         double here[SUMS_CHUNK];
-        kernel(rows + c * stride, model, L, here);
+        kernel(chunk(c, memory), model, L, here);
         const int first = c * SUMS_CHUNK;
         std::copy(here, here + std::min(size - first, SUMS_CHUNK), result + first);
     }

@@ -12,16 +12,18 @@
 namespace cv {
 namespace usacv20 {
 
-/** The points of a fit and their weights, copied to chunks in the layout that a SumsKernel expects.
-They are copied only once for all steps of the fit. */
+/** The points of a fit and their weights, in the layout that a SumsKernel expects. The points are
+copied to this layout once for all steps of the fit or, if there are too many of them for the
+caches, again and again, one chunk at a time. */
 class PointChunks
 {
 public:
-    //! @param indices, count indices of the points, and the number of indices, at least 1
-    //! @param weights a weight for each index; null: all weights are 1
+    //! @param indices_, count indices of the points, and the number of indices, at least 1
+    //! @param weights_ a weight for each index; null: all weights are 1
     //! @param arena provides the memory for more than a few points; null: the heap is used
-    PointChunks(const Correspondences& points, const int* indices, int count, const double* weights,
-                Arena* arena = 0);
+    //! The object keeps references to all arguments.
+    PointChunks(const Correspondences& points_, const int* indices_, int count,
+                const double* weights_, Arena* arena = 0);
 
     //! Computes the first `count` sums of a kernel over all chunks. If there are factors of the
     //! errors (see Correspondences::noise), the weights are multiplied by the squared factors.
@@ -40,20 +42,33 @@ public:
 
 private:
     typedef double Row[SUMS_CHUNK];
-    enum { TWO_VIEW_ROWS = 5, LOCAL_ROWS = 16 * TWO_VIEW_ROWS };
+    //! TWO_VIEW_ROWS: rows of a chunk of points of two images. MAX_ROWS: most rows of a chunk.
+    //! LOCAL_ROWS, STORED_ROWS: maximum numbers of rows in `few` and in other memory.
+    enum {
+        TWO_VIEW_ROWS = 5,
+        MAX_ROWS = MAX_COLUMNS + 3,
+        LOCAL_ROWS = 16 * TWO_VIEW_ROWS,
+        STORED_ROWS = 256 * TWO_VIEW_ROWS
+    };
 
+    //! A chunk. @param memory MAX_ROWS rows, which are used if the chunks are not stored
+    const Row* chunk(int index, Row* memory) const;
+    //! Copies the points of a chunk.
+    void copy(int index, Row* chunk) const;
     template <class Width>
-    void gather(const Correspondences& points, const int* indices, const double* weights,
-                Width width);
-    void weigh(const double* factors, const int* indices);
+    void gather(int first, int here, Width width, Row* chunk) const;
+    void weigh(int first, int here, Row* chunk) const;
 
+    const Correspondences& points;
+    const int* const indices;
+    const double* const weights;  //!< null: all weights are 1
     const int size, chunks;
     const int columns;  //!< numbers of a point, without the factor of the error
     const int stride;   //!< rows of a chunk
     Arena own;          //!< used if the caller has no arena
     Arena::Scope scope;
     Row* rows;  //!< each chunk: the columns and the weights; if errors have factors, two more
-                //!< rows: the factors, and the weights without the factors
+                //!< rows: the factors, and the weights without the factors. Null: not stored
     Row few[LOCAL_ROWS];  //!< memory of `rows` if there are only a few points
 
     PointChunks(const PointChunks&);
