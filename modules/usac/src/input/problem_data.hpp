@@ -66,11 +66,10 @@ public:
     //! and 0 otherwise. The model is in the coordinates of Problem::toModelCoordinates. If `image`
     //! is true, the original image points are used.
     //! @return number of inliers.
-    int mask(const Residual& residual, const Model& model, bool image, uchar* mask,
-             Arena& arena) const;
+    int mask(const Residual& residual, const Model& model, bool image, uchar* mask) const;
     //! The errors of all of the caller's rows, in the unit of Params::threshold, not squared;
     //! mask() compares them with threshold().
-    void errors(const Residual& residual, const Model& model, bool image, double* errors) const;
+    void errors(const Residual& residual, const Model& model, bool image, double* distances) const;
     //! The threshold of the mask, in the coordinates of points().
     double maskThreshold() const { return inputThreshold * view.frame[1].scale; }
     /** Fills the fields of a report that describe the mask, except Report::inliers, which must be
@@ -91,6 +90,9 @@ private:
     bool usableRow(int row) const;
     void scale(const Params& params, Arena& arena);
     void scaleColumn(int k, double shift, double factor);
+    //! The same as the public errors() for `count` rows, beginning with the row `first`.
+    void errors(const Residual& residual, const Model& model, bool image, int first, int count,
+                double* distances) const;
     void shuffle(const Params& params, Arena& arena);
     void keepImage(const Params& params, Arena& arena);
     void shuffleImage(Arena& arena);

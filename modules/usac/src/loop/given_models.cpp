@@ -264,8 +264,8 @@ Mat GivenModels::give(State& state, OutputArray mask, Report* report)
     if (found && problem.toInput(state.best, context.points, model))
     {
         result = problem.toOutput(model);
-        learned.inliers = data.mask(*residual, modelOfMask(problem, result, model), asSeen, inliers,
-                                    context.arena);
+        learned.inliers = data.mask(*residual, modelOfMask(problem, result, model), asSeen,
+                                    inliers);
         learned.cost = costOf(state.best);
     }
     else if (found)

@@ -395,7 +395,7 @@ private:
                 result = problem->toOutput(model);
                 const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
                 learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model),
-                                            !imageResidual.empty(), inliers, arena);
+                                            !imageResidual.empty(), inliers);
                 if (learned.inliers == 0 && data.reach() <= params.reach)
                     result.release();
             }

@@ -146,18 +146,14 @@ bool Leverage::convinces(const Model& fitted, const Model& model, const Points& 
 bool Leverage::look(const Model& model)
 {
     const Correspondences& p = context.points;
-    parts.residual->squaredErrors(p, model, 0, p.size, errors);
-    all = inliers.count = 0;
-    for (int i = 0; i < p.size; ++i)
-    {
-        if (!(errors[i] <= (float)limit))  // NaN is not an inlier
-            continue;
-        ++all;
-        if (inliers.count == MOST)
-            continue;
-        inliers.indices[inliers.count++] = i;
-        looked = i + 1;
-    }
+    all = inliersOf(model);
+    inliers.count = 0;
+    for (int i = 0; i < p.size && inliers.count < MOST; ++i)
+        if (errors[i] <= (float)limit)  // NaN is not an inlier
+        {
+            inliers.indices[inliers.count++] = i;
+            looked = i + 1;
+        }
     if (BULK * inliers.count < 2 * p.problem->dimension() || all == p.size)
         return false;
     return surpriseOf(1) <= byChance();

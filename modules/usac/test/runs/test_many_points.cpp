@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "input/problem_data.hpp"
 #include "support/contracts.hpp"
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
@@ -84,23 +85,33 @@ TEST_P(UsacManyPoints, sameBitsForAnyNumberOfThreadsAndAgain)
 }
 
 //! The caller's points can be sorted, or in the order of image rows as from dense matchers. The
-//! search uses only the first points of the internal order, which must therefore be random.
+//! search uses only the first SEARCHED points of the internal order, which must therefore be a
+//! random sample; polishing uses longer first parts, which must be random samples of runs of rows.
 TEST(Usac_ManyPoints, areInRandomOrder)
 {
+    const int RUN = 16, SIZE = 8 * MANY, PARTS = 16;
     const Scene scene = makeScene(HOMOGRAPHY, SceneOptions());
     const Mat one1 = column(scene.points1), one2 = column(scene.points2);
     Mat points1, points2;
-    repeat(one1, MANY / one1.rows + 1, 1, points1);
-    repeat(one2, MANY / one2.rows + 1, 1, points2);
+    repeat(one1, SIZE / one1.rows + 1, 1, points1);
+    repeat(one2, SIZE / one2.rows + 1, 1, points2);
     const Ptr<Usac> usac = Usac::create(HOMOGRAPHY, points1, points2, Params());
     const Correspondences& p = usac->points();
-    const int PARTS = 16, part = p.size / PARTS;
-    for (int k = 0; k < PARTS; ++k)
+    std::vector<uchar> seen(p.size, 0);
+    for (int i = 0; i < p.size; ++i)
+        ++seen[p.inputIndex[i]];
+    EXPECT_EQ(p.size, std::count(seen.begin(), seen.end(), 1));
+    const int searched = ProblemData::SEARCHED;
+    ASSERT_GT(p.size, 4 * searched);
+    for (int k = 0; k < 2 * PARTS; ++k)  // parts of the points of the search, then of the others
     {
+        const int all = k < PARTS ? searched : p.size - searched, part = all / PARTS,
+                  begin = (k < PARTS ? 0 : searched) + k % PARTS * part;
         double mean = 0;
-        for (int i = k * part; i < (k + 1) * part; ++i)
+        for (int i = begin; i < begin + part; ++i)
             mean += (double)p.inputIndex[i] / p.size / part;
-        EXPECT_NEAR(0.5, mean, 5 * std::sqrt(1. / 12 / part)) << k;  // five standard deviations
+        const int drawn = k < PARTS ? part : part / RUN;              // number of independent draws
+        EXPECT_NEAR(0.5, mean, 5 * std::sqrt(1. / 12 / drawn)) << k;  // five standard deviations
     }
 }
 
