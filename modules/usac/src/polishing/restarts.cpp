@@ -84,7 +84,7 @@ void Restarts::restartOutside(Model& model, Quality& quality)
 {
     if (context.points.size - all > NEXT)
         return;
-    for (int i = 0; i < outside * RESTARTS_OUTSIDE;)
+    for (int i = 0; i < outside * RESTARTS_OUTSIDE && !context.stop();)
     {
         const int other = i / RESTARTS_OUTSIDE;
         members[count] = next[other];

@@ -123,7 +123,7 @@ public:
                                                 i + 1 < steps ? 1 : LAST))
                 return;
             if (i + 1 < steps)
-                lengthen(before, degrees, model);
+                lengthen(before, degrees, context.components.residual->homogeneous(), model);
         }
     }
 
@@ -193,12 +193,23 @@ private:
     x. The step is lengthened by the ratio of the sums of w and of the curvature over all directions
     of the errors, at most to twice its length, up to which the loss does not increase. The result
     fulfills the constraints of the model only to first order. */
-    void lengthen(const Model& before, int degrees, Model& model) const
+    void lengthen(const Model& before, int degrees, bool homogeneous, Model& model) const
     {
         const double curvature = std::max(sumOfWeights - lostCurvature / degrees, sumOfWeights / 2),
                      further = sumOfWeights / curvature - 1;
+        double scale = 1;  // a fit can change the scale and the sign of a homogeneous model
+        if (homogeneous)
+        {
+            double product = 0, square = 0;
+            for (int k = 0; k < model.size(); ++k)
+            {
+                product += model.val[k] * before.val[k];
+                square += before.val[k] * before.val[k];
+            }
+            scale = square > 0 ? product / square : 0;
+        }
         for (int k = 0; k < model.size(); ++k)
-            model.val[k] += further * (model.val[k] - before.val[k]);
+            model.val[k] += further * (model.val[k] - scale * before.val[k]);
     }
 
     // The following members are valid only during polish().

@@ -129,6 +129,50 @@ TEST(Usac_Polishing, robustEndsWhenFurtherStepsChangeLittle)
     EXPECT_GE(fits, 20);
 }
 
+//! A fit whose result has another scale and sign than its initial model.
+class RescalingSolver : public NonMinimalSolver
+{
+public:
+    explicit RescalingSolver(const Ptr<NonMinimalSolver>& solver_) : solver(solver_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int iterations) const CV_OVERRIDE
+    {
+        const bool fitted = solver->fit(points, indices, count, weights, model, iterations);
+        model = Matx33d(model) * -3;
+        return fitted;
+    }
+
+private:
+    const Ptr<NonMinimalSolver> solver;
+};
+
+//! Robust polishing takes longer steps than the fits. Scale and sign of a homogeneous model must
+//! not matter for this.
+TEST(Usac_Polishing, robustWithAnyScaleOfTheFit)
+{
+    for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL})
+    {
+        SceneOptions options;
+        options.noise = 0.5;
+        const Scene scene = makeScene(problem, options);
+        const Ptr<Usac> usac = createUsac(scene, Params());
+        Components parts = usac->components();
+        Params params;
+        Model models[2];
+        for (int k = 0; k < 2; ++k)
+        {
+            const RunContext run(usac->points(), parts, params);
+            models[k] = toInternal(usac->points(), scene.model);
+            createRobustPolisher()->polish(run, models[k]);
+            parts.nonMinimalSolver = makePtr<RescalingSolver>(parts.nonMinimalSolver);
+        }
+        EXPECT_LT(modelDistance(normalized(models[0]), normalized(models[1])), 1e-9) << problem;
+        EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), normalized(models[0])),
+                  1e-5);
+    }
+}
+
 //! Without points near the model, a polisher must not change the model.
 TEST(Usac_Polishing, nothingNear)
 {
