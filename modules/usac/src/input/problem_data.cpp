@@ -44,6 +44,14 @@ bool allFinite(const double* values, int count)
     return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0;  // NaN or infinity times 0 is NaN
 }
 
+template <class T>
+void copyColumn(const Mat& rows, int column, double* values)
+{
+    const T* const from = rows.ptr<T>();
+    for (int i = 0; i < rows.rows; ++i)
+        values[i] = from[(size_t)i * rows.cols + column];
+}
+
 //! A threshold of at least this fraction of the longest side of the box of the points is wide
 //! (Report::wideThreshold): along this side, all points are within the threshold of the center. If
 //! the fraction were 0.25, a threshold of 160 pixels would be wide in an image of 640 pixels. If it
@@ -157,9 +165,9 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
     arena.reset(runMemory((int)std::min<size_t>(most, INT_MAX), params));
     Arena::Scope scope(arena);
     const String names[] = {view.problem->arrayName(0), view.problem->arrayName(1)};
-    const Mat lists[] = {readPoints(given[0], view.coordinates[0], names[0].c_str(), scope),
-                         two ? readPoints(given[1], view.coordinates[1], names[1].c_str(), scope)
-                             : Mat()};
+    const Mat lists[] = {
+        readPoints(given[0], view.coordinates[0], names[0].c_str(), scope, true),
+        two ? readPoints(given[1], view.coordinates[1], names[1].c_str(), scope, true) : Mat()};
     const int count = lists[0].rows;
     if (two && count != lists[1].rows)
         CV_Error_(Error::StsUnmatchedSizes,
@@ -172,9 +180,10 @@ void ProblemData::readRows(InputArray points1, InputArray points2, const Params&
         for (int c = 0; c < view.coordinates[array]; ++c, ++k)
         {
             input[k] = arena.take<double>(count);
-            const double* const from = lists[array].ptr<double>();
-            for (int i = 0; i < count; ++i)
-                input[k][i] = from[(size_t)i * view.coordinates[array] + c];
+            if (lists[array].depth() == CV_32F)
+                copyColumn<float>(lists[array], c, input[k]);
+            else
+                copyColumn<double>(lists[array], c, input[k]);
         }
 }
 

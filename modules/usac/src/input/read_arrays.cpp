@@ -21,6 +21,8 @@ Mat toDouble(const Mat& points, Arena::Scope& scope)
     return values;
 }
 
+bool isFloat(const Mat& points) { return points.depth() == CV_32F && points.isContinuous(); }
+
 Mat transposed(const Mat& values, Arena::Scope& scope)
 {
     Mat columns(values.cols, values.rows, CV_64F, scope.take<double>(values.total()));
@@ -33,7 +35,7 @@ one point per row and one coordinate per column, CV_64F. In a matrix with one ch
 side is the number of points (as for OpenCV's USAC flags); if both sides are equal, each row is a
 point. However, a single row or a single column is one point. Converted data are in memory of the
 scope. */
-Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
+Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope, bool floats)
 {
     const int rows = points.rows, cols = points.cols, channels = points.channels();
     const bool solid = points.dims == 3 && channels == 1 &&
@@ -52,7 +54,9 @@ Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
                                      "channel or with 2 or 3 channels, "
                                      "not as %dx%d with %d channel(s) and %d dimensions",
                                      name, rows, cols, channels, points.dims));
-    const Mat values = toDouble(points, scope);
+    const Mat values = floats && !perColumn && coordinates == 2 && isFloat(points)
+                           ? points
+                           : toDouble(points, scope);
     if (perColumn)
         return transposed(values, scope);
     return values.reshape(1, (int)(points.total() * channels / coordinates));
@@ -60,9 +64,9 @@ Mat readCoordinates(const Mat& points, const char* name, Arena::Scope& scope)
 
 /** Reads 2-D points. Points with three coordinates are homogeneous, as for cv::RANSAC. If points
 have more coordinates, only the first two are used, as for OpenCV's USAC flags. */
-Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
+Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope, bool floats)
 {
-    const Mat values = readCoordinates(points, name, scope);
+    const Mat values = readCoordinates(points, name, scope, floats);
     if (values.cols == 2)
         return values;
     Mat plane(values.rows, 2, CV_64F, scope.take<double>(2 * (size_t)values.rows));
@@ -82,7 +86,8 @@ Mat readPlanePoints(const Mat& points, const char* name, Arena::Scope& scope)
 }
 
 //! Reads 1-D or 3-D points.
-Mat readOtherPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope)
+Mat readOtherPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope,
+                    bool floats)
 {
     const bool perColumn = points.dims == 2 && points.channels() == 1 &&
                            points.cols != coordinates && points.rows == coordinates;
@@ -95,18 +100,19 @@ Mat readOtherPoints(const Mat& points, int coordinates, const char* name, Arena:
                    "not as %dx%d with %d channel(s) and %d dimensions",
                    name, coordinates, coordinates, coordinates, points.rows, points.cols,
                    points.channels(), points.dims));
-    const Mat values = toDouble(points, scope);
+    const Mat values = floats && !perColumn && isFloat(points) ? points : toDouble(points, scope);
     return perColumn ? transposed(values, scope) : values.reshape(1, numbers / coordinates);
 }
 
 }  // namespace
 
-Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope)
+Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope,
+               bool floats)
 {
     if (points.empty())
         return Mat(0, coordinates, CV_64F);
-    return coordinates == 2 ? readPlanePoints(points, name, scope)
-                            : readOtherPoints(points, coordinates, name, scope);
+    return coordinates == 2 ? readPlanePoints(points, name, scope, floats)
+                            : readOtherPoints(points, coordinates, name, scope, floats);
 }
 
 Matx33d readCamera(InputArray array, const char* name)

@@ -17,9 +17,11 @@ function of OpenCV accepts.
 coordinates
 @param name name of the argument, for messages
 @param scope memory for converted points
+@param floats true: the result can be of depth CV_32F; `points` are then not copied
 @return N x coordinates, CV_64F, continuous; the data are in memory of the scope or of `points`.
 Raises cv::Exception for other layouts. */
-Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope);
+Mat readPoints(const Mat& points, int coordinates, const char* name, Arena::Scope& scope,
+               bool floats = false);
 
 /** @brief Reads a camera matrix.
 @param array 3x3, any depth; multiples of a camera matrix describe the same camera

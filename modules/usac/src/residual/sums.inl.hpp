@@ -100,7 +100,8 @@ struct GeneralSums
 
     //! A separate function, because compilers do not vectorize a loop in which objects are created.
     template <typename... Numbers>
-    static inline void linearize(double (*J)[SUMS_CHUNK], int i, const double* m, Numbers... datum)
+    static CV_ALWAYS_INLINE void linearize(double (*J)[SUMS_CHUNK], int i, const double* m,
+                                           Numbers... datum)
     {
         ChunkRows<Error::NUMBERS> rows = {J, i};
         typename Error::template At<double>(m, datum...).linearize(rows);
