@@ -66,7 +66,8 @@ constexpr int RUN = 16;
 
 /** Fisher-Yates shuffle of runs of rows; a single row is a run unless there are many points. Then
 the first SEARCHED rows are drawn one by one from all rows. The first n rows are thus a random
-sample of all rows for every n, of single rows up to SEARCHED, of runs beyond. */
+sample of all rows for every n, of single rows up to SEARCHED, of runs beyond; only the last rows,
+fewer than a run, stay at the end. */
 void shuffleRows(int* rows, int size)
 {
     Rng rng(0x5c3a9d1e, (uint64)size);
@@ -91,7 +92,7 @@ order and graph, 28 for sampler and checks, and a reserve of 24. OF_RUN is for b
 and tables, OF_PLANES for the search for planes, and OF_BATCH, with several threads, for the
 hypotheses of the largest batch. If a value is too small, the only effect is that another block is
 allocated; memory that is never written to costs no time. */
-constexpr size_t OF_POINT = 238, OF_SEARCH = 114, OF_RUN = 64 << 10, OF_PLANES = 64 << 10,
+constexpr size_t OF_POINT = 238, OF_SEARCH = 114, OF_RUN = 64 << 10, OF_PLANES = 160 << 10,
                  OF_BATCH = 512 << 10;
 
 //! Number of bytes of arena memory that a run with this many points usually needs.

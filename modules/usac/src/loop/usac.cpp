@@ -362,6 +362,36 @@ private:
             learned.stop = context.watch->stopReason();
     }
 
+    //! Polishes the best model and returns it in the caller's coordinates, with its mask, or an
+    //! empty matrix if there is no model. `inliers` must be all 0 before.
+    Mat polishedModel(const Context& context, State& state, uchar* inliers)
+    {
+        Report& learned = state.report;
+        if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
+            context.points.size > parts.minimalSolver->sampleSize())
+            sampled = !Restarts(context, context, state).begin(state.best, state.bestQuality) &&
+                      sampled;
+        if (state.bestQuality.inliers < parts.minimalSolver->sampleSize())
+            return Mat();
+        settleThreshold(context, state);
+        learned.cost = polishAsSeen(context, state).cost / context.points.size;
+        if (!params.initialCovariance.empty())
+        {
+            Model prior;
+            problem->fromOutput(params.initialModel, context.points, prior);
+            learned.cost = tellCertainty(context, state.best, learned, &prior).cost /
+                           context.points.size;
+        }
+        Model model;
+        if (!problem->toInput(state.best, context.points, model))
+            return Mat();
+        const Mat result = problem->toOutput(model);
+        const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
+        learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model),
+                                    !imageResidual.empty(), inliers);
+        return learned.inliers == 0 && data.reach() <= params.reach ? Mat() : result;
+    }
+
     //! Polishes the best model and returns it in the caller's coordinates, with its mask. Returns
     //! an empty matrix if there is no significant model.
     Mat finish(const Context& context, State& state, OutputArray mask, Report* report)
@@ -373,33 +403,7 @@ private:
             context.watch->finish();
         uchar* const inliers = arena.take<uchar>(rows);
         std::fill(inliers, inliers + rows, (uchar)0);
-        Mat result;
-        if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
-            context.points.size > parts.minimalSolver->sampleSize())
-            sampled = !Restarts(context, context, state).begin(state.best, state.bestQuality) &&
-                      sampled;
-        if (state.bestQuality.inliers >= parts.minimalSolver->sampleSize())
-        {
-            settleThreshold(context, state);
-            learned.cost = polishAsSeen(context, state).cost / context.points.size;
-            if (!params.initialCovariance.empty())
-            {
-                Model prior;
-                problem->fromOutput(params.initialModel, context.points, prior);
-                learned.cost = tellCertainty(context, state.best, learned, &prior).cost /
-                               context.points.size;
-            }
-            Model model;
-            if (problem->toInput(state.best, context.points, model))
-            {
-                result = problem->toOutput(model);
-                const Ptr<Residual>& residual = imageResidual ? imageResidual : parts.residual;
-                learned.inliers = data.mask(*residual, modelOfMask(*problem, result, model),
-                                            !imageResidual.empty(), inliers);
-                if (learned.inliers == 0 && data.reach() <= params.reach)
-                    result.release();
-            }
-        }
+        Mat result = polishedModel(context, state, inliers);
         learned.degenerate = state.degenerate;  // polishing might have found a plane
         tellStop(context, learned);
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)

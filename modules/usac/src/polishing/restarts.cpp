@@ -93,6 +93,12 @@ void Restarts::restartOutside(Model& model, Quality& quality)
         const bool fitted = fit(count + 1, here);
         if (fitted)
             errorsOf(here, count + 1, known);
+        if (fitted && accept(here, count + 1, CLEAR * (loss + 1), model, quality))
+        {
+            look(model);
+            ++i;
+            continue;
+        }
         int index = RESTARTS + i;
         if (restart(index, RESTARTS + (other + 1) * RESTARTS_OUTSIDE, count + 1, fitted ? known : 0,
                     model, quality))
@@ -252,7 +258,7 @@ bool Restarts::fitOther(int size, const double* known, Model& model) const
             sum += known[k];
             difference += std::abs(errors[k] - known[k]);
         }
-        if (difference <= SAME * sum)
+        if (sum <= DBL_MAX && difference <= SAME * sum)
             return false;
     }
     return fit(size, model) || size == m;

@@ -67,8 +67,8 @@ private:
     bool look(const Model& model);
     //! Tries fits to the inliers that start from samples of inliers and from the model itself.
     void restartInliers(Model& model, Quality& quality);
-    //! Fits the inliers together with one outlier at a time, starting from samples that contain
-    //! this outlier. Does nothing if there are more than #NEXT outliers.
+    //! Fits the inliers together with one outlier at a time, starting from the model and from
+    //! samples that contain this outlier. Does nothing if there are more than #NEXT outliers.
     void restartOutside(Model& model, Quality& quality);
     //! Fits the inliers together with one outlier at a time, starting from the model.
     void extendInliers(Model& model, Quality& quality);
@@ -86,8 +86,8 @@ private:
     //! a sample. @return true if the model was replaced
     bool tryModels(const int* sample, Model* models, int found, int size, const double* known,
                    Model& model, Quality& quality);
-    //! Least squares over the first `size` members, starting from `model`. False if the fit fails
-    //! or leads to the known minimum.
+    //! Least squares over the first `size` members, starting from `model`. False if the fit leads
+    //! to the known minimum or fails, unless the members are only a sample.
     bool fitOther(int size, const double* known, Model& model) const;
     //! True if the degeneracy checks accept a sample and its model.
     bool isValid(const int* sample, const Model& model) const;

@@ -73,6 +73,9 @@ squares under Gaussian noise. Points beyond the support have no influence: a wro
 the other points in the images (for example near the epipole) would distort F even with a weight of
 1/100.
 
+Each step is lengthened (lengthen()) until a longer step has raised the loss; then the shorter step
+is taken instead.
+
 The iteration ends when further steps would lower the loss by less than #SETTLED times the mean loss
 of a point within the support (a limit that does not depend on the threshold) and the scale of the
 noise hardly changes, but at the latest after Params::polishingSteps steps, or #MORE steps later if
@@ -87,6 +90,8 @@ public:
         const int steps = context.params.polishingSteps + (p.size > MANY ? MORE : 0);
         const int degrees = p.problem->errorDimension();
         double sigma = 0, lossBefore = DBL_MAX;
+        bool longer = true;
+        Model fitted = model;
         Convergence convergence;
         int wanted = std::max(FEW, p.size / PART), lookedBefore = 0;
         Arena::Scope scope(context.arena);
@@ -95,12 +100,18 @@ public:
         weights = scope.take<double>(p.size);
         for (int i = 0; i < steps && !(i > 0 && context.stop()); ++i)
         {
-            int looked = look(context, model, i + 2 < steps ? wanted : p.size);
+            const int most = i + 2 < steps ? wanted : p.size;
+            int looked = look(context, model, most);
             double loss = i > 0 ? weigh(p, sigma, looked) : 0;
+            if (longer && looked == lookedBefore && loss > lossBefore + least())
+            {
+                longer = false;
+                model = fitted;
+                looked = look(context, model, most);
+                loss = weigh(p, sigma, looked);
+            }
             const double decrease = lossBefore - loss;
-            const bool settled = looked == lookedBefore &&
-                                 convergence.left(decrease) <
-                                     SETTLED * lossNear / std::max(count, 1);
+            const bool settled = looked == lookedBefore && convergence.left(decrease) < least();
             if (settled && looked < p.size)
                 looked = look(context, model, wanted = p.size);
             if (i == 0 || i == steps / 2 || settled || decrease > MARKED * lossNear)
@@ -118,13 +129,16 @@ public:
                 convergence.restart();
             lossBefore = loss;
             lookedBefore = looked;
-            const Model before = model;
-            if (!context.nonMinimalSolver().fit(p, near, count, weights, model,
+            fitted = model;
+            if (!context.nonMinimalSolver().fit(p, near, count, weights, fitted,
                                                 i + 1 < steps ? 1 : LAST))
                 return;
-            if (i + 1 < steps)
-                lengthen(before, degrees, context.components.residual->homogeneous(), model);
+            if (longer && i + 1 < steps)
+                lengthen(degrees, context.components.residual->homogeneous(), fitted, model);
+            else
+                model = fitted;
         }
+        model = fitted;
     }
 
     double support(const Context& context, const float* squaredErrors) const CV_OVERRIDE
@@ -188,28 +202,35 @@ private:
         return lossNear + looked - count;
     }
 
+    //! Smallest change of the loss that counts, see SETTLED.
+    double least() const { return SETTLED * lossNear / std::max(count, 1); }
+
     /** Re-weighting takes the weight w of a point for the curvature of its loss. In the direction
     of the error, the curvature is lower: with w = (1 - x)^2 it is (1 - x)(1 - 5x) = w - 4 (1 - x)
-    x. The step is lengthened by the ratio of the sums of w and of the curvature over all directions
-    of the errors, at most to twice its length, up to which the loss does not increase. The result
-    fulfills the constraints of the model only to first order. */
-    void lengthen(const Model& before, int degrees, bool homogeneous, Model& model) const
+    x. The step from `model` to `fitted` is lengthened by the ratio of the sums of w and of the
+    curvature over all directions of the errors, at most to twice its length, up to which the loss
+    does not increase if the errors are linear in the model. The result fulfills the constraints of
+    the model only to first order. */
+    void lengthen(int degrees, bool homogeneous, const Model& fitted, Model& model) const
     {
         const double curvature = std::max(sumOfWeights - lostCurvature / degrees, sumOfWeights / 2),
                      further = sumOfWeights / curvature - 1;
-        double scale = 1;  // a fit can change the scale and the sign of a homogeneous model
-        if (homogeneous)
+        const double scale = homogeneous ? scaleOf(fitted, model) : 1;
+        for (int k = 0; k < fitted.size(); ++k)
+            model.val[k] = fitted.val[k] + further * (fitted.val[k] - scale * model.val[k]);
+    }
+
+    //! The factor by which a fit has scaled a homogeneous model `before`, whose sign can also have
+    //! changed. A change of less than a tenth counts as a change of the model.
+    static double scaleOf(const Model& fitted, const Model& before)
+    {
+        double product = 0, square = 0;
+        for (int k = 0; k < fitted.size(); ++k)
         {
-            double product = 0, square = 0;
-            for (int k = 0; k < model.size(); ++k)
-            {
-                product += model.val[k] * before.val[k];
-                square += before.val[k] * before.val[k];
-            }
-            scale = square > 0 ? product / square : 0;
+            product += fitted.val[k] * before.val[k];
+            square += before.val[k] * before.val[k];
         }
-        for (int k = 0; k < model.size(); ++k)
-            model.val[k] += further * (model.val[k] - scale * before.val[k]);
+        return std::abs(product - square) <= 0.1 * square ? 1 : product / square;
     }
 
     // The following members are valid only during polish().

@@ -60,8 +60,9 @@ typedef void (*LeverageKernel)(const double (*chunk)[SUMS_CHUNK], const double* 
                                const double* L, double* leverages);
 
 /** The loops over points that the module compiles from the formula of an error, once for each
-instruction set. Entries can be null. The loops for all instruction sets return the same bits: they
-have the same partial sums, add in the same order, and fuse no multiplication with an addition. */
+instruction set. `errors`, `msac` and `inliers` can be null. The loops for all instruction sets
+return the same bits: they have the same partial sums, add in the same order, and fuse no
+multiplication with an addition. */
 struct ResidualKernels
 {
     ErrorKernel errors;   //!< squared errors

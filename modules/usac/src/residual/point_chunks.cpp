@@ -12,8 +12,8 @@ PointChunks::PointChunks(const Correspondences& points_, const int* indices_, in
                          const double* weights_, Arena* arena)
     : points(points_), indices(indices_), weights(weights_), size(count),
       chunks((count + SUMS_CHUNK - 1) / SUMS_CHUNK),
-      columns(points_.noise == 1 ? points_.columns() : points_.numbers()),
-      stride(columns + (points_.noise == 1 ? 3 : 1)), scope(arena ? *arena : own), rows(few)
+      columns(points_.noise == 1 ? points_.columns() : points_.numbers()), stride(columns + 1),
+      scope(arena ? *arena : own), rows(few)
 {
     CV_DbgAssert(count > 0);
     if (chunks * stride > STORED_ROWS)
@@ -63,17 +63,13 @@ void PointChunks::gather(int first, int here, Width width, Row* chunk) const
                   row < width ? chunk[row][here - 1] : 0.);
 }
 
-//! Replaces the weights by their products with the squared factors of the errors. Two more rows of
-//! the chunk keep the factors and the original weights.
+//! Multiplies the weights by the squared factors of the errors.
 void PointChunks::weigh(int first, int here, Row* chunk) const
 {
-    Row* const weight = chunk + columns;
     for (int k = 0; k < here; ++k)
     {
         const double factor = points.exact[columns][indices[first + k]];
-        weight[1][k] = factor;
-        weight[2][k] = weight[0][k];
-        weight[0][k] *= factor * factor;
+        chunk[columns][k] *= factor * factor;
     }
 }
 

@@ -46,7 +46,7 @@ private:
     //! LOCAL_ROWS, STORED_ROWS: maximum numbers of rows in `few` and in other memory.
     enum {
         TWO_VIEW_ROWS = 5,
-        MAX_ROWS = MAX_COLUMNS + 3,
+        MAX_ROWS = MAX_COLUMNS + 1,
         LOCAL_ROWS = 16 * TWO_VIEW_ROWS,
         STORED_ROWS = 256 * TWO_VIEW_ROWS
     };
@@ -67,8 +67,7 @@ private:
     const int stride;   //!< rows of a chunk
     Arena own;          //!< used if the caller has no arena
     Arena::Scope scope;
-    Row* rows;  //!< each chunk: the columns and the weights; if errors have factors, two more
-                //!< rows: the factors, and the weights without the factors. Null: not stored
+    Row* rows;            //!< each chunk: the columns and the weights. Null: not stored
     Row few[LOCAL_ROWS];  //!< memory of `rows` if there are only a few points
 
     PointChunks(const PointChunks&);

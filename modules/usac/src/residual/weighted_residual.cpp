@@ -63,8 +63,8 @@ public:
         return components;
     }
 
-    //! Only the kernels for fits, `sums` and `cost`. They need no factors, because PointChunks
-    //! multiplies the weights by the squared factors.
+    //! Only the kernels for fits: `sums`, `cost` and `leverages`. They need no factors, because
+    //! PointChunks multiplies the weights by the squared factors.
     const ResidualKernels* kernels() const CV_OVERRIDE { return sums.sums ? &sums : 0; }
     bool homogeneous() const CV_OVERRIDE { return inner->homogeneous(); }
 

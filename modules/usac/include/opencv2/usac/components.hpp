@@ -177,8 +177,9 @@ public:
     //! The loops over points that the module has compiled from the formula of the error. Default:
     //! null, there are none; scores and fits then call the methods above.
     virtual const ResidualKernels* kernels() const;
-    //! True (default): models are homogeneous, and a FusedKernel gets them scaled so that the
-    //! largest absolute entry is 1. False: a FusedKernel gets the entries unchanged.
+    //! True (default): models are homogeneous. A FusedKernel gets them scaled so that the largest
+    //! absolute entry is 1, and a fit can change scale and sign. False: a FusedKernel gets the
+    //! entries unchanged.
     virtual bool homogeneous() const;
 };
 
@@ -260,7 +261,8 @@ public:
     virtual ~Degeneracy();
     //! False: the sample is rejected, no model is computed from it. Default: true.
     virtual bool validSample(const Context& context, const int* sample) const;
-    /** @brief The same for several samples; override it if this is faster than one at a time.
+    /** @brief The same for several samples; override it, too, if this is faster than one at a time.
+    The results must be those of validSample(), which is also called.
     @param context the fixed data of the run
     @param samples for each sample, an array of point indices
     @param count number of samples, at most MinimalSolver::MAX_TOGETHER

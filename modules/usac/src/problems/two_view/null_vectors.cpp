@@ -15,9 +15,9 @@ namespace {
 //! The second singular value must be more than 1 / RATIO times the first one, and the third less
 //! than 1 / RATIO times the second one.
 constexpr double RATIO = 1e3;
-//! Each half step of the iteration divides the error of the vectors by the ratio of the second to
-//! the third singular value, at least RATIO. At the start the error is at most about 1 / RATIO, so
-//! that only rounding errors remain after two steps.
+//! Each product with the matrix of cofactors divides the error of the vectors by the ratio of the
+//! second to the third singular value, at least RATIO. A column of this matrix has an error of at
+//! most about 1 / RATIO, so that only rounding errors remain after two steps.
 constexpr int STEPS = 2;
 
 }  // namespace
@@ -41,11 +41,12 @@ bool completeNullVectors(const Eigen::Matrix3d& M, Eigen::Matrix3d& U, Eigen::Ma
         return false;
     int largest;
     cofactors.colwise().squaredNorm().maxCoeff(&largest);
-    Eigen::Vector3d left = cofactors.col(largest), right;
+    cofactors /= firstTwo;
+    Eigen::Vector3d left, right = cofactors.transpose() * cofactors.col(largest);
     for (int step = 0; step < STEPS; ++step)
     {
-        right = (cofactors.transpose() * left).normalized();
         left = (cofactors * right).normalized();
+        right = (cofactors.transpose() * left).normalized();
     }
     U = completion(left);
     V = completion(right);
