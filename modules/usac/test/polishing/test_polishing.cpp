@@ -4,6 +4,7 @@
 
 #include "support/run_context.hpp"
 #include "test_precomp.hpp"
+#include "support/counted_solver.hpp"
 #include "polishing/polishing.hpp"
 
 namespace opencv_test {
@@ -73,25 +74,6 @@ TEST(Usac_Polishing, reweightedIsAFixedPoint)
     EXPECT_LT(modelDistance(once, twice), 1e-3);
     EXPECT_LT(modelDistance(twice, thrice), 1e-5) << "polishing must have converged";
 }
-
-//! Counts fits.
-class CountedSolver : public NonMinimalSolver
-{
-public:
-    explicit CountedSolver(const Ptr<NonMinimalSolver>& solver_) : fits(0), solver(solver_) {}
-
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-             Model& model, int iterations) const CV_OVERRIDE
-    {
-        ++fits;
-        return solver->fit(points, indices, count, weights, model, iterations);
-    }
-
-    mutable int fits;
-
-private:
-    const Ptr<NonMinimalSolver> solver;
-};
 
 //! Robust polishing must end as soon as further steps are expected to change hardly anything: for
 //! H, each step leaves only a small part of the distance to the minimum. The result must then be

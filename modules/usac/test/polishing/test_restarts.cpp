@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "polishing/restarts.hpp"
+#include "support/counted_solver.hpp"
 #include "support/run_context.hpp"
 
 namespace opencv_test {
@@ -153,25 +154,6 @@ TEST(Usac_Restarts, manyInliersStay)
     EXPECT_GT(result.after.inliers, 40);
 }
 
-//! Counts fits with more than one step.
-class CountedFits : public NonMinimalSolver
-{
-public:
-    explicit CountedFits(const Ptr<NonMinimalSolver>& solver_) : fits(0), solver(solver_) {}
-
-    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
-             Model& model, int iterations) const CV_OVERRIDE
-    {
-        fits += iterations > 1;
-        return solver->fit(points, indices, count, weights, model, iterations);
-    }
-
-    mutable int fits;
-
-private:
-    const Ptr<NonMinimalSolver> solver;
-};
-
 //! If the inliers have only one minimum, the fits from 16 samples of inliers lead to it. Most of
 //! them must end after their first steps.
 TEST(Usac_Restarts, endNearTheKnownMinimum)
@@ -188,7 +170,7 @@ TEST(Usac_Restarts, endNearTheKnownMinimum)
         const Scene scene = makeScene(HOMOGRAPHY, options);
         const Ptr<Usac> usac = createUsac(scene, Params());
         Components parts = usac->components();
-        const Ptr<CountedFits> solver = makePtr<CountedFits>(parts.nonMinimalSolver);
+        const Ptr<CountedSolver> solver = makePtr<CountedSolver>(parts.nonMinimalSolver);
         parts.nonMinimalSolver = solver;
         const Params params;
         const RunContext run(usac->points(), parts, params);
@@ -197,7 +179,7 @@ TEST(Usac_Restarts, endNearTheKnownMinimum)
         Model model = toInternal(usac->points(), scene.model);
         Quality quality = context.rate(model);
         Restarts(context, context, state).improve(model, quality);
-        fits += solver->fits;
+        fits += solver->longFits;
     }
     EXPECT_GE(fits, SCENES) << "the inliers are fitted from the model";
     EXPECT_LE(fits, 12 * SCENES) << "21 if no fit ends early; 5 of them start from the model";
