@@ -228,7 +228,8 @@ std::string brokenResult(const EstimatorCall& call, const Mat& model, const Mat&
     if (model.empty())
     {
         const bool reason = report.stop == STOP_TOO_FEW_POINTS || report.stop == STOP_NO_MODEL ||
-                            report.stop == STOP_NOT_SIGNIFICANT;
+                            report.stop == STOP_NOT_SIGNIFICANT ||
+                            (report.stop == STOP_TIME && call.params.maxTime > 0);
         return inliers > 0 ? "the mask has inliers, but there is no model"
                : reason    ? ""
                            : "there is no model, but Report::stop does not say why";
