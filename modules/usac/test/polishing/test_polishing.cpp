@@ -149,7 +149,8 @@ TEST(Usac_Polishing, robustWithAnyScaleOfTheFit)
             createRobustPolisher()->polish(run, models[k]);
             parts.nonMinimalSolver = makePtr<RescalingSolver>(parts.nonMinimalSolver);
         }
-        EXPECT_LT(modelDistance(normalized(models[0]), normalized(models[1])), 1e-7) << problem;
+        EXPECT_LT(modelDistance(normalized(models[0]), normalized(models[1])), 1e-7)
+            << (int)problem;
         EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), normalized(models[0])),
                   1e-5);
     }
