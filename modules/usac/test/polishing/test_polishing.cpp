@@ -156,6 +156,52 @@ TEST(Usac_Polishing, robustWithAnyScaleOfTheFit)
     }
 }
 
+//! A fit whose steps are 2.15 times as long. As re-weighted steps are too short by a sixth, they
+//! still reach the minimum, but slowly; if they were longer, they would lead away from it.
+class OvershootingSolver : public NonMinimalSolver
+{
+public:
+    explicit OvershootingSolver(const Ptr<NonMinimalSolver>& solver_) : solver(solver_) {}
+
+    bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
+             Model& model, int) const CV_OVERRIDE
+    {
+        const Model before = model;
+        const bool fitted = solver->fit(points, indices, count, weights, model, 1);
+        for (int k = 0; k < model.size(); ++k)
+            model.val[k] += 1.15 * (model.val[k] - before.val[k]);
+        return fitted;
+    }
+
+private:
+    const Ptr<NonMinimalSolver> solver;
+};
+
+//! Robust polishing must take a longer step back if this step has raised the loss.
+TEST(Usac_Polishing, robustTakesBackStepsThatRaiseTheLoss)
+{
+    SceneOptions options;
+    options.noise = 0.5;
+    options.inliers = 200;
+    options.outliers = 200;
+    const Scene scene = makeScene(FUNDAMENTAL, options);
+    const Ptr<Usac> usac = createUsac(scene, Params());
+    Components parts = usac->components();
+    Params params;
+    params.polishingSteps = 100;
+    const Model truth = toInternal(usac->points(), scene.model);
+    Model models[2];
+    for (int k = 0; k < 2; ++k)
+    {
+        const RunContext run(usac->points(), parts, params);
+        models[k] = truth;
+        createRobustPolisher()->polish(run, models[k]);
+        parts.nonMinimalSolver = makePtr<OvershootingSolver>(parts.nonMinimalSolver);
+    }
+    const double moved = modelDistance(truth, normalized(models[0]));
+    EXPECT_LT(modelDistance(normalized(models[0]), normalized(models[1])), 0.3 * moved);
+}
+
 //! Without points near the model, a polisher must not change the model.
 TEST(Usac_Polishing, nothingNear)
 {
