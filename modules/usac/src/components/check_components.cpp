@@ -97,6 +97,21 @@ void checkComponents(const Components& parts)
                    (int)MAX_SAMPLE_SIZE, m));
 }
 
+void checkEdges(const Vec2i* edges, int count, int size)
+{
+    for (int e = 0; e < count; ++e)
+    {
+        const int a = edges[e][0], b = edges[e][1];
+        if (a < 0 || a >= size || b < 0 || b >= size)
+            CV_Error_(Error::StsOutOfRange, ("components().neighborhood: an edge joins the points "
+                                             "%d and %d, 0 to %d are expected",
+                                             a, b, size - 1));
+        if (a == b)
+            CV_Error_(Error::StsBadArg,
+                      ("components().neighborhood: an edge joins the point %d with itself", a));
+    }
+}
+
 void checkSample(const int* sample, int m, int size)
 {
     for (int k = 0; k < m; ++k)

@@ -32,6 +32,10 @@ void checkScore(const Score& score, int size);
 //! to size - 1.
 void checkSample(const int* sample, int m, int size);
 
+//! Raises a cv::Exception if an edge of a caller's neighborhood does not join two different ones of
+//! the points 0 to size - 1.
+void checkEdges(const Vec2i* edges, int count, int size);
+
 //! Raises a cv::Exception if a minimal solver has returned more than #MAX_MODELS models or an empty
 //! model.
 void checkModels(const Model* models, int count);

@@ -64,21 +64,26 @@ constexpr double WIDE = 0.5;
 //! the same lines of the cache.
 constexpr int RUN = 16;
 
-/** Fisher-Yates shuffle of runs of rows; a single row is a run unless there are many points. Then
+/** Fisher-Yates shuffle. If there are more than SEARCHED rows, runs of rows are shuffled, and then
 the first SEARCHED rows are drawn one by one from all rows. The first n rows are thus a random
 sample of all rows for every n, of single rows up to SEARCHED, of runs beyond; only the last rows,
 fewer than a run, stay at the end. */
 void shuffleRows(int* rows, int size)
 {
     Rng rng(0x5c3a9d1e, (uint64)size);
-    const int run = size > ProblemData::SEARCHED ? RUN : 1;
-    for (int i = size / run - 1; i > 0; --i)
+    if (size <= ProblemData::SEARCHED)
+    {
+        for (int i = size - 1; i > 0; --i)
+            std::swap(rows[i], rows[rng.uniform(i + 1)]);
+        return;
+    }
+    for (int i = size / RUN - 1; i > 0; --i)
     {
         const int other = rng.uniform(i + 1);
         if (other != i)
-            std::swap_ranges(rows + i * run, rows + (i + 1) * run, rows + other * run);
+            std::swap_ranges(rows + i * RUN, rows + (i + 1) * RUN, rows + other * RUN);
     }
-    for (int i = 0; run > 1 && i < ProblemData::SEARCHED; ++i)
+    for (int i = 0; i < ProblemData::SEARCHED; ++i)
         std::swap(rows[i], rows[i + rng.uniform(size - i)]);
 }
 

@@ -18,6 +18,9 @@ namespace {
 //! within one of the shrinking thresholds (MAX_SHRINK). While the inliers still change, fits to
 //! more points are slower but not better.
 constexpr int MAX_INNER_FIT = 256, MAX_SHRINK = 64;
+//! If there are many inliers, the graph cut labels only the first points, a random subset that
+//! contains about CUT_INLIERS inliers, rounded up to CUT_INLIERS times a power of 2 points.
+constexpr int CUT_INLIERS = 1024;
 //! Number of Gauss-Newton steps of a fit. The fits that follow take the next steps.
 constexpr int FIT_STEPS = 1;
 //! An inner sample contains at most 1 / #LARGEST_PART of the inliers, as in @cite chum2003locally,
@@ -73,7 +76,7 @@ public:
             if (i > 0)
                 improved |= shrink(context, state, m, model, quality);
             if (context.params.spatialWeight > 0)
-                inliers.count = labeling.cut(context, model, inliers.members);
+                cut(context, model, quality);
             else
                 inliers.within(context, model, LABELED);
             if (inliers.size() > m)
@@ -83,6 +86,21 @@ public:
     }
 
 private:
+    //! Finds the spatially coherent inliers of the model among the first points, see #CUT_INLIERS.
+    //! @param quality score of the model over all points
+    void cut(const Context& context, const Model& model, const Quality& quality)
+    {
+        Correspondences points = context.points;
+        const double wanted = (double)CUT_INLIERS * points.size / std::max(quality.inliers, 1);
+        int size = CUT_INLIERS;
+        while (size < wanted && size < points.size)
+            size *= 2;
+        points.size = std::min(size, points.size);
+        inliers.count = labeling.cut(
+            Context(points, context.components, context.params, context.arena, context.watch),
+            model, inliers.members);
+    }
+
     //! Fits the model to the points within #WIDEST, ..., 2 and 1 thresholds. Each fit starts from
     //! the previous fit. Ends early if the model is far from the best one, see #FIRST_GAIN. @return
     //! true if the model was replaced

@@ -4,6 +4,8 @@
 
 #include "precomp.hpp"
 #include "local_optimization/labeling.hpp"
+#include "components/check_components.hpp"
+#include "numeric/bits.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -27,6 +29,7 @@ int Labeling::findDegree(const Context& context)
         return known;
     const Vec2i* edges = 0;
     const int count = context.neighborhood().edges(context, 0, edges);
+    checkEdges(edges, count, size);
     std::fill(node, node + size, 0);
     int most = 0;
     for (int e = 0; e < count; ++e)
@@ -64,13 +67,12 @@ void Labeling::labelByError(const Context& context, const Model& model, uchar* w
         K[i] = -1;
     }
     nodeCount = 0;
-    for (int i = 0; i < size; ++i)
-        if (wanted[i])
-        {
-            pointOfNode[nodeCount++] = i;
-            K[i] = weight(errors[i]);
-            unary[i] = 1 - 2 * K[i];
-        }
+    for (int i = nextMarked(wanted, 0, size); i < size; i = nextMarked(wanted, i + 1, size))
+    {
+        pointOfNode[nodeCount++] = i;
+        K[i] = weight(errors[i]);
+        unary[i] = 1 - 2 * K[i];
+    }
 }
 
 void Labeling::labelByNeighbors(Arena& arena, const Vec2i* edges, int count)
@@ -121,19 +123,23 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     lambda = (float)context.params.spatialWeight;
     factor = (float)(-0.5 / (context.points.threshold * context.points.threshold));
     const bool late = context.stopBefore(size * CUT_WORK);
-    if (degree < 0)
+    if (degree < 0 || degreeOf != size)
         degree = late ? 0 : findDegree(context);
+    degreeOf = size;
     labelByError(context, model, wanted);
     const Vec2i* edges = 0;
     int count = late ? 0 : context.neighborhood().edges(context, wanted, edges);
     if (context.stop(0))  // the run was stopped during the search for edges
         count = 0;
+    checkEdges(edges, count, size);
     labelByNeighbors(context.arena, edges, count);
     labelByCut(context.arena, edges, count);
     int found = 0;
-    for (int i = 0; i < size; ++i)
-        if (node[i] == INLIER)
-            inliers[found++] = i;
+    for (int i = 0; i < size; ++i)  // without branches, because these would often be mispredicted
+    {
+        inliers[found] = i;
+        found += node[i] == INLIER;
+    }
     return found;
 }
 

@@ -48,7 +48,9 @@ bool Ransac::run(int pause)
             break;
         if (adaptTerminations())
             continue;
-        const bool first = state.iteration == 0;
+        const bool first = batch.begins();
+        if (first)
+            state.sampleQuality = Quality();
         batch.draw();  // 3
         Candidate best;
         bool found = false;

@@ -18,7 +18,7 @@ namespace {
 //! Without evidence of a rival, the number of samples of unexplained points for one best model is
 //! at most 1 / FIRST_PART of the number of all samples drawn so far, or LEAST_SAMPLES if this is
 //! more.
-constexpr int FIRST_PART = 64, LEAST_SAMPLES = 4;
+constexpr int FIRST_PART = 64, LEAST_SAMPLES = 8;
 //! With evidence of a rival, the number of samples of unexplained points for all best models so far
 //! is at most 1 / MOST_PART of the number of other samples drawn so far, but LEAST_SAMPLES are
 //! allowed for each best model.

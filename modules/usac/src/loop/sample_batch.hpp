@@ -45,6 +45,8 @@ public:
     SampleBatch(const Context& context, State& state, const Checks& checks,
                 const RunnersUp& runnersUp, bool checkSamples);
 
+    //! True if the search begins with the next batch, or begins anew after Sampler::prelude().
+    bool begins() const { return drawn == 0 || (prelude > 0 && state.iteration >= prelude); }
     //! Draws the samples of the next batch. Batches grow, so that easy problems draw few
     //! superfluous samples and hard problems use all threads.
     void draw();
@@ -88,6 +90,7 @@ private:
     int reserved;        //!< number of elements allocated for `solved`
     int drawn;           //!< number of samples
     int first;           //!< State::iteration of the first sample
+    int prelude;         //!< Sampler::prelude(); 0 after it
     bool parallel;       //!< draw() has computed and scored the models
 };
 

@@ -65,6 +65,21 @@ inline uint64 within(const float* errors, int count, float limit)
     return word;
 }
 
+//! The first index from `begin` on whose mark is not 0; `end` if there is none. Eight marks are
+//! read at a time, for marks that are mostly 0.
+inline int nextMarked(const uchar* marks, int begin, int end)
+{
+    for (uint64 eight; begin + 8 <= end; begin += 8)
+    {
+        std::memcpy(&eight, marks + begin, 8);
+        if (eight)
+            break;
+    }
+    while (begin < end && !marks[begin])
+        ++begin;
+    return begin;
+}
+
 }  // namespace usacv20
 }  // namespace cv
 

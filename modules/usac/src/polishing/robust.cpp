@@ -5,6 +5,7 @@
 #include "precomp.hpp"
 #include "polishing/polishing.hpp"
 #include "numeric/chi_square.hpp"
+#include "numeric/instruction_set.hpp"
 #include "optimization/noise_scale.hpp"
 
 namespace cv {
@@ -97,7 +98,7 @@ public:
         Arena::Scope scope(context.arena);
         errors = scope.take<float>(p.size);
         near = scope.take<int>(p.size);
-        weights = scope.take<double>(p.size);
+        weights = scope.take<double>(p.size + LANES);
         for (int i = 0; i < steps && !(i > 0 && context.stop()); ++i)
         {
             const int most = i + 2 < steps ? wanted : p.size;
@@ -179,27 +180,41 @@ private:
         const float limit = (float)(support * support);
         const float* const e = errors;
         int* const members = near;
+        double* const w = weights;
         int size = 0;
         for (int i = 0; i < looked; ++i)  // without branches, because these would often be
                                           // mispredicted
         {
             members[size] = i;
+            w[size] = e[i];
             size += e[i] < limit;  // NaN is not within the support
         }
-        double sum = 0, rests = 0, squares = 0;
-        for (int k = 0; k < size; ++k)
+        std::fill(w + size, w + alignSize(size, LANES), support * support);  // of weight 0
+        double rests[LANES] = {0}, squares[LANES] = {0}, cubes[LANES] = {0};
+        for (int k = 0; k < size; k += LANES)
         {
-            const double rest = 1 - e[members[k]] * scale;
-            weights[k] = rest * rest;
-            rests += rest;
-            squares += rest * rest;
-            sum += 1 - rest * rest * rest;
+            USAC_SIMD
+            for (int lane = 0; lane < LANES; ++lane)
+            {
+                const double rest = 1 - w[k + lane] * scale, square = rest * rest;
+                w[k + lane] = square;
+                rests[lane] += rest;
+                squares[lane] += square;
+                cubes[lane] += square * rest;
+            }
         }
-        sumOfWeights = squares;
-        lostCurvature = 4 * (rests - squares);
+        sumOfWeights = sumOf(squares);
+        lostCurvature = 4 * (sumOf(rests) - sumOfWeights);
         count = size;
-        lossNear = sum;
-        return lossNear + looked - count;
+        lossNear = size - sumOf(cubes);
+        return looked - sumOf(cubes);
+    }
+
+    enum { LANES = 4 };  //!< number of partial sums, see weigh()
+
+    static double sumOf(const double* lanes)
+    {
+        return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
     }
 
     //! Smallest change of the loss that counts, see SETTLED.

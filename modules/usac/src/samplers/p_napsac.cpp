@@ -11,8 +11,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md shows the effects of halving and doubling these constants,
-// except SMALL.
+// doc/measurements/constants_tables.md shows the effects of halving and doubling these constants.
 
 //! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
 constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
@@ -40,10 +39,12 @@ points. With more local samples, small groups of consistent outliers (repeated p
 for the inliers more often.
 
 The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, unless all samples follow the
-order. There are two exceptions if the order is a guess. With #SMALL points per sample (H), all of
-the first #ORDERED samples follow the order instead, because four inliers are soon drawn from the
-few densest points. With fewer points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform,
-because they take less time than computing the order. */
+order. There are two more rules if the order is a guess. With #SMALL points per sample (H), the next
+#ORDERED samples all follow the order, because four inliers are soon drawn from the few densest
+points, and the search begins anew with them (prelude()): if a surface is not quite a plane, their
+models lead to the best of several optima more often than those of uniform samples. With fewer
+points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, because they take less time
+than computing the order. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -79,6 +80,14 @@ public:
         return (1 - 1. / localEvery(context)) / context.params.orderedEvery;
     }
 
+    int prelude(const Context& context) const CV_OVERRIDE
+    {
+        return context.components.minimalSolver->sampleSize() == SMALL && isGuess(context) &&
+                       context.params.orderedEvery > 1
+                   ? BEFORE_ORDER
+                   : 0;
+    }
+
 private:
     static int localEvery(const Context& context)
     {
@@ -89,17 +98,17 @@ private:
     bool isOrderedGuess(const Context& context, State& state, int* sample) const
     {
         const int before = m < SMALL ? BEFORE_ORDER_CHEAP : BEFORE_ORDER;
-        if (context.params.orderedEvery == 1 || state.iteration >= std::max(before, ORDERED))
+        if (context.params.orderedEvery == 1)
             return isOrdered(context, state, m, sample);
-        if (m == SMALL)
-        {
-            state.counts = false;
-            return true;
-        }
         if (state.iteration < before)
         {
             drawUniform(context, state, m, sample);
             return false;
+        }
+        if (m == SMALL && state.iteration < before + ORDERED)
+        {
+            state.counts = false;
+            return true;
         }
         return isOrdered(context, state, m, sample);
     }

@@ -194,6 +194,13 @@ TEST(Usac_Neighborhood, noPointIsForgotten)
     EXPECT_LT(alone, usac->points().size);
 }
 
+TEST(Usac_Neighborhood, firstPoints)
+{
+    checkFirstPoints([] { return createGridNeighborhood(4); });
+    checkFirstPoints([] { return createKnnNeighborhood(5); });
+    checkFirstPoints([] { return createRadiusNeighborhood(0.2); });
+}
+
 TEST(Usac_Neighborhood, noPoints)
 {
     const OwnPoints none(HOMOGRAPHY, std::vector<Point2d>(), std::vector<Point2d>());

@@ -69,7 +69,8 @@ public:
     //! Sets `members` to the point itself and its neighbors in a layer. @return their number.
     virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
     /** @brief Undirected edges of the graph, each listed once, at most a constant times N.
-    @param context the run
+    @param context the run; `context.points` can be the first N points of the run instead of all
+    points, which are in random order. All edges are between these N points.
     @param wanted a value for each of the N points, or null for all edges. To save time, an edge
     between two points with value 0 can be left out.
     @param edges output: pointer to the edges, which are valid until the next call
@@ -97,6 +98,13 @@ public:
     //! PROSAC's termination criterion counts only these samples. Default: 0, so that this criterion
     //! never ends the search.
     virtual double growingShare(const Context& context) const;
+    /** @brief Number of samples with which a search begins before it begins anew.
+
+    For a sampler whose first samples take less time than the others, for example because they need
+    no order of the points. If these samples do not end the search, batches are small again, and the
+    best model of the next batch is optimized even if it is worse than the models before. Default:
+    0, the search does not begin anew. */
+    virtual int prelude(const Context& context) const;
 };
 
 //! Computes models from a minimal sample.

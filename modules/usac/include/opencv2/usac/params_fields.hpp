@@ -131,7 +131,7 @@ void visitFields(Visitor& visit)
                     LOCAL_OPTIMIZATION_GC_RANSAC));
     visit("localIterations", &Params::localIterations, V::number(5, 1, 1000));
     visit("localSampleMultiple", &Params::localSampleMultiple, V::number(3, 2, 100));
-    visit("localSamples", &Params::localSamples, V::number(4, 0, 1000));
+    visit("localSamples", &Params::localSamples, V::number(1, 0, 1000));
     visit("spatialWeight", &Params::spatialWeight, V::number(0.14, 0, 10));
     visit("runnersUp", &Params::runnersUp, V::number(16, 0, 100));
     visit("orderedEvery", &Params::orderedEvery, V::number(8, 1, 1000));

@@ -108,11 +108,10 @@ public:
         places = 0;
         if (p.size <= SEEN || p.coordinates[1] == 0)
             return;
-        int seen[FIRST_SEEN];
         const int count = std::min<int>(p.size, FIRST_SEEN);
-        look(p, (float)square(NEAR_THRESHOLDS * threshold), -1, count, seen);
-        if (*std::max_element(seen, seen + count) < SEEN)
+        if (mostNear(p, (float)square(NEAR_THRESHOLDS * threshold), count) < SEEN)
             return;
+        int seen[FIRST_SEEN];
         float sizes[2] = {FLT_MIN, FLT_MIN};
         for (int k = 0; k < p.columns(); ++k)
         {
@@ -170,29 +169,50 @@ private:
         return values[count - 1 - count / TRIMMED_PART] - values[count / TRIMMED_PART];
     }
 
+    //! Largest number of the first `count` points that are near one of the other points among them
+    //! in array 2. All loops have the same length, so that compilers vectorize them.
+    //! @param near largest squared distance of near points
+    static int mostNear(const Correspondences& p, float near, int count)
+    {
+        const int first = p.coordinates[0], columns = p.coordinates[1];
+        float values[MAX_COLUMNS][FIRST_SEEN];
+        for (int c = 0; c < columns; ++c)
+        {
+            std::copy(p.column[first + c], p.column[first + c] + count, values[c]);
+            std::fill(values[c] + count, values[c] + FIRST_SEEN,
+                      std::numeric_limits<float>::quiet_NaN());  // near no point
+        }
+        int most = 0;
+        for (int i = 0; i < count; ++i)
+        {
+            float squares[FIRST_SEEN] = {0};
+            for (int c = 0; c < columns; ++c)
+            {
+                const float value = values[c][i];
+                for (int k = 0; k < FIRST_SEEN; ++k)
+                    squares[k] += square(values[c][k] - value);
+            }
+            int found = -1;  // the point itself does not count
+            for (int k = 0; k < FIRST_SEEN; ++k)
+                found += squares[k] <= near;
+            most = std::max(most, found);
+        }
+        return most;
+    }
+
     //! Counts for each of the first `count` points how many of the other points among them are at
     //! most `near` away in array 2 but more than `far` away in array 1. Both limits are squared
-    //! distances; a negative `far` ignores array 1.
+    //! distances.
     static void look(const Correspondences& p, float near, float far, int count, int* seen)
     {
         std::fill(seen, seen + count, 0);
         for (int i = 1; i < count; ++i)
-        {
-            float squares[FIRST_SEEN] = {0};
-            for (int c = p.coordinates[0]; c < p.columns(); ++c)
-            {
-                const float* const column = p.column[c];
-                const float value = column[i];
-                for (int k = 0; k < i; ++k)
-                    squares[k] += square(column[k] - value);
-            }
             for (int k = 0; k < i; ++k)
-                if (squares[k] <= near && squaredDistance(p, 0, i, k) > far)
+                if (squaredDistance(p, 1, i, k) <= near && squaredDistance(p, 0, i, k) > far)
                 {
                     ++seen[i];
                     ++seen[k];
                 }
-        }
     }
 
     //! Adds the points near the point `center` as a place if there are enough of these points and

@@ -66,7 +66,12 @@ private:
         repetitions = 0;
         for (int i = 0; i < std::min<int>(p.size, FIRST_POINTS); ++i)
         {
-            int same = 1;
+            const float* const column = p.column[0];
+            int equal = 1, same = 1;
+            for (int k = 0; k < i; ++k)  // fast preliminary test, without branches
+                equal += column[k] == column[i];
+            if (equal < OFTEN)
+                continue;
             for (int k = 0; k < i; ++k)
                 same += sameMatch(p, i, k);
             if (same == OFTEN)
