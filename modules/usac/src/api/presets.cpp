@@ -259,7 +259,7 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
         break;
     default:
         params.localOptimization = LOCAL_OPTIMIZATION_LO_RANSAC;
-        params.localSamples = floRansac().localSamples;
+        params.localSamples = 4;
     }
     switch (other.score)
     {

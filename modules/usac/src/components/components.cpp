@@ -15,6 +15,7 @@ Ordering::~Ordering() {}
 bool Ordering::informative(const Context&) const { return true; }
 Neighborhood::~Neighborhood() {}
 int Neighborhood::mostEdges() const { return -1; }
+bool Neighborhood::edgesOfFirstPoints() const { return false; }
 Sampler::~Sampler() {}
 MinimalSolver::~MinimalSolver() {}
 

@@ -50,12 +50,12 @@ few points within the threshold hardly changes the model. Optimization ends afte
 between them (#FIRST_GAIN), unless the model is now clearly better than the best model so far.
 
 Then each iteration finds the spatially coherent inliers of the model (Labeling) and runs an inner
-RANSAC over these inliers: models are fitted to all inliers (to #MAX_INNER_FIT random inliers if
-there are more), and to random samples of Params::localSampleMultiple times the minimal size or, if
-there are few inliers, of half of the inliers. A better fit always replaces the model. Each
-iteration except the first begins with fits with shrinking thresholds, as above. The first
-iteration without a clear decrease of the cost is the last one, and Params::localIterations bounds
-the number of iterations. */
+RANSAC over these inliers (of the first points, see #CUT_INLIERS): models are fitted to all of them
+(to #MAX_INNER_FIT random ones if there are more), and to random samples of
+Params::localSampleMultiple times the minimal size or, if there are few inliers, of half of the
+inliers. A better fit always replaces the model. Each iteration except the first begins with fits
+with shrinking thresholds, as above. The first iteration without a clear decrease of the cost is the
+last one, and Params::localIterations bounds the number of iterations. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:
@@ -92,7 +92,7 @@ private:
     {
         Correspondences points = context.points;
         const double wanted = (double)CUT_INLIERS * points.size / std::max(quality.inliers, 1);
-        int size = CUT_INLIERS;
+        int size = context.neighborhood().edgesOfFirstPoints() ? (int)CUT_INLIERS : points.size;
         while (size < wanted && size < points.size)
             size *= 2;
         points.size = std::min(size, points.size);

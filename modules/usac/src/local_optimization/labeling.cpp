@@ -123,9 +123,9 @@ int Labeling::cut(const Context& context, const Model& model, int* inliers)
     lambda = (float)context.params.spatialWeight;
     factor = (float)(-0.5 / (context.points.threshold * context.points.threshold));
     const bool late = context.stopBefore(size * CUT_WORK);
-    if (degree < 0 || degreeOf != size)
+    if (degree < 0 || degreeSize != size)
         degree = late ? 0 : findDegree(context);
-    degreeOf = size;
+    degreeSize = size;
     labelByError(context, model, wanted);
     const Vec2i* edges = 0;
     int count = late ? 0 : context.neighborhood().edges(context, wanted, edges);

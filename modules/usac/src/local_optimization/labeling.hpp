@@ -32,7 +32,7 @@ class Labeling
 public:
     Labeling()
         : lambda(0), factor(0), errors(0), K(0), unary(0), node(0), pointOfNode(0), size(0),
-          nodeCount(0), degree(-1), degreeOf(0)
+          nodeCount(0), degree(-1), degreeSize(0)
     {}
 
     //! To be called when a run begins, because its points can have other edges than those of the
@@ -70,9 +70,9 @@ private:
     int size, nodeCount;           //!< numbers of points and of nodes
     detail::GCGraph<float> graph;  //!< a member, so that its memory is reused
 
-    int degree;    //!< upper bound of the number of edges of a point (0 if the run must end before
-                   //!< the edges are found); -1: not yet known
-    int degreeOf;  //!< number of points to which `degree` belongs
+    int degree;  //!< upper bound of the number of edges of a point (0 if the run must end before
+                 //!< the edges are found); -1: not yet known
+    int degreeSize;  //!< number of points to which `degree` belongs
 };
 
 }  // namespace usacv20

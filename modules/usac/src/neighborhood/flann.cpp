@@ -75,77 +75,6 @@ struct Reach
     double squaredRadius;  //!< largest squared distance, in squared pixels
 };
 
-//! A kd-tree of the first points of a run.
-class PointTree
-{
-public:
-    PointTree() : size(0), coordinates(0), columns(0) {}
-
-    void clear()
-    {
-        tree.release();
-        size = 0;
-    }
-
-    //! Builds the tree unless it has the same number of points. @return false if the run must end
-    //! before it can be built
-    bool build(const Context& context)
-    {
-        const Correspondences& p = context.points;
-        if (size == p.size)
-            return true;
-        if (context.stopBefore(p.size * BUILD_WORK))
-            return false;
-        size = p.size;
-        readCoordinates(p, context.arena);
-        const cvflann::Matrix<float> rows(coordinates, size, columns);
-        tree = makePtr<KdTree>(rows, cvflann::KDTreeSingleIndexParams());
-        tree->buildIndex();
-        return true;
-    }
-
-    //! Writes the point itself and then its neighbors, sorted by distance, to `found`.
-    void find(int point, const Reach& wanted, std::vector<Found>& found) const
-    {
-        const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, size);
-        NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX),
-                             found);
-        tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
-        std::sort(found.begin(), found.end());
-        size_t self = 0;  // index of the point itself; above 0 if equal points come before it
-        while (self + 1 < found.size() && found[self].second != point)
-            ++self;
-        found[self] = Found(0.f, point);
-        std::rotate(found.begin(), found.begin() + self, found.begin() + self + 1);
-    }
-
-    int size;  //!< number of points
-
-private:
-    void readCoordinates(const Correspondences& p, Arena& arena)
-    {
-        const double unit2 = p.unit / p.meanSigma,
-                     unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
-        const double LARGEST = 1e18;  // its square fits into a float
-        const int first = p.problem->commonUnit() || p.coordinates[1] == 0 ? 0 : p.coordinates[0];
-        columns = p.columns() - first;
-        coordinates = arena.take<float>((size_t)columns * size);
-        for (int i = 0; i < size; ++i)
-            for (int k = 0; k < columns; ++k)
-            {
-                const double value = p.exact[first + k][i] /
-                                     (first + k < p.coordinates[0] ? unit1 : unit2);
-                coordinates[(size_t)columns * i + k] = (float)std::max(-LARGEST,
-                                                                       std::min(value, LARGEST));
-            }
-    }
-
-    float* coordinates;  //!< coordinates in pixels, one row per point
-    int columns;         //!< number of coordinates per point
-    Ptr<KdTree> tree;
-    cvflann::SearchParams exact;
-};
-
 /** @brief Nearest neighbors in the joint space of all coordinates (x1, y1, x2, y2 of two views) in
 pixels (3-D motions: in the caller's unit), found with an exact kd-tree of cv::flann. If the two
 arrays have no common unit (Problem::commonUnit, as for an absolute pose), only the coordinates of
@@ -162,41 +91,32 @@ point itself.
 
 The tree is built at its first use in O(N log N). The neighbors of a point are searched in O(log N)
 when they are first requested, and again for a wider layer. They are not searched in advance,
-because samplers use only some points. Edges between the first points of the run come from a tree of
-these points alone. */
+because samplers use only some points. */
 class FlannNeighborhood : public Neighborhood
 {
 public:
-    explicit FlannNeighborhood(const Reach* reach_) : known(0), links(0), linkCount(0), linked(0)
+    explicit FlannNeighborhood(const Reach* reach_)
+        : coordinates(0), columns(0), size(0), known(0), links(0), linkCount(0)
     {
         std::copy(reach_, reach_ + LAYERS, reach);
     }
 
     void start(const Context&) CV_OVERRIDE
     {
-        all.clear();
-        first.clear();
-        known = 0;
-        linked = linkCount = 0;
+        tree.release();
+        links = 0;
     }
 
     int layers() const CV_OVERRIDE { return LAYERS; }
 
     int members(const Context& context, int layer, int point, const int*& members) CV_OVERRIDE
     {
-        if (first.size == context.points.size && !known)
-            std::swap(all, first);
-        if (!all.build(context))
+        if (!build(context))
             return alone(context, point, members);
-        if (!known)
-        {
-            known = context.arena.take<Surroundings>(all.size);
-            std::fill(known, known + all.size, Surroundings());
-        }
         Surroundings& around = known[point];
         if (around.layers <= layer)
         {
-            all.find(point, reach[layer], found);
+            find(point, reach[layer]);
             around.layers = layer + 1;
             around.members = context.arena.take<int>(found.size());
             for (size_t i = 0; i < found.size(); ++i)
@@ -210,12 +130,10 @@ public:
 
     int edges(const Context& context, const uchar*, const Vec2i*& edges) CV_OVERRIDE
     {
-        const int size = context.points.size;
-        PointTree& tree = all.size == size ? all : first;
-        if (!tree.build(context))
+        if (!build(context))
             return 0;
-        if (linked != size)
-            link(context, tree);
+        if (!links)
+            link(context);
         edges = links;
         return linkCount;
     }
@@ -245,16 +163,15 @@ private:
 
     //! Creates the edges. If the run must end before all edges are found and sorted, only the first
     //! points have edges, or there are no edges.
-    void link(const Context& context, const PointTree& tree)
+    void link(const Context& context)
     {
         const Reach nearest = {std::min<int>(reach[0].neighbors, TREE_LINKS),
                                reach[0].squaredRadius};
-        linked = context.points.size;
-        links = context.arena.take<Vec2i>((size_t)linked * TREE_LINKS);
+        links = context.arena.take<Vec2i>((size_t)size * TREE_LINKS);
         Vec2i* end = links;
-        for (int i = 0; i < linked && !context.stop(FIND_WORK); ++i)
+        for (int i = 0; i < size && !context.stop(FIND_WORK); ++i)
         {
-            tree.find(i, nearest, found);
+            find(i, nearest);
             const int count = countWithin(nearest);
             for (int k = 1; k < count; ++k)
                 *end++ = Vec2i(std::min(i, found[k].second), std::max(i, found[k].second));
@@ -263,6 +180,52 @@ private:
             end = links;
         std::sort(links, end, isLess);
         linkCount = (int)(std::unique(links, end) - links);
+    }
+
+    //! Builds the tree unless it exists. @return false if the run must end before it can be built
+    bool build(const Context& context)
+    {
+        const Correspondences& p = context.points;
+        size = p.size;
+        if (tree || size == 0)
+            return true;
+        if (context.stopBefore(size * BUILD_WORK))
+            return false;
+        const double unit2 = p.unit / p.meanSigma,
+                     unit1 = unit2 * p.frame[0].scale / p.frame[1].scale;
+        const double LARGEST = 1e18;  // its square fits into a float
+        const int first = p.problem->commonUnit() || p.coordinates[1] == 0 ? 0 : p.coordinates[0];
+        columns = p.columns() - first;
+        coordinates = context.arena.take<float>((size_t)columns * size);
+        for (int i = 0; i < size; ++i)
+            for (int k = 0; k < columns; ++k)
+            {
+                const double value = p.exact[first + k][i] /
+                                     (first + k < p.coordinates[0] ? unit1 : unit2);
+                coordinates[(size_t)columns * i + k] = (float)std::max(-LARGEST,
+                                                                       std::min(value, LARGEST));
+            }
+        known = context.arena.take<Surroundings>(size);
+        std::fill(known, known + size, Surroundings());
+        const cvflann::Matrix<float> rows(coordinates, size, columns);
+        tree = makePtr<KdTree>(rows, cvflann::KDTreeSingleIndexParams());
+        tree->buildIndex();
+        return true;
+    }
+
+    //! Writes the point itself and then its neighbors, sorted by distance, to `found`.
+    void find(int point, const Reach& wanted)
+    {
+        const int capacity = (int)std::min<int64>((int64)wanted.neighbors + 1, size);
+        NearestWithin result(capacity, (float)std::min<double>(wanted.squaredRadius, FLT_MAX),
+                             found);
+        tree->findNeighbors(result, coordinates + (size_t)columns * point, exact);
+        std::sort(found.begin(), found.end());
+        size_t self = 0;  // index of the point itself; above 0 if equal points come before it
+        while (self + 1 < found.size() && found[self].second != point)
+            ++self;
+        found[self] = Found(0.f, point);
+        std::rotate(found.begin(), found.begin() + self, found.begin() + self + 1);
     }
 
     int countWithin(const Reach& wanted) const
@@ -275,13 +238,15 @@ private:
     }
 
     Reach reach[LAYERS];
-    PointTree all;             //!< all points of the run
-    PointTree first;           //!< the first points of the run
-    Surroundings* known;       //!< neighbors of each point; null: none have been requested yet
+    float* coordinates;  //!< coordinates in pixels, one row per point
+    int columns;         //!< number of coordinates per point
+    int size;            //!< number of points
+    Ptr<KdTree> tree;
+    const cvflann::SearchParams exact;
+    Surroundings* known;       //!< neighbors of each point
     std::vector<Found> found;  //!< result of the last search; a member to reuse its memory
-    Vec2i* links;              //!< the edges
+    Vec2i* links;              //!< the edges; null: they have not been requested yet
     int linkCount;
-    int linked;  //!< number of points to which the edges belong; 0: none have been requested yet
 };
 
 }  // namespace

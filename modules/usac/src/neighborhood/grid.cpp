@@ -26,7 +26,7 @@ constexpr int CELL_LINKS = 3;
 class SortedCells
 {
 public:
-    SortedCells() : size(0), capacity(0) {}
+    SortedCells() : size(0), codes(0), sorted(0), rank(0), sortedCodes(0), capacity(0) {}
 
     //! Forgets the points, and the memory of the previous run.
     void clear() { size = capacity = 0; }
@@ -193,6 +193,7 @@ public:
     }
 
     int mostEdges() const CV_OVERRIDE { return 2 * CELL_LINKS; }
+    bool edgesOfFirstPoints() const CV_OVERRIDE { return true; }
 
 private:
     static bool lessCode(ushort code, int value) { return code < value; }

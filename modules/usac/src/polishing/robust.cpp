@@ -189,7 +189,7 @@ private:
             w[size] = e[i];
             size += e[i] < limit;  // NaN is not within the support
         }
-        std::fill(w + size, w + alignSize(size, LANES), support * support);  // of weight 0
+        std::fill(w + size, w + alignSize(size, LANES), support * support);  // of weight 0, nearly
         double rests[LANES] = {0}, squares[LANES] = {0}, cubes[LANES] = {0};
         for (int k = 0; k < size; k += LANES)
         {

@@ -11,7 +11,8 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md shows the effects of halving and doubling these constants.
+// doc/measurements/constants_tables.md shows the effects of halving and doubling these constants,
+// except SMALL.
 
 //! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
 constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
@@ -39,8 +40,8 @@ points. With more local samples, small groups of consistent outliers (repeated p
 for the inliers more often.
 
 The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, unless all samples follow the
-order. There are two more rules if the order is a guess. With #SMALL points per sample (H), the next
-#ORDERED samples all follow the order, because four inliers are soon drawn from the few densest
+order. There are two more rules if the order is a guess. With #SMALL points per sample (H), all of
+the next #ORDERED samples follow the order, because four inliers are soon drawn from the few densest
 points, and the search begins anew with them (prelude()): if a surface is not quite a plane, their
 models lead to the best of several optima more often than those of uniform samples. With fewer
 points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, because they take less time

@@ -122,19 +122,22 @@ struct Graph
 TEST(Usac_GraphCut, wrongEdges)
 {
     for (const Vec2i& edge : {Vec2i(0, 12), Vec2i(-1, 3), Vec2i(5, 5)})
-    {
-        Graph graph(12, 0.1, 1);
-        graph.neighborhood->given.push_back(edge);
-        try
+        for (int most = -1; most <= 1; most += 2)
         {
-            graph.cut();
-            ADD_FAILURE() << edge << " was accepted";
+            Graph graph(12, 0.1, 1);
+            graph.neighborhood->given.push_back(edge);
+            graph.neighborhood->most = most;
+            try
+            {
+                graph.cut();
+                ADD_FAILURE() << edge << " was accepted";
+            }
+            catch (const cv::Exception& e)
+            {
+                EXPECT_NE(String::npos, String(e.what()).find("components().neighborhood"))
+                    << e.what();
+            }
         }
-        catch (const cv::Exception& e)
-        {
-            EXPECT_NE(String::npos, String(e.what()).find("components().neighborhood")) << e.what();
-        }
-    }
 }
 
 //! Draws errors between 0 and `reach` times the threshold, so that some points have a high, some a

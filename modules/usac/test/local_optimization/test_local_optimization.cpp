@@ -7,7 +7,6 @@
 #include "local_optimization/local_optimization.hpp"
 #include "neighborhood/neighborhood.hpp"
 
-#include <set>
 #include <tuple>
 
 namespace opencv_test {
@@ -75,7 +74,8 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         const Scene scene = makeScene(problem, options);
         Params params;
         params.localOptimization = std::get<1>(GetParam());
-        params.localSamples = 4;
+        if (params.localOptimization != LOCAL_OPTIMIZATION_GRAPH_CUT)
+            params.localSamples = 4;
         if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS &&
             params.localOptimization <=
                 // these methods use the threshold as an upper bound of the noise
@@ -244,7 +244,7 @@ TEST(Usac_LocalOptimizers, graphCutEndsForModelsFarFromTheBest)
 class RecordedGrid : public Neighborhood
 {
 public:
-    RecordedGrid() : grid(createGridNeighborhood(4)) {}
+    explicit RecordedGrid(bool first_) : first(first_), grid(createGridNeighborhood(4)) {}
 
     void start(const Context& context) CV_OVERRIDE { grid->start(context); }
     int layers() const CV_OVERRIDE { return grid->layers(); }
@@ -254,30 +254,38 @@ public:
     }
     int edges(const Context& context, const uchar* wanted, const Vec2i*& edges) CV_OVERRIDE
     {
-        sizes.insert(context.points.size);
+        sizes.push_back(context.points.size);
         return grid->edges(context, wanted, edges);
     }
     int mostEdges() const CV_OVERRIDE { return grid->mostEdges(); }
+    bool edgesOfFirstPoints() const CV_OVERRIDE { return first; }
 
-    std::set<int> sizes;
+    std::vector<int> sizes;
 
 private:
+    const bool first;
     const Ptr<Neighborhood> grid;
 };
 
-//! With many inliers, the graph cut must label only as many points as contain about a thousand
-//! inliers; with few inliers, all points.
+//! With many inliers, the graph cut must at the end label only as many points as contain about a
+//! thousand inliers; with few inliers, or if the neighborhood does not support it, all points.
 TEST(Usac_LocalOptimizers, graphCutLabelsTheFirstPoints)
 {
-    for (int many = 0; many < 2; ++many)
+    const struct
     {
-        const Scene scene = makeScene(HOMOGRAPHY, many ? 8000 : 500, many ? 8000 : 500);
+        int inliers, outliers;
+        bool first;
+        int expected;
+    } cases[] = {{6000, 10000, true, 4096}, {300, 2700, true, 3000}, {6000, 10000, false, 16000}};
+    for (const auto& c : cases)
+    {
+        const Scene scene = makeScene(HOMOGRAPHY, c.inliers, c.outliers);
         const Ptr<Usac> usac = createUsac(scene, Params());
-        const Ptr<RecordedGrid> recorder = makePtr<RecordedGrid>();
+        const Ptr<RecordedGrid> recorder = makePtr<RecordedGrid>(c.first);
         usac->components().neighborhood = recorder;
         EXPECT_FALSE(usac->run().empty());
         ASSERT_FALSE(recorder->sizes.empty());
-        EXPECT_EQ(many ? 4096 : 1000, *recorder->sizes.begin());
+        EXPECT_EQ(c.expected, recorder->sizes.back()) << c.inliers << " of " << scene.size();
     }
 }
 

@@ -194,11 +194,43 @@ TEST(Usac_Neighborhood, noPointIsForgotten)
     EXPECT_LT(alone, usac->points().size);
 }
 
+/** Members and edges must not depend on whether edges of the first points were requested before,
+and the edges of the first points must be those of a grid that knows only these points. After a new
+start, with other points and other memory, nothing of the previous run must remain. */
 TEST(Usac_Neighborhood, firstPoints)
 {
-    checkFirstPoints([] { return createGridNeighborhood(4); });
-    checkFirstPoints([] { return createKnnNeighborhood(5); });
-    checkFirstPoints([] { return createRadiusNeighborhood(0.2); });
+    RNG rng(12);
+    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
+    EXPECT_TRUE(grid->edgesOfFirstPoints());
+    for (int run = 0; run < 4; ++run)
+    {
+        const int count = run == 1 ? 700 : 400;
+        std::vector<Point2d> points1, points2;
+        clumsyPoints(count, rng, points1, points2);
+        const OwnPoints points(HOMOGRAPHY, points1, points2);
+        const Surroundings all(points.view());
+        grid->start(all.context);
+        const std::vector<Vec2i> expected = edgesOf(*createGridNeighborhood(4), all.context);
+        const std::set<int> members = membersOf(*createGridNeighborhood(4), all.context, 1, 8);
+        EXPECT_GT((int)expected.size(), count / 2);
+        EXPECT_GT(members.size(), 1u);
+        for (int size : {100, count, 30, 300})
+        {
+            if (run % 2 == 1)
+            {
+                EXPECT_EQ(members, membersOf(*grid, all.context, 1, 8));
+            }
+            Correspondences part = points.view();
+            part.size = size;
+            const Surroundings first(part);
+            const Context context(part, all.components, all.params, all.context.arena);
+            const std::vector<Vec2i> edges = edgesOf(*grid, context);
+            EXPECT_EQ(edgesOf(*createGridNeighborhood(4), first.context), edges) << size;
+            EXPECT_FALSE(edges.empty());
+        }
+        EXPECT_EQ(expected, edgesOf(*grid, all.context));
+        EXPECT_EQ(members, membersOf(*grid, all.context, 1, 8));
+    }
 }
 
 TEST(Usac_Neighborhood, noPoints)

@@ -22,7 +22,10 @@ public:
         return (int)given.size();
     }
 
+    int mostEdges() const CV_OVERRIDE { return most; }
+
     std::vector<Vec2i> given;
+    int most = -1;  //!< result of mostEdges()
 };
 
 }  // namespace opencv_test

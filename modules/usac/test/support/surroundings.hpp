@@ -7,7 +7,6 @@
 
 #include <set>
 #include "test_precomp.hpp"
-#include "support/run_context.hpp"
 
 namespace opencv_test {
 
@@ -56,43 +55,6 @@ inline std::set<int> membersOf(Neighborhood& neighborhood, const Context& contex
     const std::set<int> result(members, members + count);
     EXPECT_EQ(count, (int)result.size()) << "a member is repeated";
     return result;
-}
-
-/** Members and edges must not depend on whether edges of the first points were requested before,
-and the edges of the first points must be those of a neighborhood that knows only these points.
-@param create function that creates the neighborhood */
-template <class Create>
-void checkFirstPoints(const Create& create)
-{
-    RNG rng(12);
-    std::vector<Point2d> points1, points2;
-    clumsyPoints(400, rng, points1, points2);
-    const OwnPoints points(HOMOGRAPHY, points1, points2);
-    const Surroundings all(points.view());
-    const std::vector<Vec2i> expected = edgesOf(*create(), all.context);
-    const std::set<int> members = membersOf(*create(), all.context, 1, 8);
-    EXPECT_GT(expected.size(), 300u);
-    EXPECT_GT(members.size(), 1u);
-    for (int order = 0; order < 2; ++order)
-    {
-        const Ptr<Neighborhood> neighborhood = create();
-        for (int size : {100, 400, 30, 300})
-        {
-            if (order == 1)
-            {
-                EXPECT_EQ(members, membersOf(*neighborhood, all.context, 1, 8));
-            }
-            Correspondences part = points.view();
-            part.size = size;
-            const Surroundings first(part);
-            const Context context(part, all.components, all.params, all.context.arena);
-            const std::vector<Vec2i> edges = edgesOf(*neighborhood, context);
-            EXPECT_EQ(edgesOf(*create(), first.context), edges) << size << " points";
-            EXPECT_FALSE(edges.empty());
-        }
-        EXPECT_EQ(expected, edgesOf(*neighborhood, all.context));
-        EXPECT_EQ(members, membersOf(*neighborhood, all.context, 1, 8));
-    }
 }
 
 }  // namespace opencv_test

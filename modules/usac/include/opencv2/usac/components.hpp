@@ -69,8 +69,8 @@ public:
     //! Sets `members` to the point itself and its neighbors in a layer. @return their number.
     virtual int members(const Context& context, int layer, int point, const int*& members) = 0;
     /** @brief Undirected edges of the graph, each listed once, at most a constant times N.
-    @param context the run; `context.points` can be the first N points of the run instead of all
-    points, which are in random order. All edges are between these N points.
+    @param context the run. If edgesOfFirstPoints() is true, `context.points` can be the first N
+    points of the run, which are a random subset; all edges are then between these N points.
     @param wanted a value for each of the N points, or null for all edges. To save time, an edge
     between two points with value 0 can be left out.
     @param edges output: pointer to the edges, which are valid until the next call
@@ -79,6 +79,9 @@ public:
     //! Upper bound of the number of edges of a point. Default: -1, which means that the bound is
     //! unknown; the graph cut then counts the edges of all points.
     virtual int mostEdges() const;
+    //! True if edges() can be called for the first points of the run, each time for another number
+    //! of them, in O(N) time. Default: false, so that edges() is always called for all points.
+    virtual bool edgesOfFirstPoints() const;
 };
 
 //! Draws minimal samples (paper, section "Sampling").
@@ -102,8 +105,8 @@ public:
 
     For a sampler whose first samples take less time than the others, for example because they need
     no order of the points. If these samples do not end the search, batches are small again, and the
-    best model of the next batch is optimized even if it is worse than the models before. Default:
-    0, the search does not begin anew. */
+    best model of the next batch is optimized even if it is worse than the models before, unless the
+    verifier rejects it. Called once for each search. Default: 0, the search does not begin anew. */
     virtual int prelude(const Context& context) const;
 };
 
