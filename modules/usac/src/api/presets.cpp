@@ -257,9 +257,7 @@ Params Params::fromUsacParams(const cv::UsacParams& other)
     case LOCAL_OPTIM_SIGMA:
         params.localOptimization = LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS;
         break;
-    default:
-        params.localOptimization = LOCAL_OPTIMIZATION_LO_RANSAC;
-        params.localSamples = 4;
+    default: params.localOptimization = LOCAL_OPTIMIZATION_LO_RANSAC; params.localSamples = 4;
     }
     switch (other.score)
     {
