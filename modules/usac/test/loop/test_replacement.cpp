@@ -268,54 +268,6 @@ TEST(Usac_Replacement, uniformSampler)
     }
 }
 
-//! A uniform sampler with a prelude, which records the sizes of the batches.
-class BatchRecorder : public Sampler
-{
-public:
-    explicit BatchRecorder(int prelude_) : before(prelude_), models(-1) {}
-
-    void sample(const Context& context, State& state, int* out) CV_OVERRIDE
-    {
-        state.rng.distinct(context.points.size, context.components.minimalSolver->sampleSize(),
-                           out);
-        if (state.report.models != models)  // the models of the previous batch have been computed
-            sizes.push_back(0);
-        models = state.report.models;
-        ++sizes.back();
-    }
-    int prelude(const Context&) const CV_OVERRIDE { return before; }
-
-    std::vector<int> sizes;
-
-private:
-    const int before;
-    int models;
-};
-
-//! After the prelude, batches must begin small again.
-TEST(Usac_Replacement, preludeOfASampler)
-{
-    const struct
-    {
-        int prelude, maxIterations;
-        std::vector<int> expected;
-    } cases[] = {{0, 60, {8, 16, 32, 4}},
-                 {5, 60, {5, 8, 16, 31}},
-                 {20, 60, {8, 12, 8, 16, 16}},
-                 {100, 20, {8, 12}}};
-    for (const auto& c : cases)
-    {
-        Params params;
-        params.termination = 0;
-        params.maxIterations = c.maxIterations;
-        const Ptr<Usac> usac = createUsac(makeScene(HOMOGRAPHY), params);
-        const Ptr<BatchRecorder> recorder = makePtr<BatchRecorder>(c.prelude);
-        usac->components().sampler = recorder;
-        EXPECT_FALSE(usac->run().empty());
-        EXPECT_EQ(c.expected, recorder->sizes) << "prelude " << c.prelude;
-    }
-}
-
 //! A verifier that keeps all models, but reports that it keeps only the fraction `kept_` of the
 //! good ones, so that more samples are needed.
 class DroppingVerifier : public Verifier
