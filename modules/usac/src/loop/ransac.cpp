@@ -49,7 +49,7 @@ bool Ransac::run(int pause)
         if (adaptTerminations())
             continue;
         const bool first = batch.begins();
-        if (first)
+        if (first)  // models of the prelude do not prevent that the best of this batch is optimized
             state.sampleQuality = Quality();
         batch.draw();  // 3
         Candidate best;

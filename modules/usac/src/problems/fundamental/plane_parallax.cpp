@@ -84,16 +84,16 @@ void formWeights(const Vec3d& a, const Vec3d& b, T* weights)
 }
 
 /** Finds the first range of adjacent bins that are covered by the largest number of arcs.
-@param changes number of arcs that begin in each bin, minus the number of arcs that end in the bin
-before it; an arc that passes the end of the line also begins in bin 0
+@param begins, ends numbers of arcs that begin in each bin, and that end in the bin before it; an
+arc that passes the end of the line also begins in bin 0
 @param own two bins that do not count, together with the bins near them, see NEAR
 @param first, last output: the first and the last of the bins found
 @return the number of arcs that cover these bins */
-int densest(const int* changes, const int* own, int& first, int& last)
+int densest(const int* begins, const int* ends, const int* own, int& first, int& last)
 {
     int votes[ARCS_BINS];
     for (int k = 0, sum = 0; k < ARCS_BINS; ++k)
-        votes[k] = sum += changes[k];
+        votes[k] = sum += begins[k] - ends[k];
     for (int i = 0; i < 2; ++i)
         for (int k = own[i] - NEAR; k <= own[i] + NEAR; ++k)
             votes[(k + ARCS_BINS) % ARCS_BINS] = 0;  // the line is closed
@@ -226,27 +226,22 @@ int PlaneParallax::vote(int line, Vec3d& epipole) const
     formWeights(u, u, weights + 6);
     formWeights(u, v, weights + 12);
     formWeights(v, v, weights + 18);
-    int from[MAX_POINTS], to[MAX_POINTS];
+    int begins[ARCS_BINS] = {0}, ends[ARCS_BINS + 1] = {0}, from[MAX_POINTS], to[MAX_POINTS];
     kernels().arcs(numbers, stride, weights, from, to);
-    // changes of the number of arcs from each bin to the next, by even and by odd voters, because
-    // many arcs begin in the same bin, and a counter is slow if it is used twice in succession
-    int changes[2][ARCS_BINS + 1] = {{0}};
     int passing = 0;  // number of arcs that pass the end of the line
     for (int k = 0; k < p.size; ++k)
     {
-        ++changes[k & 1][from[k]];
-        --changes[k & 1][to[k] + 1];
+        ++begins[from[k]];
+        ++ends[to[k] + 1];
         passing += from[k] > to[k] + 1;
     }
-    for (int k = 0; k < ARCS_BINS; ++k)
-        changes[0][k] += changes[1][k];
-    changes[0][0] += passing;
+    begins[0] += passing;
     const Vec3d x2(p.column[X2][line], p.column[Y2][line], 1),
         y = H * Vec3d(p.column[X1][line], p.column[Y1][line], 1);
     const int own[2] = {binOf(placeOf((float)x2.dot(v), (float)x2.dot(u))),
                         binOf(placeOf((float)y.dot(v), (float)y.dot(u)))};
     int first = 0, last = -1;
-    const int votes = densest(changes[0], own, first, last);
+    const int votes = densest(begins, ends, own, first, last);
     if (votes > 0)
         epipole = middleOf(first, last, u, v);
     return votes;
