@@ -58,18 +58,23 @@ void Labeling::labelByError(const Context& context, const Model& model, uchar* w
         inner = std::log((1 + most) / (2 + most / 2)) / factor;
         outer = std::min(std::log((1 - most / 2) / (2 + most / 2)) / factor, farthest);
     }
-    for (int i = 0; i < size; ++i)  // this loop can use vector instructions
-    {
-        const float error = errors[i];
-        const bool open = (error >= inner) & (error < outer);
-        node[i] = error < inner ? INLIER : open ? 0 : OUTLIER;  // NaN gives an outlier
-        wanted[i] = open;
-        K[i] = -1;
-    }
+    const int count = size;
+    const float* USAC_RESTRICT const error = errors;
+    int* USAC_RESTRICT const label = node;
+    USAC_SIMD
+    for (int i = 0; i < count; ++i)  // NaN gives an outlier
+        label[i] = error[i] < inner ? (int)INLIER : error[i] < outer ? 0 : (int)OUTLIER;
+    std::fill(K, K + size, -1.f);
     nodeCount = 0;
-    for (int i = nextMarked(wanted, 0, size); i < size; i = nextMarked(wanted, i + 1, size))
+    for (int i = 0; i < count; ++i)  // without branches, which would often be mispredicted
     {
-        pointOfNode[nodeCount++] = i;
+        pointOfNode[nodeCount] = i;
+        wanted[i] = label[i] == 0;
+        nodeCount += label[i] == 0;
+    }
+    for (int v = 0; v < nodeCount; ++v)
+    {
+        const int i = pointOfNode[v];
         K[i] = weight(errors[i]);
         unary[i] = 1 - 2 * K[i];
     }

@@ -11,11 +11,34 @@
 namespace cv {
 namespace usacv20 {
 
-//! The median of `count` > 0 values; if `count` is even, the larger of the two middle values.
-//! Reorders the values.
+/** The value at index `rank` after sorting, for few values: the largest value for which at most
+`rank` values are smaller. Compares all pairs of values without branches; the branches of sorting
+would often be mispredicted. */
+template <class T>
+T ofRank(int rank, const T* values, int count)
+{
+    T result = values[0];
+    int most = -1;
+    for (int i = 0; i < count; ++i)
+    {
+        int smaller = 0;
+        for (int k = 0; k < count; ++k)
+            smaller += values[k] < values[i];
+        const bool better = smaller <= rank && smaller > most;
+        most = better ? smaller : most;
+        result = better ? values[i] : result;
+    }
+    return result;
+}
+
+//! The median of `count` > 0 values; if `count` is even, the larger of the two middle values. Can
+//! reorder the values.
 template <class T>
 T median(T* values, int count)
 {
+    enum { FEW = 32 };  // for which ofRank() takes less time
+    if (count <= FEW)
+        return ofRank(count / 2, values, count);
     std::nth_element(values, values + count / 2, values + count);
     return values[count / 2];
 }

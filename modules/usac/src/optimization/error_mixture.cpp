@@ -44,23 +44,29 @@ ErrorHistogram::ErrorHistogram(const float* squaredErrors, int count, double uni
     for (int first = 0; first < count && size < most; first += BLOCK)
     {
         const int here = std::min<int>(count - first, BLOCK);
-        int bins[BLOCK];  // -1: beyond the window
+        int bins[BLOCK], used = 0;
+        double values[BLOCK];
         for (int k = 0; k < here; ++k)
         {
             const double square = squaredErrors[first + k] * scale;
             const bool within = square <= limit;  // false for NaN
-            const double bin = std::sqrt(within ? square : 0.) * binsOfUnit;
-            bins[k] = within ? (int)bin : -1;
+            values[k] = within ? square : -1;
+            bins[k] = (int)(std::sqrt(within ? square : 0.) * binsOfUnit);
         }
-        for (int k = 0; k < here && size < most; ++k)
+        for (int k = 0; k < here; ++k)  // without branches, which would often be mispredicted
         {
-            if (bins[k] < 0)
-                continue;
-            const int bin = std::min<int>(bins[k], BINS - 1);
-            squares[bin] += squaredErrors[first + k] * scale;
-            ++members[bin];
-            ++size;
+            values[used] = values[k];
+            bins[used] = bins[k];
+            used += values[k] >= 0;
         }
+        used = std::min(used, most - size);
+        for (int k = 0; k < used; ++k)
+        {
+            const int bin = std::min<int>(bins[k], BINS - 1);
+            squares[bin] += values[k];
+            ++members[bin];
+        }
+        size += used;
     }
     for (int i = 0; i < BINS; ++i)
         squares[i] /= std::max(members[i], 1);

@@ -40,7 +40,7 @@ constexpr double SAME = 0.1;
 //! exceeds 8 for one right point in a hundred.
 constexpr double GROWN = 8;
 //! Number of points whose errors are computed together. The value has no effect on the result.
-constexpr int ERROR_BLOCK = 1024;
+constexpr int ERROR_BLOCK = 128;
 
 }  // namespace
 
@@ -151,9 +151,11 @@ bool Restarts::look(const Model& model)
     {
         const int end = std::min<int>(begin + ERROR_BLOCK, p.size);
         parts.residual->squaredErrors(p, model, begin, end, errors + begin);
-        for (int i = begin; i < end; ++i)
-            if (errors[i] <= limit)
-                inliers[count++] = i;
+        for (int i = begin; i < end; ++i)  // without branches, which would often be mispredicted
+        {
+            inliers[count] = i;
+            count += errors[i] <= limit;
+        }
     }
     if (count < m || (count > MOST && !wide))
     {

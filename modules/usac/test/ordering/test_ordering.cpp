@@ -156,6 +156,36 @@ TEST(Usac_Priors, repeatedMatchesAreLast)
     }
 }
 
+//! Each repetition must move to the end, in the order of the matches, whatever part of the matches
+//! are repetitions; all other matches must keep their order.
+TEST(Usac_Priors, repetitionsKeepTheirOrder)
+{
+    for (int different : {1, 2, 50, 1000, 100000})
+    {
+        RNG rng(different);
+        std::vector<Point2d> points1, points2;
+        std::vector<int> order, kept, repeated;
+        std::set<int> seen;
+        for (int i = 0; i < 2000; ++i)
+        {
+            const int value = rng.uniform(0, different);
+            points1.push_back(Point2d(value % 300, value / 300));
+            points2.push_back(Point2d(value % 7, 5));
+            order.push_back(i);
+        }
+        randShuffle(order, 1, &rng);
+        const OwnPoints points(HOMOGRAPHY, points1, points2);
+        const Correspondences p = points.view();
+        for (int i : order)
+            (seen.insert((int)(p.exact[X1][i] + 300 * p.exact[Y1][i])).second ? kept : repeated)
+                .push_back(i);
+        kept.insert(kept.end(), repeated.begin(), repeated.end());
+        const Surroundings around(p);
+        repeatedLast(around.context, order.data());
+        EXPECT_EQ(kept, order) << different;
+    }
+}
+
 //! A match that differs from another one only in the sign of a 0 must count as its repetition.
 TEST(Usac_Priors, signOfZero)
 {

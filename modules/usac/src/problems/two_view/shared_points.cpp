@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "numeric/selection.hpp"
 #include "problems/two_view/two_view.hpp"
 #include "components/point_subset.hpp"
 #include "problems/share_a_point.hpp"
@@ -107,11 +108,9 @@ public:
         sizes[0] = sizes[1] = FLT_MIN;
         for (int k = 0; k < 4 && count > 0; ++k)
         {
-            float values[LOOKED_AT];
-            std::copy(rows[k], rows[k] + count, values);
-            std::sort(values, values + count);
             first[k / 2] = std::max(first[k / 2],
-                                    values[count - 1 - count / TRIMMED] - values[count / TRIMMED]);
+                                    ofRank(count - 1 - count / TRIMMED, rows[k], count) -
+                                        ofRank(count / TRIMMED, rows[k], count));
             sizes[k / 2] = std::max(sizes[k / 2], p.upper[k] - p.lower[k]);
         }
         if (std::abs(std::log(first[1] / first[0])) < std::abs(std::log(sizes[1] / sizes[0])))
