@@ -84,7 +84,7 @@ bool Ransac::run(int pause)
         const int tests = state.tests.size();
         const bool repeated = state.repeatedSamples != repeatedBefore;
         repeatedBefore = state.repeatedSamples;
-        if (parts.verifier)
+        if (parts.verifier && !batch.inPrelude())  // else it rejects the first models after it
             parts.verifier->adapt(context, state);
         if (state.tests.size() != tests || repeated)
             stopping.update();

@@ -46,7 +46,9 @@ public:
                 const RunnersUp& runnersUp, bool checkSamples);
 
     //! True if the search begins with the next batch, or begins anew after Sampler::prelude().
-    bool begins() const { return drawn == 0 || (prelude > 0 && state.iteration >= prelude); }
+    bool begins() const { return drawn == 0 || (inPrelude() && state.iteration >= prelude); }
+    //! True until the first batch after Sampler::prelude() is drawn.
+    bool inPrelude() const { return prelude > 0; }
     //! Draws the samples of the next batch. Batches grow, so that easy problems draw few
     //! superfluous samples and hard problems use all threads.
     void draw();

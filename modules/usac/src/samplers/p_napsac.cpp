@@ -54,11 +54,12 @@ than computing the order. */
 class PNapsacSampler : public Sampler
 {
 public:
-    PNapsacSampler() : m(0), centers(0) {}
+    PNapsacSampler() : m(0), first(0), centers(0) {}
 
     void start(const Context& context) CV_OVERRIDE
     {
         m = context.components.minimalSolver->sampleSize();
+        first = prelude(context);
         growth = GrowingSet(m, context.points.size);
         centers = 0;
     }
@@ -68,13 +69,18 @@ public:
         const bool guess = isGuess(context);
         if (!guess && !isOrderedByKnowledge(context, state, m, sample))
             return;
+        if (state.iteration < first)
+        {
+            drawUniform(context, state, m, sample);
+            return;
+        }
         growth.next();
         const int n = growth.size();
         if (guess && !isOrderedGuess(context, state, sample))
             return;
         const int center = state.bestFirst(context)[growth.newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = center;
-        const int turn = guess ? state.iteration / context.params.orderedEvery
+        const int turn = guess ? (state.iteration - first) / context.params.orderedEvery
                                : state.orderedSamples - 1;
         const int every = localEvery(context);
         if (turn % every != every - 1 || !local(context, state, sample))
@@ -88,10 +94,10 @@ public:
 
     int prelude(const Context& context) const CV_OVERRIDE
     {
-        return context.components.minimalSolver->sampleSize() == SMALL && isGuess(context) &&
-                       context.params.orderedEvery > 1
-                   ? beforeGuess(context, SMALL)
-                   : 0;
+        const bool begins = context.components.minimalSolver->sampleSize() == SMALL &&
+                            isGuess(context) && context.params.orderedEvery > 1 &&
+                            context.params.maxIterations >= LEAST_FOR_PRELUDE;
+        return begins ? BEFORE_ORDER : 0;
     }
 
 private:
@@ -100,29 +106,20 @@ private:
         return isGuess(context) ? LOCAL_EVERY_GUESS : LOCAL_EVERY;
     }
 
-    //! Number of samples of m points before the first one that follows a guessed order.
-    static int beforeGuess(const Context& context, int m)
-    {
-        if (m < SMALL)
-            return BEFORE_ORDER_CHEAP;
-        return m > SMALL || context.params.maxIterations >= LEAST_FOR_PRELUDE ? BEFORE_ORDER : 0;
-    }
-
     //! The same as isOrdered(), except for the first samples, see PNapsacSampler.
     bool isOrderedGuess(const Context& context, State& state, int* sample) const
     {
         if (context.params.orderedEvery == 1)
             return isOrdered(context, state, m, sample);
-        const int before = beforeGuess(context, m);
-        if (state.iteration < before)
-        {
-            drawUniform(context, state, m, sample);
-            return false;
-        }
-        if (m == SMALL && state.iteration < before + ORDERED)
+        if (m == SMALL && state.iteration < first + ORDERED)
         {
             state.counts = false;
             return true;
+        }
+        if (m != SMALL && state.iteration < (m < SMALL ? BEFORE_ORDER_CHEAP : BEFORE_ORDER))
+        {
+            drawUniform(context, state, m, sample);
+            return false;
         }
         return isOrdered(context, state, m, sample);
     }
@@ -166,7 +163,8 @@ private:
         drawOthers(state.rng, state.order, n, m, sample);
     }
 
-    int m;  //!< sample size
+    int m;      //!< sample size
+    int first;  //!< prelude(): index of the first sample after it
     GrowingSet growth;
     Center* centers;  //!< one element per point; null before the first local sample
 };

@@ -55,5 +55,31 @@ TEST(Usac_Batches, begin_anew_after_a_prelude)
     }
 }
 
+//! A verifier that accepts all models and records when it is adapted.
+class AdaptRecorder : public Verifier
+{
+public:
+    int nextBlock(int) const CV_OVERRIDE { return INT_MAX; }
+    bool proceed(int, int) const CV_OVERRIDE { return true; }
+    void sampleTested(State&, int, int) CV_OVERRIDE {}
+    void adapt(const Context&, State& state) CV_OVERRIDE { after.push_back(state.iteration); }
+
+    std::vector<int> after;
+};
+
+//! The verifier must not be adapted to the models of the prelude.
+TEST(Usac_Batches, verifier_is_adapted_after_the_prelude)
+{
+    Params params;
+    params.termination = 0;
+    params.maxIterations = 60;
+    const Ptr<Usac> usac = createUsac(makeScene(HOMOGRAPHY), params);
+    const Ptr<AdaptRecorder> recorder = makePtr<AdaptRecorder>();
+    usac->components().sampler = makePtr<BatchRecorder>(20);
+    usac->components().verifier = recorder;
+    EXPECT_FALSE(usac->run().empty());
+    EXPECT_EQ(std::vector<int>({0, 28, 44, 60}), recorder->after);
+}
+
 }  // namespace
 }  // namespace opencv_test

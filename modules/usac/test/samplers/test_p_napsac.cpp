@@ -112,7 +112,8 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
 }
 
 //! A search for a homography without a known order must begin with eight uniform samples, but with
-//! samples that follow the density if it is limited to few samples.
+//! samples that follow the density if it is limited to few samples. The set of the densest points
+//! must grow from the first sample that follows it.
 TEST(Usac_Samplers, pNapsacFollowsTheDensityAtOnceIfFewSamplesAreAllowed)
 {
     for (int limit : {1, 63, 64, 10000})
@@ -122,10 +123,17 @@ TEST(Usac_Samplers, pNapsacFollowsTheDensityAtOnceIfFewSamplesAreAllowed)
         Draw draw(HOMOGRAPHY, 300, createPNapsacSampler(), 0, params);
         const int prelude = limit < 64 ? 0 : 8;
         EXPECT_EQ(prelude, draw.sampler->prelude(draw.context)) << limit;
+        GrowingSet set(draw.m, 300);
         for (int i = 0; i < std::min(limit, prelude + 16); ++i)
         {
+            SCOPED_TRACE(cv::format("limit %d, sample %d", limit, i));
             draw.next();
-            EXPECT_EQ(i < prelude, draw.state.counts) << limit << ", sample " << i;
+            EXPECT_EQ(i < prelude, draw.state.counts);
+            if (i < prelude)
+                continue;
+            set.next();
+            ASSERT_TRUE(set.newest());
+            EXPECT_EQ(draw.order[set.size() - 1], draw.sample[0]);
         }
     }
 }
