@@ -334,8 +334,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Size of the inner samples of a local optimization, as a multiple of the minimal sample size;
     //! 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
-    //! Number of inner samples of a local optimization (graph cut: of each alternation, at least 4
-    //! for few inliers); 0..1000. Default 1; accurate(), loRansac() 10, floRansac() 4, gcRansac() 20.
+    //! Inner samples of a local optimization (graph cut: of each alternation, at least 4 for few
+    //! inliers); 0..1000. Default 1; accurate(), loRansac() 10, floRansac() 4, gcRansac() 20.
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
