@@ -26,9 +26,10 @@ constexpr int FIT_STEPS = 1;
 //! An inner sample contains at most 1 / #LARGEST_PART of the inliers, as in @cite chum2003locally,
 //! but always more points than a minimal sample.
 constexpr int LARGEST_PART = 2;
-//! If this bound makes inner samples smaller than Params::localSampleMultiple says, at least IF_FEW
-//! are drawn (unless Params::localSamples is 0). With 30 matches, four instead of one lower the
-//! mean error of F by 1 to 4 % and that of E by 1 %; with larger samples, by at most 1 %.
+//! If #LARGEST_PART makes inner samples smaller than Params::localSampleMultiple says, at least
+//! IF_FEW are drawn (unless Params::localSamples is 0). With 30 matches, four samples instead of
+//! one lower the mean error of F by 1 to 4 % and that of E by 1 %; for more inliers, four samples
+//! lower errors by at most 1 %.
 constexpr int IF_FEW = 4;
 //! The first and widest of the shrinking thresholds, as a multiple of the threshold.
 constexpr int WIDEST = 3;
@@ -57,9 +58,10 @@ Then each iteration finds the spatially coherent inliers of the model (Labeling)
 RANSAC over these inliers (of the first points, see #CUT_INLIERS): models are fitted to all of them
 (to #MAX_INNER_FIT random ones if there are more), and to random samples of
 Params::localSampleMultiple times the minimal size or, if there are few inliers, of half of the
-inliers. A better fit always replaces the model. Each iteration except the first begins with fits
-with shrinking thresholds, as above. The first iteration without a clear decrease of the cost is the
-last one, and Params::localIterations bounds the number of iterations. */
+inliers (then at least #IF_FEW samples). A better fit always replaces the model. Each iteration
+except the first begins with fits with shrinking thresholds, as above. The first iteration without a
+clear decrease of the cost is the last one, and Params::localIterations bounds the number of
+iterations. */
 class GraphCutOptimizer : public LocalOptimizer
 {
 public:

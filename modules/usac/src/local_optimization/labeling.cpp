@@ -65,13 +65,14 @@ void Labeling::labelByError(const Context& context, const Model& model, uchar* w
     for (int i = 0; i < count; ++i)  // NaN gives an outlier
         label[i] = error[i] < inner ? (int)INLIER : error[i] < outer ? 0 : (int)OUTLIER;
     std::fill(K, K + size, -1.f);
-    nodeCount = 0;
+    int open = 0;
     for (int i = 0; i < count; ++i)  // without branches, which would often be mispredicted
     {
-        pointOfNode[nodeCount] = i;
+        pointOfNode[open] = i;
         wanted[i] = label[i] == 0;
-        nodeCount += label[i] == 0;
+        open += label[i] == 0;
     }
+    nodeCount = open;
     for (int v = 0; v < nodeCount; ++v)
     {
         const int i = pointOfNode[v];

@@ -84,7 +84,8 @@ bool Ransac::run(int pause)
         const int tests = state.tests.size();
         const bool repeated = state.repeatedSamples != repeatedBefore;
         repeatedBefore = state.repeatedSamples;
-        if (parts.verifier && !batch.inPrelude())  // else it rejects the first models after it
+        // adapted to models of the prelude, the verifier would reject the first models after it
+        if (parts.verifier && !batch.inPrelude())
             parts.verifier->adapt(context, state);
         if (state.tests.size() != tests || repeated)
             stopping.update();

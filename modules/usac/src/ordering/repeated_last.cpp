@@ -45,7 +45,7 @@ int placesToCompare(const Context& context, const int* order, unsigned* hash, in
 {
     const Correspondences& points = context.points;
     int words = 1;
-    while (words * WORD_BITS < BITS_PER_MATCH * (int64)points.size)
+    while ((int64)words * WORD_BITS < (int64)points.size * BITS_PER_MATCH)
         words *= 2;
     Arena::Scope scope(context.arena);
     uint64 *const once = scope.take<uint64>(words), *const twice = scope.take<uint64>(words);

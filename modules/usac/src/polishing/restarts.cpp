@@ -151,11 +151,13 @@ bool Restarts::look(const Model& model)
     {
         const int end = std::min<int>(begin + ERROR_BLOCK, p.size);
         parts.residual->squaredErrors(p, model, begin, end, errors + begin);
+        int found = count;
         for (int i = begin; i < end; ++i)  // without branches, which would often be mispredicted
         {
-            inliers[count] = i;
-            count += errors[i] <= limit;
+            inliers[found] = i;
+            found += errors[i] <= limit;
         }
+        count = found;
     }
     if (count < m || (count > MOST && !wide))
     {

@@ -17,8 +17,8 @@ namespace {
 //! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
 constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
 //! If Params::maxIterations is lower, a search for a homography begins with samples that follow the
-//! order, because too few would remain for them. 64 is more than twice the number of the samples
-//! before and after the search begins anew, see PNapsacSampler.
+//! order, because the uniform samples would take too many of them. 64 is more than twice
+//! BEFORE_ORDER + ORDERED.
 constexpr int LEAST_FOR_PRELUDE = 64;
 //! Sample size of a homography. An affinity or a similarity needs fewer points.
 constexpr int SMALL = 4;
@@ -47,8 +47,9 @@ The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, unless all sa
 order. There are two more rules if the order is a guess. With #SMALL points per sample (H), all of
 the next #ORDERED samples follow the order, because four inliers are soon drawn from the few densest
 points, and the search begins anew with them (prelude()): if a surface is not quite a plane, their
-models lead to the best of several optima more often than those of uniform samples. If
-Params::maxIterations is below #LEAST_FOR_PRELUDE, the first samples of H are those. With fewer
+models lead to the best of several optima more often than those of uniform samples. Only then does
+PROSAC's set begin to grow; for other problems it also grows with uniform samples. If
+Params::maxIterations is below #LEAST_FOR_PRELUDE, H has no uniform samples before these. With fewer
 points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, because they take less time
 than computing the order. */
 class PNapsacSampler : public Sampler

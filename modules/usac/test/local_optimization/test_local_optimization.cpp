@@ -244,16 +244,15 @@ TEST(Usac_LocalOptimizers, graphCutEndsForModelsFarFromTheBest)
 //! must fit four times as many of them.
 TEST(Usac_LocalOptimizers, graphCutDrawsMoreSamplesFromFewInliers)
 {
-    const int inliers[] = {20, 40};
-    int inner[2];
+    const int inliers[] = {20, 40}, asked[] = {0, 1, 10};
     for (int k = 0; k < 2; ++k)
     {
         const Scene scene = makeScene(HOMOGRAPHY, inliers[k], 20);
-        int fits[2];
-        for (int samples = 0; samples < 2; ++samples)
+        int fits[3];
+        for (int i = 0; i < 3; ++i)
         {
             Params params;
-            params.localSamples = samples;
+            params.localSamples = asked[i];
             params.localIterations = 1;
             const Ptr<Usac> usac = createUsac(scene, params);
             Components parts = usac->components();
@@ -261,13 +260,11 @@ TEST(Usac_LocalOptimizers, graphCutDrawsMoreSamplesFromFewInliers)
                                                                            INT_MAX, false);
             parts.nonMinimalSolver = solver;
             const RunContext run(usac->points(), parts, params);
-            fits[samples] = fitsOf(run, *solver, toInternal(usac->points(), scene.model),
-                                   Quality());
+            fits[i] = fitsOf(run, *solver, toInternal(usac->points(), scene.model), Quality());
         }
-        inner[k] = fits[1] - fits[0];
+        EXPECT_EQ(k == 0 ? 4 : 1, fits[1] - fits[0]);
+        EXPECT_EQ(10, fits[2] - fits[0]);
     }
-    EXPECT_EQ(4, inner[0]);
-    EXPECT_EQ(1, inner[1]);
 }
 
 //! A grid that records how many points the graph cut labels.

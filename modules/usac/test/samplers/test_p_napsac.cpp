@@ -69,7 +69,7 @@ void expectGrowth(int ordering, int period)
     params.orderedEvery = period;
     Draw draw(FUNDAMENTAL, N, createPNapsacSampler(), 0, params);
     const std::vector<double> limit = publishedGrowth(N, draw.m);
-    // if the order is known, the set grows only with samples that follow it, otherwise with all
+    // if the order is known, the set grows only with samples that follow it, otherwise (F) with all
     const bool known = ordering == ORDERING_INPUT_ORDER;
     GrowingSet set(draw.m, N);
     int n = draw.m, wrongSize = 0, outside = 0, notNewest = 0, early = 0, grown = 0;
@@ -113,7 +113,8 @@ TEST(Usac_Samplers, pNapsacCentersGrowLikeProsac)
 
 //! A search for a homography without a known order must begin with eight uniform samples, but with
 //! samples that follow the density if it is limited to few samples. The set of the densest points
-//! must grow from the first sample that follows it.
+//! must grow from the first sample that follows it, and the first eight of these samples must be
+//! from this set, the next eight from the neighbors of one point.
 TEST(Usac_Samplers, pNapsacFollowsTheDensityAtOnceIfFewSamplesAreAllowed)
 {
     for (int limit : {1, 63, 64, 10000})
@@ -124,6 +125,7 @@ TEST(Usac_Samplers, pNapsacFollowsTheDensityAtOnceIfFewSamplesAreAllowed)
         const int prelude = limit < 64 ? 0 : 8;
         EXPECT_EQ(prelude, draw.sampler->prelude(draw.context)) << limit;
         GrowingSet set(draw.m, 300);
+        int outside[2] = {0, 0};  // points outside of the growing set
         for (int i = 0; i < std::min(limit, prelude + 16); ++i)
         {
             SCOPED_TRACE(cv::format("limit %d, sample %d", limit, i));
@@ -134,7 +136,13 @@ TEST(Usac_Samplers, pNapsacFollowsTheDensityAtOnceIfFewSamplesAreAllowed)
             set.next();
             ASSERT_TRUE(set.newest());
             EXPECT_EQ(draw.order[set.size() - 1], draw.sample[0]);
+            const std::vector<int>::const_iterator end = draw.order.cbegin() + set.size();
+            for (int k = 0; k < draw.m; ++k)
+                outside[i >= prelude + 8] += std::find(draw.order.cbegin(), end, draw.sample[k]) ==
+                                             end;
         }
+        EXPECT_EQ(0, outside[0]);
+        EXPECT_EQ(limit > 1, outside[1] > 8) << outside[1];
     }
 }
 

@@ -106,8 +106,8 @@ public:
     For a sampler whose first samples take less time than the others, for example because they need
     no order of the points. If these samples do not end the search, batches are small again, and the
     best model of the next batch is optimized even if it is worse than the models before, unless the
-    verifier, which is not adapted to those models, rejects it. Default: 0, the search does not
-    begin anew. */
+    verifier, which is adapted only after this batch, rejects it. Therefore #TERMINATION_SPRT does
+    not end the search within these samples. Default: 0, the search does not begin anew. */
     virtual int prelude(const Context& context) const;
 };
 
@@ -261,8 +261,8 @@ public:
     //! Called after each sample: the first tests of its models (preTest(), or the first block) used
     //! `tested` points, of which `inliers` were inliers, both summed over the models.
     virtual void sampleTested(State& state, int inliers, int tested) = 0;
-    //! Adapts the test; called before the first sample and between batches of samples, but not
-    //! within or directly after Sampler::prelude().
+    //! Adapts the test; called when a search begins or is continued, and after each batch of
+    //! samples, except the batches of Sampler::prelude().
     virtual void adapt(const Context& context, State& state) = 0;
 };
 

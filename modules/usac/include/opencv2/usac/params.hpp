@@ -331,11 +331,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Iterations of one local optimization: alternations of labeling and fitting, steps of the
     //! shrinking threshold, or re-weightings; 1..1000. Default 5.
     CV_PROP_RW int localIterations;
-    //! Size of the inner samples of a local optimization, as a multiple of the minimal sample size;
-    //! 2..100. Default 3.
+    //! Size of its inner samples, as a multiple of the minimal sample size; 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
-    //! Inner samples of a local optimization (graph cut: of each alternation, at least 4 for few
-    //! inliers); 0..1000. Default 1; accurate(), loRansac() 10, floRansac() 4, gcRansac() 20.
+    //! Number of its inner samples; with graph cuts, of each alternation. If this is not 0,
+    //! #LOCAL_OPTIMIZATION_GRAPH_CUT draws at least 4 if there are few inliers; 0..1000. Default 1;
+    //! accurate(), loRansac() 10, floRansac() 4, gcRansac() 20.
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;

@@ -128,8 +128,9 @@ class Params:
         shrinking threshold, or re-weightings; 1..1000. Default 5.""")
     localSampleMultiple = Integer("""Size of the inner samples of a local optimization, as a multiple of the minimal sample
         size; 2..100. Default 3.""")
-    localSamples = Integer("""Number of inner samples of a local optimization (graph cut: of each alternation, and at least 4 if there
-        are too few inliers for samples of full size); 0..1000. Default 1; accurate(), loRansac() 10, floRansac() 4, gcRansac() 20.""")
+    localSamples = Integer("""Number of inner samples of a local optimization (with graph cuts: of each alternation). If this is
+        not 0, LOCAL_OPTIMIZATION_GRAPH_CUT draws at least 4 if there are few inliers; 0..1000. Default 1; accurate(),
+        loRansac() 10, floRansac() 4, gcRansac() 20.""")
     spatialWeight = Real("Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.")
     runnersUp = Integer("""Maximum number of runners-up: models that were not the best one, but are optimized when the search
         is about to end, because they have the most inliers that are outliers of the best model; 0..100. Default 16.""")
