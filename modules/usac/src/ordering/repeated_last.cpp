@@ -91,8 +91,7 @@ void repeatedLast(const Context& context, int* order)
     const Correspondences& points = context.points;
     Arena::Scope scope(context.arena);
     unsigned* const hash = scope.take<unsigned>(points.size);
-    int *const places = scope.take<int>(points.size), *const repeated = scope.take<int>(
-                                                          points.size);
+    int* const places = scope.take<int>(points.size);
     const int count = placesToCompare(context, order, hash, places);
     int mask = 1;
     while (mask < 2 * count)
@@ -108,11 +107,11 @@ void repeatedLast(const Context& context, int* order)
         while (table[at] >= 0 && !same(points, table[at], point))
             at = (at + 1) & mask;
         if (table[at] >= 0)
-            repeated[repetitions++] = places[k];
+            places[repetitions++] = places[k];
         else
             table[at] = point;
     }
-    moveLast(order, points.size, repeated, repetitions);
+    moveLast(order, points.size, places, repetitions);
 }
 
 }  // namespace usacv20

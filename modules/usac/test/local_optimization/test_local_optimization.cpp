@@ -241,7 +241,7 @@ TEST(Usac_LocalOptimizers, graphCutEndsForModelsFarFromTheBest)
 }
 
 //! If there are too few inliers for inner samples of full size (12 points of H), an optimization
-//! must fit four times as many of them.
+//! must fit at least four of them, unless none are asked for.
 TEST(Usac_LocalOptimizers, graphCutDrawsMoreSamplesFromFewInliers)
 {
     const int inliers[] = {20, 40}, asked[] = {0, 1, 10};

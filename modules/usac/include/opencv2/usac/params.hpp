@@ -331,9 +331,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Iterations of one local optimization: alternations of labeling and fitting, steps of the
     //! shrinking threshold, or re-weightings; 1..1000. Default 5.
     CV_PROP_RW int localIterations;
-    //! Size of its inner samples, as a multiple of the minimal sample size; 2..100. Default 3.
+    //! Size of the inner samples of local optimization, in minimal sample sizes; 2..100. Default 3.
     CV_PROP_RW int localSampleMultiple;
-    //! Number of its inner samples; with graph cuts, of each alternation. If this is not 0,
+    //! Number of inner samples of local optimization (graph cuts: per alternation). If not 0,
     //! #LOCAL_OPTIMIZATION_GRAPH_CUT draws at least 4 if there are few inliers; 0..1000. Default 1;
     //! accurate(), loRansac() 10, floRansac() 4, gcRansac() 20.
     CV_PROP_RW int localSamples;
