@@ -345,9 +345,9 @@ void ProblemData::scale(const Params& params, Arena& arena)
     for (int array = 0; array < 2; ++array)
     {
         Frame& frame = view.frame[array] = Frame();
-        if (normalization == SCALE_NONE || (normalization == SCALE_FIRST && array == 1))
-            continue;
         const int source = view.coordinates[array] ? array : 0;
+        if (normalization == SCALE_NONE || (normalization == SCALE_FIRST && source == 1))
+            continue;
         double size = 0;
         for (int k = begin[source]; k < begin[source + 1]; ++k)
         {
