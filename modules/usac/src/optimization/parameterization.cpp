@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "opencv2/usac/problem.hpp"
+#include "components/written.hpp"
 #include "numeric/decompositions.hpp"
 #include "optimization/any_parameterization.hpp"
 #include "optimization/least_squares.hpp"
@@ -24,6 +24,8 @@ constexpr double DEPENDENT = 1e-10;
 //! Largest absolute value of a parameter in the test of whether plus() returns a valid model.
 constexpr double FAR = 0.1;
 
+//! Parameters of a Parameterization, 0 beyond its dimension.
+typedef Eigen::Matrix<double, MAX_MODEL_SIZE, 1> Parameters;
 typedef Eigen::Map<const Eigen::VectorXd> Entries;
 
 double difference(const Model& a, const Model& b)
@@ -37,27 +39,33 @@ String broken(const char* law, double deviation)
     return format("%s (deviation %.3g)", law, deviation);
 }
 
-String checkDerivative(const Parameterization& rule, const Model& here,
-                       const Eigen::MatrixXd& basis)
+String checkTangent(const Parameterization& rule, const Model& here)
 {
-    const int dimension = rule.dimension();
+    const int dimension = rule.dimension(), size = here.size();
+    Written<double> basis(size * dimension);
+    if (!rule.tangent(here, basis.data()))
+        return "tangent: the model is degenerate";
+    if (!basis.exactly(size * dimension))
+        return format("tangent: %d x %d numbers are expected; more or fewer have been written",
+                      size, dimension);
+    typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Rows;
+    const Eigen::MatrixXd columns = Eigen::Map<const Rows>(basis.data(), size, dimension);
     for (int k = 0; k < dimension; ++k)
     {
-        Eigen::VectorXd x = Eigen::VectorXd::Zero(dimension);
-        x[k] = STEP;
-        const Model after = rule.plus(here, x.data());
-        x[k] = -STEP;
-        const Model before = rule.plus(here, x.data());
-        const Eigen::VectorXd expected = (Entries(after.val, after.size()) -
-                                          Entries(before.val, before.size())) /
+        const Parameters x = Parameters::Unit(k) * STEP, opposite = -x;
+        const Model after = rule.plus(here, x.data()), before = rule.plus(here, opposite.data());
+        const Eigen::VectorXd expected = (Entries(after.val, size) - Entries(before.val, size)) /
                                          (2 * STEP);
-        const double deviation = (expected - basis.col(k)).cwiseAbs().maxCoeff() /
-                                 basis.col(k).cwiseAbs().maxCoeff();
+        const double deviation = (expected - columns.col(k)).cwiseAbs().maxCoeff() /
+                                 columns.col(k).cwiseAbs().maxCoeff();
         if (!(deviation <= DERIVATIVE))
             return format("tangent: column %d is not the derivative of plus() (deviation %.3g)", k,
                           deviation);
     }
-    return String();
+    const Eigen::VectorXd singular = singularValues(columns);
+    const double ratio = singular[dimension - 1] / singular[0];
+    return ratio > DEPENDENT ? String()
+                             : broken("tangent: the columns are linearly dependent", ratio);
 }
 
 }  // namespace
@@ -78,7 +86,7 @@ String checkParameterization(const Parameterization& rule, const Model& model)
     const int dimension = rule.dimension();
     if (dimension < 1 || dimension > model.size())
         return format("dimension: %d, the model has %d entries", dimension, model.size());
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(dimension);
+    const Parameters zero = Parameters::Zero();
     const Model here = rule.plus(model, zero.data());
     if (here.rows != model.rows || here.cols != model.cols)
         return format("plus: a model of %d x %d entries has become one of %d x %d", model.rows,
@@ -86,20 +94,17 @@ String checkParameterization(const Parameterization& rule, const Model& model)
     double deviation = difference(here, rule.plus(here, zero.data()));
     if (!(deviation <= SAME))
         return broken("plus: zero parameters change the model", deviation);
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> basis(here.size(),
-                                                                                 dimension);
-    if (!rule.tangent(here, basis.data()))
-        return "tangent: the model is degenerate";
-    const String wrong = checkDerivative(rule, here, basis);
+    Parameters more = zero;
+    more.tail(MAX_MODEL_SIZE - dimension).setOnes();
+    if (rule.plus(model, more.data()) != here)
+        return format("dimension: %d, but plus() uses more parameters", dimension);
+    const String wrong = checkTangent(rule, here);
     if (!wrong.empty())
         return wrong;
-    const Eigen::VectorXd singular = singularValues(basis);
-    const double ratio = singular[dimension - 1] / singular[0];
-    if (!(ratio > DEPENDENT))
-        return broken("tangent: the columns are linearly dependent", ratio);
     for (int k = 0; k < dimension; ++k)
     {
-        Eigen::VectorXd x = Eigen::VectorXd::Constant(dimension, FAR / 2);
+        Parameters x = zero;
+        x.head(dimension).setConstant(FAR / 2);
         x[k] = -FAR;
         const Model there = rule.plus(here, x.data());
         deviation = difference(there, rule.plus(there, zero.data()));

@@ -47,7 +47,18 @@ TEST(Usac_Parameterization, builtInOnesFulfillTheLaws)
 class Circle : public Rule
 {
 public:
-    enum Fault { NONE, TOO_MANY, OFF, LEAVES, WRONG_SIGN, NO_TANGENT, DEPENDENT, OTHER_SHAPE };
+    enum Fault {
+        NONE,
+        TOO_MANY,
+        OFF,
+        LEAVES,
+        WRONG_SIGN,
+        NO_TANGENT,
+        DEPENDENT,
+        OTHER_SHAPE,
+        TOO_FEW,
+        BEHIND
+    };
 
     explicit Circle(int fault_) : fault(fault_) {}
 
@@ -60,12 +71,14 @@ public:
         for (int row = 0; row < 2; ++row)
             for (int col = 0; col < dimension(); ++col)
                 basis[row * dimension() + col] = derivative[row];
+        if (fault == BEHIND)  // as if there were two columns
+            basis[2] = basis[3] = 0;
         return fault != NO_TANGENT;
     }
 
     Model plus(const Model& model, const double* x) const CV_OVERRIDE
     {
-        const double change = fault == DEPENDENT ? x[0] + x[1] : x[0],
+        const double change = fault == DEPENDENT || fault == TOO_FEW ? x[0] + x[1] : x[0],
                      angle = angleOf(model) + change + (fault == OFF ? 0.1 : 0),
                      radius = fault == LEAVES ? 2 + x[0] * x[0] : 2;
         Model result(fault == OTHER_SHAPE ? 1 : 2, fault == OTHER_SHAPE ? 2 : 1);
@@ -89,11 +102,13 @@ TEST(Usac_Parameterization, faultsAreFound)
                                  "tangent: column 0 is not the derivative of plus()",
                                  "tangent: the model is degenerate",
                                  "tangent: the columns are linearly dependent",
-                                 "plus: a model of 2 x 1 entries has become one of 1 x 2"};
+                                 "plus: a model of 2 x 1 entries has become one of 1 x 2",
+                                 "dimension: 1, but plus() uses more parameters",
+                                 "tangent: 2 x 1 numbers are expected"};
     Model model(2, 1);
     model.val[0] = 1.5;
     model.val[1] = 1;
-    for (int fault = Circle::NONE; fault <= Circle::OTHER_SHAPE; ++fault)
+    for (int fault = Circle::NONE; fault <= Circle::BEHIND; ++fault)
     {
         const String found = checkParameterization(Circle(fault), model);
         EXPECT_EQ(0u, found.find(words[fault])) << fault << ": " << found;

@@ -69,7 +69,8 @@ CV_EXPORTS Ptr<NonMinimalSolver> createLeastSquares(const Ptr<Residual>& residua
                                                     const Ptr<Parameterization>& parameterization);
 
 /** @brief Tests whether a parameterization fulfills its laws around a model; derivatives are
-compared with central differences. Not tested: that plus(M, 0) is M, and that plus() is continuous.
+compared with central differences. Also found are methods that read or write more numbers than
+dimension() says. Not tested: that plus(M, 0) is M, and that plus() is continuous.
 For tests of a program that implements a parameterization.
 @param parameterization the parameterization to test
 @param model any valid model; call the function for several models
