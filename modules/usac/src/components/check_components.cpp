@@ -38,15 +38,18 @@ void checkScore(const Score& score, int size)
     for (int far = 0; far < 2 && count > 0; ++far)
     {
         std::vector<float> values(count, errors[far]);
-        Quality sum(0, 0);
+        const int before = 2 * count;  // more than accumulate() is allowed to add
+        Quality sum(before, before);
         score.accumulate(values.data(), count, 1, sum);
-        if (!(sum.cost >= 0 && sum.cost <= count * (1 + FLT_EPSILON)) ||
-            (!far && sum.inliers != count))
+        const double cost = sum.cost - before;
+        const int inliers = sum.inliers - before;
+        if (!(cost >= 0 && cost <= count * (1 + FLT_EPSILON)) || inliers < 0 || inliers > count ||
+            (!far && inliers != count))
             CV_Error_(Error::StsOutOfRange,
-                      ("components().score: %d points %s have the cost %g and %d inliers; a cost "
-                       "from 0 to 1 per point is expected, "
+                      ("components().score: for %d points %s, accumulate() has added the cost %g "
+                       "and %d inliers; a cost from 0 to 1 per point is expected, "
                        "and points without error must be inliers",
-                       count, far ? "far from the model" : "without error", sum.cost, sum.inliers));
+                       count, far ? "far from the model" : "without error", cost, inliers));
     }
 }
 

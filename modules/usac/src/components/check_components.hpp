@@ -22,7 +22,8 @@ void checkProblem(const Problem& problem, int residual);
 void checkComponents(const Components& parts);
 
 /** @brief Raises a cv::Exception for an invalid score of the caller: points without error must be
-inliers, the cost of a point must be 0 to 1, and Score::inlierPart() must be above 0 and at most 1.
+inliers, accumulate() must add the cost of a point, which must be 0 to 1, and Score::inlierPart()
+must be above 0 and at most 1.
 To be called after Score::start(). Calls the score for points without error, and for points with the
 largest possible error.
 @param size number of points of the run, see Score::wholeModel */

@@ -303,7 +303,7 @@ TEST(Usac_Replacement, verifierThatDropsGoodModels)
     EXPECT_GT(iterations[1], 50 * iterations[0]);
 }
 
-//! A score that counts no inliers, or whose cost is out of range.
+//! A score that counts no inliers, whose cost is out of range, or that overwrites the sums.
 class BadScore : public Score
 {
 public:
@@ -311,7 +311,11 @@ public:
 
     void accumulate(float*, int count, float, Quality& sum) const CV_OVERRIDE
     {
-        sum.cost += mistake == 0 ? 0.5 * count : mistake == 1 ? 2. * count : -1;
+        if (mistake == 3)
+            sum.cost = 0;
+        if (mistake == 4)
+            sum.inliers = 0;
+        sum.cost += mistake == 0 ? 0.5 * count : mistake == 1 ? 2. * count : mistake == 2 ? -1 : 0;
         sum.inliers += mistake == 0 ? 0 : count;
     }
 
@@ -369,7 +373,7 @@ TEST(Usac_Replacement, mistakesAreNamed)
             parts.sampler = makePtr<OwnSampler>(mistake);
             EXPECT_COMPLAINT("sampler", usac);
         }
-        for (int mistake = 0; mistake < 3; ++mistake)
+        for (int mistake = 0; mistake <= 4; ++mistake)
         {
             parts = given;
             parts.score = makePtr<BadScore>(mistake);
