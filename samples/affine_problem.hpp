@@ -40,6 +40,8 @@ public:
             errors[i] = squared(A, c[X1][i], c[Y1][i], c[X2][i], c[Y2][i]);
     }
 
+    bool homogeneous() const CV_OVERRIDE { return false; }
+
 private:
     static double squared(const Model& A, double x1, double y1, double x2, double y2)
     {

@@ -53,36 +53,40 @@ void checkScore(const Score& score, int size)
     }
 }
 
-void checkProblem(const Problem& problem, int residual)
+String findWrongNumber(const Problem& problem, int residual)
 {
-    const String name = problem.name();
     const Ptr<MinimalSolver> solver = problem.createMinimalSolver();
     if (!solver || !problem.createResidual(residual))
-        CV_Error_(
-            Error::StsNullPtr,
-            ("problem %s: createResidual() or createMinimalSolver() has returned a null pointer",
-             name.c_str()));
+        return "createResidual() or createMinimalSolver() has returned a null pointer";
     const int dimensions = problem.errorDimension(), m = solver->sampleSize();
     const int first = problem.coordinates(0), second = problem.coordinates(1);
     if (first < 1 || first > 3 || second < 0 || second > 3)
-        CV_Error_(Error::StsOutOfRange,
-                  ("problem %s: points of 1 to 3 coordinates are expected, not of %d and %d",
-                   name.c_str(), first, second));
+        return format("coordinates: points of 1 to 3 coordinates are expected, not of %d and %d",
+                      first, second);
     if (dimensions < 1 || dimensions > std::min(3, second > 0 ? second : first))
-        CV_Error_(Error::StsOutOfRange, ("problem %s: errors of 1 to 3 dimensions, no more than a "
-                                         "point has, are expected, not of %d",
-                                         name.c_str(), dimensions));
-    if (problem.dimension() < 1 || m * dimensions < problem.dimension())
-        CV_Error_(
-            Error::StsOutOfRange,
-            ("problem %s: %d points with errors of %d dimensions cannot determine a model with %d "
-             "degrees of freedom",
-             name.c_str(), m, dimensions, problem.dimension()));
+        return format("errorDimension: errors of 1 to 3 dimensions, no more than a point has, are "
+                      "expected, not of %d",
+                      dimensions);
+    if (m < 1 || m > MAX_SAMPLE_SIZE)
+        return format("createMinimalSolver: samples of 1 to %d points are expected, not of %d",
+                      (int)MAX_SAMPLE_SIZE, m);
+    const int dimension = problem.dimension();
+    if (dimension < 1 || m * dimensions < dimension)
+        return format("dimension: %d points with errors of %d dimensions cannot determine a model "
+                      "with %d degrees of freedom",
+                      m, dimensions, dimension);
+    const Ptr<Parameterization> rule = problem.createParameterization();
+    if (rule && rule->dimension() != dimension)
+        return format("dimension: it is %d, but that of createParameterization() is %d", dimension,
+                      rule->dimension());
+    const int normalization = problem.normalization(residual);
+    if (normalization < SCALE_NONE || normalization > SCALE_FIRST)
+        return format("normalization: %d is not a Normalization", normalization);
     const SampleCost cost = problem.sampleCost();
     if (!(cost.time > 0 && cost.models > 0))
-        CV_Error_(Error::StsOutOfRange,
-                  ("problem %s: sampleCost() above 0 is expected, not a time of %g and %g models",
-                   name.c_str(), cost.time, cost.models));
+        return format("sampleCost: numbers above 0 are expected, not a time of %g and %g models",
+                      cost.time, cost.models);
+    return String();
 }
 
 void checkComponents(const Components& parts)

@@ -10,12 +10,14 @@
 namespace cv {
 namespace usacv20 {
 
-/** @brief Raises a cv::Exception that names the problem if it is invalid: it must create a
-residual and a minimal solver, points must have one to three coordinates (in the second array: zero
-to three), errors must have one to three dimensions, but not more than a point has, a sample must
-determine a model, and Problem::sampleCost must be positive.
-@param residual @ref ResidualType of the run */
-void checkProblem(const Problem& problem, int residual);
+/** @brief Finds numbers of a problem that cannot be, or do not agree with each other: it must
+create a residual and a minimal solver, points must have one to three coordinates (in the second
+array: zero to three), errors must have one to three dimensions, but not more than a point has, a
+sample must determine a model, a parameterization must have the degrees of freedom of the problem,
+and Problem::sampleCost must be positive.
+@param residual @ref ResidualType of the run
+@return empty if all numbers are right, otherwise a description of the first wrong one */
+String findWrongNumber(const Problem& problem, int residual);
 
 //! Raises a cv::Exception that names the component if a required component or an entry of a list of
 //! components is empty, or if the sample size is out of range.

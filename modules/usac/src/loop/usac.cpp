@@ -50,7 +50,10 @@ public:
              const Params& params_)
         : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false)
     {
-        checkProblem(*problem, params.residual);  // before any method of the problem is used
+        // before any other method of the problem is used
+        const String wrong = findWrongNumber(*problem, params.residual);
+        if (!wrong.empty())
+            CV_Error_(Error::StsBadArg, ("problem %s: %s", problem->name().c_str(), wrong.c_str()));
         const Ptr<Residual> residual = problem->createResidual(params.residual);
         keepsImage = !problem->createImageResidual(residual).empty();
         setPoints(points1, points2);

@@ -231,6 +231,7 @@ TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
     EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(TRUE_PLANE.val))));
     EXPECT_EQ("", checkParameterization(planes, Model(Matx14d(3, 0.1, -0.2, 5))));
     const std::vector<Point3d> points = scene(300, 200, 0.01);
+    EXPECT_EQ("", checkProblem(makePtr<VaryingPlaneProblem>(), points));
     for (const NamedPreset& preset : allPresets())
     {
         SCOPED_TRACE(preset.name);

@@ -36,6 +36,8 @@ public:
                 errors[i] += std::pow(c[k][i] + t.val[k] - c[3 + k][i], 2);
         }
     }
+
+    bool homogeneous() const CV_OVERRIDE { return false; }
 };
 
 Model meanTranslation(const Correspondences& p, const int* indices, int count,
@@ -121,6 +123,7 @@ TEST(Usac_CustomSpace, everyPreset)
         points2.push_back(i % 3 ? Point3d(a + truth + noise)
                                 : Point3d(uniformVector(rng, -5., 5.)));
     }
+    EXPECT_EQ("", checkProblem(makePtr<TranslationProblem>(), points1, points2));
     for (const NamedPreset& preset : allPresets())
     {
         SCOPED_TRACE(preset.name);

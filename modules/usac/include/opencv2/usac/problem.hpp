@@ -39,7 +39,8 @@ public:
     //! Name in messages, one word. Usac::create raises a cv::Exception with this name if the
     //! numbers below are inconsistent.
     virtual String name() const = 0;
-    //! Degrees of freedom of a model; at most errorDimension() times the sample size.
+    //! Degrees of freedom of a model: Parameterization::dimension of createParameterization(), and
+    //! at most errorDimension() times the sample size.
     virtual int dimension() const = 0;
     /** Degrees of freedom of the error of an inlier, 1 to 3; that is the codimension of the
     manifold of exact data in the space of a datum. It is 2 if a point is mapped to a point of a
@@ -163,6 +164,31 @@ enum Normalization {
     SCALE_EACH,    //!< each array is centered and scaled separately
     SCALE_FIRST    //!< array 0 is centered and scaled, array 1 is unchanged
 };
+
+/** @brief Tests whether the methods of a problem agree with each other, for the models of random
+minimal samples. For tests of a program that defines a problem. Tested are
+
+- the numbers that Usac::create refuses;
+- createMinimalSolver(): the points of a sample have no errors under its models, if the sample has
+  no more equations than a model has degrees of freedom;
+- createResidual(): both versions of squaredErrors() compute the same squares, which are the squared
+  lengths of error(), whose derivative linearize() returns. Also errorDimension() and
+  Residual::homogeneous;
+- createParameterization(): #checkParameterization;
+- closest(), toInput(), fromOutput(), ofOutput(): the converted model has the same errors, in the
+  caller's units;
+- methods of solvers, residuals and parameterizations write as many numbers as they should.
+
+Not tested: createImageResidual(), createNonMinimalSolver(), createDegeneracies(), and the numbers
+for probabilities.
+@param problem the problem to test
+@param points1, points2 points as in Usac::create, such as the program will have; wrong matches do
+no harm. An invalid argument raises cv::Exception
+@return empty if no violation was found, otherwise a description of the first violated law, which
+begins with the name of the method. A law is permitted to be violated in a quarter of the cases,
+because the models of some random samples are ill-conditioned. */
+CV_EXPORTS String checkProblem(const Ptr<Problem>& problem, InputArray points1,
+                               InputArray points2 = noArray());
 
 //! @}
 
