@@ -17,8 +17,6 @@
 #include "significance/significance.hpp"
 #include "numeric/chi_square.hpp"
 #include "components/repetitions.hpp"
-#include "polishing/leverage.hpp"
-#include "polishing/restarts.hpp"
 #include "termination/termination.hpp"
 
 namespace cv {
@@ -130,7 +128,7 @@ public:
         if (automatic)
             automatic->look(context, state.best);
         settleThreshold(context, state);
-        polishAsSeen(context, state);
+        polishAsSeen(context, state.best);
         if (report && params.covariance)
             tellCertainty(context, state.best, state.report);
         return models.give(state, mask, report);
@@ -232,13 +230,8 @@ private:
 
     /** Polishes the best model. Polishing minimizes a loss other than the score, and can end at a
     compromise between two models: if the score is clearly worse afterward, the model of the search
-    is kept.
-    With few inliers or a wide threshold, fits from other initial models are tried (Restarts). A
-    model that is distorted by wrong matches of high leverage is corrected (Leverage).
-    @param search context of the search
-    @param context context in which models are polished
-    @return score of the final model */
-    Quality polish(const Context& search, const Context& context, State& state, Model& best)
+    is kept. @return score of the final model */
+    Quality polish(const Context& context, Model& best)
     {
         const Model found = problem->closest(best);
         const Quality before = context.rate(found);
@@ -249,18 +242,12 @@ private:
         }
         parts.polisher->polish(context, best);
         best = problem->closest(best);
-        Quality quality = context.rate(best);
+        const Quality quality = context.rate(best);
         const double size = context.points.size;
-        if (!(size - quality.cost >= KEPT * (size - before.cost)))  // undone if the cost is NaN
-        {
-            best = found;
-            quality = before;
-        }
-        Restarts(search, context, state).improve(best, quality);
-        Leverage(search, context,
-                 context.points.threshold * data.maskThreshold() / search.points.threshold)
-            .improve(best, quality);
-        return quality;
+        if (size - quality.cost >= KEPT * (size - before.cost))  // false if the cost is NaN
+            return quality;
+        best = found;
+        return before;
     }
 
     //! If the problem has a residual for the original image points, creates this residual and its
@@ -275,17 +262,16 @@ private:
 
     //! Calls polish(), with the original image points if the problem has a residual for them and
     //! the caller has not replaced the solver, which might not support them.
-    Quality polishAsSeen(const Context& context, State& state)
+    Quality polishAsSeen(const Context& context, Model& best)
     {
         if (!fitAsSeen())
-            return polish(context, context, state, state.best);
+            return polish(context, best);
         const Correspondences seen = data.imagePoints();
         imageParts = parts;
         imageParts.residual = imageResidual;
         imageParts.nonMinimalSolver = imageFit;
         imageFit->start(context);
-        return polish(context, Context(seen, imageParts, params, arena, context.watch), state,
-                      state.best);
+        return polish(Context(seen, imageParts, params, arena, context.watch), best);
     }
 
     //! Sets the threshold of the mask and of the steps after the search.
@@ -370,14 +356,10 @@ private:
     Mat polishedModel(const Context& context, State& state, uchar* inliers)
     {
         Report& learned = state.report;
-        if (parts.polisher && !(state.bestQuality.cost <= DBL_MAX) &&
-            context.points.size > parts.minimalSolver->sampleSize())
-            sampled = !Restarts(context, context, state).begin(state.best, state.bestQuality) &&
-                      sampled;
         if (state.bestQuality.inliers < parts.minimalSolver->sampleSize())
             return Mat();
         settleThreshold(context, state);
-        learned.cost = polishAsSeen(context, state).cost / context.points.size;
+        learned.cost = polishAsSeen(context, state.best).cost / context.points.size;
         if (!params.initialCovariance.empty())
         {
             Model prior;
@@ -407,7 +389,7 @@ private:
         uchar* const inliers = arena.take<uchar>(rows);
         std::fill(inliers, inliers + rows, (uchar)0);
         Mat result = polishedModel(context, state, inliers);
-        learned.degenerate = state.degenerate;  // polishing might have found a plane
+        learned.degenerate = state.degenerate;
         tellStop(context, learned);
         if (result.empty() && learned.stop != STOP_TOO_FEW_POINTS && learned.stop < STOP_TIME)
             learned.stop = STOP_NO_MODEL;

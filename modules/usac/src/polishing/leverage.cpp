@@ -78,15 +78,16 @@ void squaredNorms(const Residual& residual, const PointChunks& points, const Mod
 
 }  // namespace
 
-Leverage::Leverage(const Context& search_, const Context& polish, double threshold)
-    : search(search_), context(polish), parts(polish.components), limit(threshold * threshold),
-      errors(0), looked(0), inliers(), bulk(), all(0)
+Leverage::Leverage(const Context& context_, Polisher& polisher_)
+    : context(context_), parts(context_.components), polisher(polisher_),
+      limit(context_.inlierThreshold() * context_.inlierThreshold()), errors(0), looked(0),
+      inliers(), bulk(), all(0)
 {}
 
-void Leverage::improve(Model& model, Quality& quality)
+void Leverage::improve(Model& model)
 {
     const int size = context.points.size;
-    if (!parts.nonMinimalSolver || context.points.problem->errorDimension() > 1 || context.stop())
+    if (context.points.problem->errorDimension() > 1 || context.stop())
         return;
     Arena::Scope scope(context.arena);
     errors = scope.take<float>(size);
@@ -108,12 +109,10 @@ void Leverage::improve(Model& model, Quality& quality)
                                      LEVERAGE_STEPS) ||
         !convinces(fitted, model, rest))
         return;
-    parts.polisher->polish(context, fitted);
+    polisher.polish(context, fitted);
     fitted = context.points.problem->closest(fitted);
-    if (!convinces(fitted, model, rest))
-        return;
-    model = fitted;
-    quality = context.rate(model);
+    if (convinces(fitted, model, rest))
+        model = fitted;
 }
 
 bool Leverage::convinces(const Model& fitted, const Model& model, const Points& points) const
@@ -223,7 +222,7 @@ bool Leverage::sampled(const Points& points, int first, Model& model) const
         for (int k = 0; k < m; ++k)
             sample[k] = points.indices[sample[k]];
     }
-    group.solve(*parts.minimalSolver, search.points, STARTS);
+    group.solve(*parts.minimalSolver, context.points, STARTS);
     for (int i = 0; i < STARTS; ++i)
         for (int k = 0; k < group.found[i]; ++k)
         {

@@ -44,14 +44,12 @@ fits use only the first points, four times as many as were needed to find these 
 class Leverage
 {
 public:
-    /** @param search context of the search, whose points the minimal solver uses
-    @param polish context in which models are polished and rated
-    @param threshold inlier threshold of the mask, in the coordinates of `polish` */
-    Leverage(const Context& search, const Context& polish, double threshold);
+    //! @param context context in which models are polished and rated
+    //! @param polisher polishes the result
+    Leverage(const Context& context, Polisher& polisher);
 
     //! Replaces a polished model with a better model if such a model is found.
-    //! @param quality quality of the model in the context `polish`
-    void improve(Model& model, Quality& quality);
+    void improve(Model& model);
 
 private:
     //! doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
@@ -108,9 +106,9 @@ private:
     //! Number of inliers of `model` among all points.
     int inliersOf(const Model& model) const;
 
-    const Context& search;
     const Context& context;
     const Components& parts;
+    Polisher& polisher;
     const double limit;  //!< squared threshold
     float* errors;       //!< squared errors; memory for all points
     int looked;          //!< only the first `looked` points are used in fits

@@ -19,7 +19,9 @@ constexpr double FIT_WORK = 50;
 Ptr<Polisher> createLeastSquaresPolisher();
 //! Creates the polisher with the weights of MAGSAC++, see ReweightedPolisher.
 Ptr<Polisher> createReweightedPolisher();
-//! Creates the polisher with Tukey's biweight, see RobustPolisher.
+//! Creates the polisher that minimizes Tukey's biweight, see BiweightPolisher; a part of the next.
+Ptr<Polisher> createBiweightPolisher();
+//! Creates the polisher of #POLISHING_ROBUST, see RobustPolisher.
 Ptr<Polisher> createRobustPolisher();
 
 }  // namespace usacv20

@@ -3,7 +3,9 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "polishing/leverage.hpp"
 #include "polishing/polishing.hpp"
+#include "polishing/restarts.hpp"
 #include "numeric/chi_square.hpp"
 #include "numeric/instruction_set.hpp"
 #include "optimization/noise_scale.hpp"
@@ -82,7 +84,7 @@ of a point within the support (a limit that does not depend on the threshold) an
 noise hardly changes, but at the latest after Params::polishingSteps steps, or #MORE steps later if
 there are more than #MANY points. The last of these possible steps is a fit that runs to
 convergence. */
-class RobustPolisher : public Polisher
+class BiweightPolisher : public Polisher
 {
 public:
     void polish(const Context& context, Model& model) CV_OVERRIDE
@@ -257,8 +259,25 @@ private:
     double sumOfWeights, lostCurvature;  //!< of the points within the support, see lengthen()
 };
 
+//! BiweightPolisher; if there are few inliers, also from other initial models (Restarts). A model
+//! that is distorted by wrong matches of high leverage is corrected (Leverage).
+class RobustPolisher : public BiweightPolisher
+{
+public:
+    void polish(const Context& context, Model& model) CV_OVERRIDE
+    {
+        BiweightPolisher::polish(context, model);
+        Restarts(context, biweight).improve(model);
+        Leverage(context, biweight).improve(model);
+    }
+
+private:
+    BiweightPolisher biweight;
+};
+
 }  // namespace
 
+Ptr<Polisher> createBiweightPolisher() { return makePtr<BiweightPolisher>(); }
 Ptr<Polisher> createRobustPolisher() { return makePtr<RobustPolisher>(); }
 
 }  // namespace usacv20

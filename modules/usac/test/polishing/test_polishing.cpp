@@ -221,5 +221,82 @@ TEST(Usac_Polishing, nothingNear)
     }
 }
 
+//! Counts the samples that are solved.
+class CountedMinimalSolver : public MinimalSolver
+{
+public:
+    explicit CountedMinimalSolver(const Ptr<MinimalSolver>& solver_) : solved(0), solver(solver_) {}
+    int sampleSize() const CV_OVERRIDE { return solver->sampleSize(); }
+    int solve(const Correspondences& points, const int* sample, Model* models) const CV_OVERRIDE
+    {
+        ++solved;
+        return solver->solve(points, sample, models);
+    }
+
+    mutable int solved;
+
+private:
+    const Ptr<MinimalSolver> solver;
+};
+
+//! Polishes with another polisher, if there is one, and counts the samples and fits of polish().
+class CountedPolisher : public Polisher
+{
+public:
+    CountedPolisher(const Ptr<Polisher>& given_, const Ptr<CountedMinimalSolver>& samples_,
+                    const Ptr<CountedSolver>& fits_)
+        : solved(0), fitted(0), endSolved(0), endFitted(0), given(given_), samples(samples_),
+          fits(fits_)
+    {}
+    void polish(const Context& context, Model& model) CV_OVERRIDE
+    {
+        solved = samples->solved;
+        fitted = fits->fits;
+        if (given)
+            given->polish(context, model);
+        endSolved = samples->solved;
+        endFitted = fits->fits;
+        solved = endSolved - solved;
+        fitted = endFitted - fitted;
+    }
+
+    int solved, fitted, endSolved, endFitted;
+
+private:
+    const Ptr<Polisher> given;
+    const Ptr<CountedMinimalSolver> samples;
+    const Ptr<CountedSolver> fits;
+};
+
+//! All that follows the search is the polisher's work: after it, no sample is solved and nothing is
+//! fitted. Only robust polishing solves samples (of few inliers). POLISHING_NONE stands here for a
+//! polisher of the caller that does nothing.
+TEST(Usac_Polishing, nothingButThePolisherPolishes)
+{
+    for (int problem : {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL})
+        for (int polishing :
+             {POLISHING_NONE, POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED, POLISHING_ROBUST})
+        {
+            Params params;
+            params.polishing = polishing;
+            const Ptr<Usac> usac = createUsac(makeScene((ProblemType)problem, 20, 5), params);
+            Components& parts = usac->components();
+            const Ptr<CountedMinimalSolver> samples = makePtr<CountedMinimalSolver>(
+                parts.minimalSolver);
+            const Ptr<CountedSolver> fits = makePtr<CountedSolver>(parts.nonMinimalSolver);
+            const Ptr<CountedPolisher> polisher = makePtr<CountedPolisher>(parts.polisher, samples,
+                                                                           fits);
+            parts.minimalSolver = samples;
+            parts.nonMinimalSolver = fits;
+            parts.polisher = polisher;
+            EXPECT_FALSE(usac->run().empty());
+            SCOPED_TRACE(cv::format("problem %d, polishing %d", problem, polishing));
+            EXPECT_EQ(polishing == POLISHING_ROBUST, polisher->solved > 0);
+            EXPECT_EQ(polishing != POLISHING_NONE, polisher->fitted > 0);
+            EXPECT_EQ(polisher->endSolved, samples->solved);
+            EXPECT_EQ(polisher->endFitted, fits->fits);
+        }
+}
+
 }
 }  // namespace
