@@ -41,7 +41,7 @@ export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$tools"  # tests with the same flags f
 tsan_tests='*hread*:*arallel*:UsacContracts*:Usac_Fuzz.*'
 # Only the tests of the input checks and a few others, because under valgrind a test is 20 to 50 times
 # slower.
-valgrind_tests='Usac_Input*:UsacInput*:UsacPoints*:Usac_Arguments*:Usac_Solvers.allF*:Usac_Fuzz.kept*:-*hundred_thousand*'
+valgrind_tests='Usac_Input*:UsacInput*:UsacPoints*:Usac_Arguments*:Usac_Solvers.allF*:Usac_Fuzz.kept*:Usac_Fuzz.few_places:-*hundred_thousand*'
 
 # Configures the build of a tool and builds a target. Assertions of OpenCV's and Eigen's headers are enabled (no NDEBUG).
 build_with() # tool, target, compiler, flags of the library, more options for CMake

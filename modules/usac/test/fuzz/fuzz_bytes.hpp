@@ -17,7 +17,7 @@ namespace opencv_test {
 class Bytes
 {
 public:
-    Bytes(const uchar* data, size_t size) : at(data), end(data + size) {}
+    Bytes(const uchar* data, size_t size) : at(data), end(data + size), pitch(1) {}
 
     size_t left() const { return (size_t)(end - at); }
     int byte() { return at < end ? *at++ : 0; }
@@ -90,13 +90,23 @@ public:
                             : value<int>();
     }
 
-    //! A coordinate of a point. There are six kinds, from small integers (kind 0) to number() (kind
-    //! 5 or more).
+    //! How points are made, 0 .. 11. A few values are kind 0 with another distance of the places.
+    int kindOfPoints()
+    {
+        const int kind = byte();
+        if (kind < 252)
+            return kind % 12;
+        pitch = number();
+        return 0;
+    }
+
+    //! A coordinate of a point. There are six kinds, from few places (kind 0) to number() (kind 5
+    //! or more).
     double coordinate(int kind)
     {
         switch (kind)
         {
-        case 0: return below(4);
+        case 0: return below(4) * pitch;
         case 1: return value<schar>();
         case 2: return value<ushort>() / 64.;
         case 3: return (double)value<float>();
@@ -108,6 +118,7 @@ public:
 private:
     const uchar* at;
     const uchar* end;
+    double pitch;  //!< distance of the places
 };
 
 //! Coordinate 0, 1 or 2 of a point.

@@ -22,13 +22,13 @@ namespace {
 Params preset(int number)
 {
     static Params (*const presets[])() = {
-        Params::usacV20,   Params::fast,         Params::accurate, Params::sorted,
-        Params::parallel,  Params::ransac,       Params::msac,     Params::lmeds,
-        Params::mlesac,    Params::prosac,       Params::loRansac, Params::floRansac,
-        Params::gcRansac,  Params::usac2013,     Params::magsac,   Params::magsacPlusPlus,
-        Params::automatic, Params::trustedScores};
-    // numbers below 192 never select the last two presets, which are newer than the stored inputs
-    return presets[number < 192 ? number % 16 : 16 + number % 2]();
+        Params::usacV20,   Params::fast,          Params::accurate, Params::sorted,
+        Params::parallel,  Params::ransac,        Params::msac,     Params::lmeds,
+        Params::mlesac,    Params::prosac,        Params::loRansac, Params::floRansac,
+        Params::gcRansac,  Params::usac2013,      Params::magsac,   Params::magsacPlusPlus,
+        Params::automatic, Params::trustedScores, Params::paper};
+    // numbers below 192 never select the last three presets, which are newer than the stored inputs
+    return presets[number < 192 ? number % 16 : number > 250 ? 18 : 16 + number % 2]();
 }
 
 //! Reduces a valid value (from `low` to `high`) that exceeds `most` to less than `low` + `most`. An
@@ -146,7 +146,7 @@ void edit(Bytes& bytes, std::vector<Point2d>& points1, std::vector<Point2d>& poi
 
 void readPoints(Bytes& bytes, FuzzInput& input)
 {
-    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
+    const int kind = bytes.kindOfPoints(), edits = std::max(bytes.below(16) - 4, 0),
               most = bytes.below(120);
     if (kind > 5)
         readScene(bytes, input);

@@ -77,7 +77,7 @@ void edit(Bytes& bytes, std::vector<Point3d>& object, std::vector<Point2d>& imag
 
 void readPosePoints(Bytes& bytes, FuzzInput& input)
 {
-    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
+    const int kind = bytes.kindOfPoints(), edits = std::max(bytes.below(16) - 4, 0),
               most = bytes.below(120);
     if (kind > 3)
         readPoseScene(bytes, input);

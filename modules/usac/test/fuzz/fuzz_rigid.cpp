@@ -69,7 +69,7 @@ void edit(Bytes& bytes, std::vector<Point3d>& points1, std::vector<Point3d>& poi
 
 void readSpacePoints(Bytes& bytes, FuzzInput& input)
 {
-    const int kind = bytes.below(12), edits = std::max(bytes.below(16) - 4, 0),
+    const int kind = bytes.kindOfPoints(), edits = std::max(bytes.below(16) - 4, 0),
               most = bytes.below(120);
     if (kind > 3)
         readRigidScene(bytes, input);

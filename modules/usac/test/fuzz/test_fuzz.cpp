@@ -56,6 +56,46 @@ TEST(Usac_Fuzz, random_bytes)
     EXPECT_GT(refused, 10);
 }
 
+//! A call with points of a grid that has `places` places in each direction.
+FuzzInput fewPlaces(int problem, double pitch, int places, int count, RNG& rng)
+{
+    FuzzInput input = readFuzzInput(0, 0);
+    input.problem = (ProblemType)problem;
+    input.params.threshold = 3;
+    if (problem == ESSENTIAL || problem == ABSOLUTE_POSE)
+        input.K1 = Mat(Matx33d(500, 0, 320, 0, 500, 240, 0, 0, 1));
+    const bool space = problem == RIGID_3D || problem == SIMILARITY_3D;
+    for (int i = 0; i < count; ++i)
+    {
+        double x[6];
+        for (double& value : x)
+            value = rng.uniform(0, places) * pitch;
+        if (space || problem == ABSOLUTE_POSE)
+            input.object.push_back(Point3d(x[0], x[1], x[4]));
+        else
+            input.points1.push_back(Point2d(x[0], x[1]));
+        if (space)
+            input.space2.push_back(Point3d(x[2], x[3], x[5]));
+        else
+            input.points2.push_back(Point2d(x[2], x[3]));
+    }
+    return input;
+}
+
+//! If points have few places, many matches share points, and hardly any sample or model passes all
+//! checks. All contracts must hold for each problem.
+TEST(Usac_Fuzz, few_places)
+{
+    RNG rng(1);
+    for (int problem : ALL_PROBLEMS)
+        for (double pitch : {1e-3, 1., 7., 100., 1e6})
+            for (int places : {2, 3, 4})
+                for (int count = 8; count <= 30; count += 2)
+                    ASSERT_EQ("", brokenContract(fewPlaces(problem, pitch, places, count, rng)))
+                        << "problem " << problem << ", " << places << " places " << pitch
+                        << " apart, " << count << " matches";
+}
+
 //! The oracle brokenResult() must detect a wrong row of the mask and a model of wrong norm or rank,
 //! because the tests that use this oracle would otherwise be worthless.
 TEST(Usac_Fuzz, oracle_sees_a_wrong_row_of_the_mask)
