@@ -55,7 +55,7 @@ THRESHOLD_PICTURE = "modules/usac/tutorials/threshold/images/threshold.png"
 NAMES = {"USACV20+scores": "`USACV20` with match scores", AUTO: "`USACV20_AUTO`, given 3 times the threshold"}
 NAMES.update({"cv:" + flag: "`cv::%s`" % flag for flag in ("RANSAC", "USAC_DEFAULT", "USAC_FAST", "USAC_ACCURATE", "USAC_MAGSAC")})
 PRESETS = tuple("preset:" + p for p in ("usacV20", "fast", "accurate", "ransac", "msac", "lmeds", "mlesac", "prosac+scores", "loRansac",
-                                        "floRansac", "gcRansac", "usac2013+scores", "magsac", "magsacPlusPlus"))
+                                        "floRansac", "gcRansac", "usac2013+scores", "paper", "magsac", "magsacPlusPlus"))
 PICTURES = ("summary", "accuracy_over_time", "EVD_tent.H", "strecha.F", "strecha.E", "synth_general.E")
 
 

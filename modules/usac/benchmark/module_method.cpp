@@ -37,15 +37,25 @@ struct Preset
 };
 
 const Preset PRESETS[] = {
-    {"preset:usacV20", &Params::usacV20},     {"preset:fast", &Params::fast},
-    {"preset:accurate", &Params::accurate},   {"preset:sorted", &Params::sorted},
-    {"preset:parallel", &Params::parallel},   {"preset:automatic", &Params::automatic},
-    {"preset:ransac", &Params::ransac},       {"preset:msac", &Params::msac},
-    {"preset:lmeds", &Params::lmeds},         {"preset:mlesac", &Params::mlesac},
-    {"preset:prosac", &Params::prosac},       {"preset:loRansac", &Params::loRansac},
-    {"preset:floRansac", &Params::floRansac}, {"preset:gcRansac", &Params::gcRansac},
-    {"preset:usac2013", &Params::usac2013},   {"preset:trustedScores", &Params::trustedScores},
-    {"preset:magsac", &Params::magsac},       {"preset:magsacPlusPlus", &Params::magsacPlusPlus},
+    {"preset:usacV20", &Params::usacV20},
+    {"preset:fast", &Params::fast},
+    {"preset:accurate", &Params::accurate},
+    {"preset:sorted", &Params::sorted},
+    {"preset:parallel", &Params::parallel},
+    {"preset:automatic", &Params::automatic},
+    {"preset:ransac", &Params::ransac},
+    {"preset:msac", &Params::msac},
+    {"preset:lmeds", &Params::lmeds},
+    {"preset:mlesac", &Params::mlesac},
+    {"preset:prosac", &Params::prosac},
+    {"preset:loRansac", &Params::loRansac},
+    {"preset:floRansac", &Params::floRansac},
+    {"preset:gcRansac", &Params::gcRansac},
+    {"preset:usac2013", &Params::usac2013},
+    {"preset:paper", &Params::paper},
+    {"preset:trustedScores", &Params::trustedScores},
+    {"preset:magsac", &Params::magsac},
+    {"preset:magsacPlusPlus", &Params::magsacPlusPlus},
 };
 
 }  // namespace

@@ -154,6 +154,24 @@ Params Params::usac2013()
     return params;
 }
 
+Params Params::paper()
+{
+    const Params gc = gcRansac();
+    Params params;
+    params.orderedEvery = 1;
+    params.localOptimization = gc.localOptimization;
+    params.localSamples = gc.localSamples;
+    params.localIterations = gc.localIterations;
+    params.localSampleMultiple = gc.localSampleMultiple;
+    params.runnersUp = 0;
+    params.termination = TERMINATION_SPRT | TERMINATION_P_NAPSAC;
+    params.degeneracy = DEGENERACY_ORIENTATION | DEGENERACY_DEGENSAC;
+    params.polishing = POLISHING_LEAST_SQUARES;
+    params.polishingSteps = 1;
+    params.significance = 1;
+    return params;
+}
+
 Params Params::magsac()
 {
     Params params = ransac();

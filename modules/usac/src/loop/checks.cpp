@@ -80,6 +80,8 @@ Quality Checks::discounted(const Model& model, const Quality& rated) const
 void Checks::updateSuccessProbability(const Model& model) const
 {
     state.successProbability = 1;
+    if ((context.params.termination & TERMINATION_EXACT) == 0)
+        return;
     for (int d = 0; d < count; ++d)
         state.successProbability *= checks[d]->successProbability(context, state, model);
 }

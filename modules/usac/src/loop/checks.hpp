@@ -32,7 +32,7 @@ public:
     bool recover(const int* sample, Model& model, Quality& quality) const;
     //! The score `rated` of a model, lowered by the checks if inliers of the model are dependent.
     Quality discounted(const Model& model, const Quality& rated) const;
-    //! Computes State::successProbability for a new best model.
+    //! Computes State::successProbability for a new best model; 1 without #TERMINATION_EXACT.
     void updateSuccessProbability(const Model& model) const;
     //! To be called when the threshold has changed.
     void thresholdChanged() const;

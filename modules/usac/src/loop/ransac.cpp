@@ -28,7 +28,9 @@ Ransac::Ransac(const Context& context_, State& state_, bool checkSamples)
       runnersUp(context_.components.localOptimizer ? context_.params.runnersUp : 0, context_.arena),
       alternatives(!runnersUp.none() && !context_.components.score->wholeModel(), context_),
       batch(context_, state_, checks, runnersUp, checkSamples),
-      rivals(context_, state_, checks, batch, runnersUp, stopping), sampled(false), localTicks(0)
+      rivals(context_, state_, checks, batch, runnersUp, stopping),
+      literal(context_.params.localOptimization == LOCAL_OPTIMIZATION_GC_RANSAC), sampled(false),
+      localTicks(0)
 {}
 
 // Numbers in comments are lines of Algorithm 1 (see Ransac): 2, 3, 7 and 13 in run(), 14 to 18 in
@@ -48,7 +50,7 @@ bool Ransac::run(int pause)
             break;
         if (adaptTerminations())
             continue;
-        const bool first = batch.begins();
+        const bool first = batch.begins() && !literal;
         if (first)  // models of the prelude do not prevent that the best of this batch is optimized
             state.sampleQuality = Quality();
         batch.draw();  // 3
@@ -75,6 +77,8 @@ bool Ransac::run(int pause)
                     improve(candidate, before);
                 else if (found)
                     addRunnerUp(best);
+                if (literal)
+                    state.sampleQuality = state.bestQuality;
                 best = candidate;
                 found = true;
             }
@@ -183,9 +187,9 @@ void Ransac::account(const Hypotheses& h)
 
 /* Processes a model that is better than the models of all previous samples, or a runner-up. The
 paper compares the model with the optimized best model instead; but a good model of a noisy sample
-is often worse than an optimized bad model, and would then never be optimized. `before` is the value
-of State::sampleQuality before this model. This value is restored if a check rejects the model or
-makes it no better than `before`. */
+is often worse than an optimized bad model, and would then never be optimized. (If `literal` is true,
+it is compared as in the paper.) `before` is the value of State::sampleQuality before this model.
+This value is restored if a check rejects the model or makes it no better than `before`. */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
@@ -282,7 +286,7 @@ void Ransac::optimize(const Sample* sample, Model& model, Quality& quality)
         ++state.report.localImprovements;
         model = optimized;  // 24
         quality = optimizedQuality;
-        again = optimizedQuality.betterThan(before);
+        again = optimizedQuality.betterThan(before) && !literal;
     }
     localTicks += (double)(getTickCount() - start);
 }

@@ -50,6 +50,9 @@ TEST(Usac_Presets, change_what_they_say)
          "localSamples "},
         {"usac2013", Params::usac2013(), lo,
          "sampler ordering verification orderedEvery termination degeneracy "},
+        {"paper", Params::paper(), v20,
+         "localOptimization localIterations localSampleMultiple localSamples runnersUp "
+         "orderedEvery termination degeneracy polishing polishingSteps significance "},
         {"magsac", Params::magsac(), ransac,
          "quality reach widestReach localOptimization termination polishing polishingSteps "},
         {"magsacPlusPlus", Params::magsacPlusPlus(), v20,
@@ -111,6 +114,93 @@ TEST(Usac_Presets, locally_optimized)
     EXPECT_EQ((int)LOCAL_OPTIMIZATION_LO_RANSAC, usac.localOptimization);
     EXPECT_TRUE((usac.degeneracy & DEGENERACY_DEGENSAC) != 0);
     EXPECT_EQ(TERMINATION_SPRT | TERMINATION_PROSAC, usac.termination);
+}
+
+//! Records the samples of a sampler.
+class RecordedSampler : public Sampler
+{
+public:
+    explicit RecordedSampler(const Ptr<Sampler>& given_) : given(given_) {}
+    void start(const Context& context) CV_OVERRIDE { given->start(context); }
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
+    {
+        const int m = context.components.minimalSolver->sampleSize();
+        given->sample(context, state, sample);
+        samples.push_back(std::vector<int>(sample, sample + m));
+        EXPECT_TRUE(state.counts);
+        EXPECT_TRUE(inOneNeighborhood(context, samples.back()));
+    }
+    double growingShare(const Context& context) const CV_OVERRIDE
+    {
+        return given->growingShare(context);
+    }
+    int prelude(const Context& context) const CV_OVERRIDE { return given->prelude(context); }
+
+    std::vector<std::vector<int>> samples;
+
+private:
+    static bool inOneNeighborhood(const Context& context, const std::vector<int>& sample)
+    {
+        Neighborhood& neighborhood = context.neighborhood();
+        for (int layer = 0; layer < neighborhood.layers(); ++layer)
+        {
+            const int* members;
+            const int count = neighborhood.members(context, layer, sample[0], members);
+            size_t found = 0;
+            for (int i = 0; i < count; ++i)
+                found += std::find(sample.begin(), sample.end(), members[i]) != sample.end();
+            if (found == sample.size())
+                return true;
+        }
+        return false;
+    }
+
+    const Ptr<Sampler> given;
+};
+
+//! Lines 18 and 19 of Algorithm 1: each optimized model is better than the best one.
+class RecordedOptimizer : public LocalOptimizer
+{
+public:
+    explicit RecordedOptimizer(const Ptr<LocalOptimizer>& given_) : given(given_) {}
+    void start(const Context& context) CV_OVERRIDE { given->start(context); }
+    bool optimize(const Context& context, State& state, Model& model, Quality& quality) CV_OVERRIDE
+    {
+        EXPECT_TRUE(quality.betterThan(state.bestQuality));
+        return given->optimize(context, state, model, quality);
+    }
+
+private:
+    const Ptr<LocalOptimizer> given;
+};
+
+//! No addition to the paper acts: all samples are P-NAPSAC's, all count, and there are no others
+//! (of outliers, or of few inliers after the search); only models better than the best one are
+//! optimized; only one fit follows the search; no check of repeated matches, no success
+//! probability, no test of significance.
+TEST(Usac_Presets, paper_has_no_additions)
+{
+    for (ProblemType problem : {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL})
+        for (int seed = 1; seed <= 5; ++seed)
+        {
+            SCOPED_TRACE(cv::format("problem %d, seed %d", (int)problem, seed));
+            const Scene scene = makeScene(problem, 300, 200, seed);
+            const Ptr<Usac> usac = createUsac(scene, Params::paper());
+            Components& parts = usac->components();
+            EXPECT_EQ(problem == HOMOGRAPHY ? 1u : 2u, parts.degeneracies.size());
+            EXPECT_EQ(2u, parts.terminations.size());
+            const Ptr<RecordedSampler> sampler = makePtr<RecordedSampler>(parts.sampler);
+            parts.sampler = sampler;
+            parts.localOptimizer = makePtr<RecordedOptimizer>(parts.localOptimizer);
+            Report report;
+            EXPECT_FALSE(usac->run(noArray(), &report).empty());
+            EXPECT_LE(report.iterations, (int)sampler->samples.size());
+            EXPECT_TRUE(report.stop == STOP_SPRT || report.stop == STOP_P_NAPSAC) << report.stop;
+        }
+    const Scene wrong = makeScene(HOMOGRAPHY, 0, 40);
+    Report report;
+    EXPECT_FALSE(createUsac(wrong, Params::paper())->run(noArray(), &report).empty());
+    EXPECT_GT(report.chance, 0.01);
 }
 
 TEST(Usac_Presets, marginalized)

@@ -107,15 +107,15 @@ void checkResult(const Scene& scene, double pixels, const Mat& model, const Mat&
 std::vector<NamedPreset> allPresets()
 {
     const NamedPreset all[] = {
-        {"usacV20", Params::usacV20()},    {"fast", Params::fast()},
-        {"accurate", Params::accurate()},  {"sorted", Params::sorted()},
-        {"parallel", Params::parallel()},  {"ransac", Params::ransac()},
-        {"msac", Params::msac()},          {"lmeds", Params::lmeds()},
-        {"mlesac", Params::mlesac()},      {"prosac", Params::prosac()},
-        {"loRansac", Params::loRansac()},  {"floRansac", Params::floRansac()},
-        {"gcRansac", Params::gcRansac()},  {"usac2013", Params::usac2013()},
-        {"magsac", Params::magsac()},      {"magsacPlusPlus", Params::magsacPlusPlus()},
-        {"automatic", Params::automatic()}};
+        {"usacV20", Params::usacV20()},     {"fast", Params::fast()},
+        {"accurate", Params::accurate()},   {"sorted", Params::sorted()},
+        {"parallel", Params::parallel()},   {"ransac", Params::ransac()},
+        {"msac", Params::msac()},           {"lmeds", Params::lmeds()},
+        {"mlesac", Params::mlesac()},       {"prosac", Params::prosac()},
+        {"loRansac", Params::loRansac()},   {"floRansac", Params::floRansac()},
+        {"gcRansac", Params::gcRansac()},   {"usac2013", Params::usac2013()},
+        {"magsac", Params::magsac()},       {"magsacPlusPlus", Params::magsacPlusPlus()},
+        {"automatic", Params::automatic()}, {"paper", Params::paper()}};
     return std::vector<NamedPreset>(all, all + sizeof(all) / sizeof(all[0]));
 }
 
@@ -124,7 +124,7 @@ std::vector<NamedPreset> allPresets(ProblemType problem)
     std::vector<NamedPreset> all = allPresets();
     for (size_t i = 0; i < all.size(); ++i)
         if (problem != HOMOGRAPHY && problem != FUNDAMENTAL && problem != ESSENTIAL &&
-            all[i].name == std::string("usac2013"))
+            (all[i].name == std::string("usac2013") || all[i].name == std::string("paper")))
             all[i].params.degeneracy = DEGENERACY_REPEATED;
     return all;
 }

@@ -44,7 +44,7 @@ struct NamedPreset
 
 std::vector<NamedPreset> allPresets();
 //! Like allPresets(). For problems other than H, F and E, the only degeneracy check of usac2013()
-//! is DEGENERACY_REPEATED, because DEGENSAC raises an exception for these problems.
+//! and paper() is DEGENERACY_REPEATED, because DEGENSAC raises an exception for these problems.
 std::vector<NamedPreset> allPresets(ProblemType problem);
 
 /** Runs every preset on the points, both with the estimate function and with Usac::create, and

@@ -109,8 +109,9 @@ enum SamplerType {
     //! P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
     //! @cite barath2019progressive. One in four of the non-uniform samples (Params::orderedEvery)
     //! is drawn in this way (one in two without scores or sorted points), the others as in PROSAC;
-    //! the paper draws all in this way until the neighborhood contains all points. A neighborhood
-    //! doubles when its point is chosen again; in the paper it grows like PROSAC's set.
+    //! if `orderedEvery` is 1, all are drawn in this way, as in the paper, until no layer of the
+    //! neighborhood has enough points. A neighborhood doubles when its point is chosen again; in
+    //! the paper it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC = 3,     //!< a random point and some of its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
@@ -189,8 +190,11 @@ enum LocalOptimizationType {
                                                        //!< @cite barath2019magsac
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5,  //!< re-weighted fits with marginalized
                                                        //!< weights @cite barath2020magsac
-    LOCAL_OPTIMIZATION_GC_RANSAC = 6  //!< graph cut and inner RANSAC alternately, as long as the
-                                      //!< model improves @cite barath2018graph
+    //! graph cut and inner RANSAC alternately, as long as the model improves
+    //! @cite barath2018graph. As in Algorithm 1, each model that is better than the optimized best
+    //! one is optimized at once; the other types compare it with the best model of a sample, and
+    //! optimize only the best of the first models
+    LOCAL_OPTIMIZATION_GC_RANSAC = 6
 };
 
 //! Termination criteria, a set of bits; the first that fires ends the search (paper, section
@@ -208,7 +212,8 @@ enum TerminationFlags {
                                //!< @cite barath2019magsac
     TERMINATION_EXACT = 32,    //!< modifies the other criteria: with I inliers among N points, a
                              //!< sample of m points, drawn without replacement, is all-inlier with
-                             //!< probability C(I, m) / C(N, m) instead of (I / N)^m
+                             //!< probability C(I, m) / C(N, m) instead of (I / N)^m. E: on a plane,
+                             //!< every second all-inlier sample leads to a wrong model
     //! PROSAC's criterion, if inliers of the best model come early in a known order and samples
     //! drawn from its outliers yield no better model; takes effect only with PROSAC or P-NAPSAC,
     //! local optimization, `orderedEvery` above 1 and `runnersUp` above 0
@@ -217,13 +222,13 @@ enum TerminationFlags {
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
 //! checks that the problem has. For affine maps, absolute poses and 3-D motions,
-//! #DEGENERACY_DEGENSAC raises cv::Exception unless all bits are set; Params::usac2013, which lacks
-//! #DEGENERACY_REPEATED, therefore causes this exception.
+//! #DEGENERACY_DEGENSAC raises cv::Exception unless all bits are set; Params::usac2013 and
+//! Params::paper, which lack #DEGENERACY_REPEATED, therefore cause this exception.
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
     //! F: if a plane dominates a sample, F is computed by plane and parallax @cite chum2005two. E:
-    //! twice as many samples are drawn if most inliers are on a plane
+    //! with #TERMINATION_EXACT, twice as many samples are drawn if most inliers are on a plane
     DEGENERACY_DEGENSAC = 2,
     //! rejects samples in which two matches have the same point in an array (nearly the same, if
     //! there are many such matches); many matches to one point, or many copies of one match, count
@@ -238,8 +243,10 @@ enum PolishingType {
                                   //!< repeated while this improves the model
     POLISHING_REWEIGHTED = 2,     //!< iteratively re-weighted least squares with the weights of
                                   //!< MAGSAC++ @cite barath2020magsac
-    POLISHING_ROBUST = 3  //!< least squares with a robust loss adapted to the noise of the inliers
-                          //!< @cite beaton1974fitting
+    //! least squares with a robust loss adapted to the noise of the inliers
+    //! @cite beaton1974fitting; with at most 30 inliers, also from other initial models; F and E
+    //! also without the inliers of highest leverage
+    POLISHING_ROBUST = 3
 };
 
 /** @brief All options of the estimator.
@@ -335,7 +342,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_PROP_RW int localSampleMultiple;
     //! Number of inner samples of local optimization (graph cuts: per alternation). If not 0,
     //! #LOCAL_OPTIMIZATION_GRAPH_CUT draws at least 4 if there are few inliers; 0..1000. Default 1;
-    //! accurate(), loRansac() 10, floRansac() 4, gcRansac() 20.
+    //! accurate(), loRansac() 10, floRansac() 4, gcRansac(), paper() 20.
     CV_PROP_RW int localSamples;
     //! Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.
     CV_PROP_RW double spatialWeight;
@@ -350,7 +357,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     the best model are its inliers and no plane dominates. If the order is known, the first 8
     samples are uniform; with #TERMINATION_ORDER, every second sample then follows the order at
     first, and every sample once the order is confirmed. 1: all samples are drawn in the sampler's
-    way and count, as in the papers (prosac(), usac2013()); 1..1000. Default 8. */
+    way and count, as in the papers (prosac(), usac2013(), paper()); 1..1000. Default 8. */
     CV_PROP_RW int orderedEvery;
     //! Set of @ref TerminationFlags; 0: all `maxIterations` samples are drawn. Default
     //! #TERMINATION_SPRT | #TERMINATION_P_NAPSAC | #TERMINATION_EXACT | #TERMINATION_ORDER.
@@ -378,7 +385,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! 1: Report::covariance and Report::sigma are computed (0.1 to 0.3 ms); 0..1. Default 0.
     CV_PROP_RW int covariance;
 
-    /** @brief The paper's recommended configuration, with robust polishing; equal to Params(). */
+    /** @brief The paper's recommended configuration and the module's additions; equal to Params().
+    */
     CV_WRAP static Params usacV20();
     /** @brief Preset of UsacV20Method::USACV20_FAST: like usacV20(), but the search ends when a
     model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
@@ -435,9 +443,20 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params gcRansac();
     /** @brief USAC of 2013: PROSAC samples of sorted points (`orderedEvery` 1: all of them), SPRT,
     LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC (only
-    for F) replaces the paper's general test for degeneracy. H, F and E have the orientation test,
-    and E also has a test for planes. */
+    for F) replaces the paper's general test for degeneracy. H, F and E have the orientation test.
+    */
     CV_WRAP static Params usac2013();
+    /** @brief USACv20 to the letter: Algorithm 1 and section 2 of @cite ivashechkin2021usacv20, for
+    comparisons. All samples are drawn as in P-NAPSAC, without `scores` in the order of the points'
+    local density; MSAC, SPRT, the local optimization of gcRansac() with neighbors from a grid, the
+    terminations of SPRT and P-NAPSAC, orientation tests, DEGENSAC, one least-squares fit to all
+    inliers. None of the additions of usacV20(): runners-up, samples from outliers, choice by rank,
+    repeated matches, significance. For H, F and E only. The paper's experiments use at most 10000
+    iterations for H and 1000 for F and E. What remains without an option, because it does not
+    change what the paper describes: samples are drawn and verified in batches; with more than 32768
+    points, the search uses a random part; a search also ends when nearly all possible samples have
+    been drawn. */
+    CV_WRAP static Params paper();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
     @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`
     divided by the 0.99 quantile of the chi distribution. Errors have as many degrees of freedom as

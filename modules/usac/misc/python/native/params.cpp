@@ -63,6 +63,7 @@ void addParams(py::module_& module)
     type.def_static("floRansac", &Params::floRansac);
     type.def_static("gcRansac", &Params::gcRansac);
     type.def_static("usac2013", &Params::usac2013);
+    type.def_static("paper", &Params::paper);
     type.def_static("magsac", &Params::magsac);
     type.def_static("magsacPlusPlus", &Params::magsacPlusPlus);
 }

@@ -24,7 +24,7 @@ FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "hashes.json")
 K = np.array([[800., 0, 320], [0, 780., 240], [0, 0, 1]])
 DISTORTION = np.array([-0.1, 0.02, 0.001, -0.001, 0])
 PRESETS = ("usacV20", "fast", "accurate", "sorted", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac", "loRansac", "floRansac",
-           "gcRansac", "usac2013", "magsac", "magsacPlusPlus", "automatic")
+           "gcRansac", "usac2013", "magsac", "magsacPlusPlus", "automatic", "paper")
 
 
 def scene(seed, count):

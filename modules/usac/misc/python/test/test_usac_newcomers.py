@@ -23,7 +23,7 @@ from usac_common import (ERRORS, FINDER, FUNCTIONS, GENERAL, IN_TREE, MOVED, PLA
 from usac_pose import POSE
 
 PRESETS = ("usacV20", "fast", "accurate", "sorted", "trustedScores", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac", "loRansac",
-           "floRansac", "gcRansac", "usac2013", "magsac", "magsacPlusPlus")
+           "floRansac", "gcRansac", "usac2013", "paper", "magsac", "magsacPlusPlus")
 
 
 class NewcomerCase(unittest.TestCase):

@@ -130,7 +130,7 @@ class ParamsTest(unittest.TestCase):
 
     def test_presets(self):
         for name in ("usacV20", "fast", "accurate", "sorted", "parallel", "automatic", "ransac", "msac", "lmeds", "mlesac", "prosac",
-                     "loRansac", "floRansac", "gcRansac", "usac2013", "magsac", "magsacPlusPlus"):
+                     "loRansac", "floRansac", "gcRansac", "usac2013", "paper", "magsac", "magsacPlusPlus"):
             params = getattr(usac.Params, name)()
             self.assertIsInstance(params, usac.Params)
             params.check()

@@ -130,7 +130,7 @@ class Params:
         size; 2..100. Default 3.""")
     localSamples = Integer("""Number of inner samples of a local optimization (with graph cuts: of each alternation). If this is
         not 0, LOCAL_OPTIMIZATION_GRAPH_CUT draws at least 4 if there are few inliers; 0..1000. Default 1; accurate(),
-        loRansac() 10, floRansac() 4, gcRansac() 20.""")
+        loRansac() 10, floRansac() 4, gcRansac() and paper() 20.""")
     spatialWeight = Real("Weight of the spatial coherence in the graph cut; 0 (none) .. 10. Default 0.14.")
     runnersUp = Integer("""Maximum number of runners-up: models that were not the best one, but are optimized when the search
         is about to end, because they have the most inliers that are outliers of the best model; 0..100. Default 16.""")
@@ -398,6 +398,12 @@ class Params:
     def usac2013(cls: Type[P], **fields: Any) -> P:
         """Returns the options of USAC of 2013: PROSAC samples of sorted points, SPRT, LO-RANSAC, DEGENSAC."""
         return cls._preset("usac2013", fields)
+
+    @classmethod
+    def paper(cls: Type[P], **fields: Any) -> P:
+        """Returns the options of USACv20 to the letter of its paper, for comparisons: usacV20() without its additions. For H,
+        F and E only."""
+        return cls._preset("paper", fields)
 
     @classmethod
     def magsac(cls: Type[P], **fields: Any) -> P:
