@@ -7,6 +7,7 @@
 #include "control/watch.hpp"
 #include "components/sample_statistics.hpp"
 #include "loop/factory.hpp"
+#include "polishing/polishing.hpp"
 #include "scoring/scores.hpp"
 
 namespace cv {
@@ -75,7 +76,6 @@ Params paramsOfGuess(const Params& params)
     result.runnersUp = 0;
     result.termination = 0;
     result.degeneracy = params.degeneracy & ~DEGENERACY_DEGENSAC;
-    result.polishing = POLISHING_ROBUST;
     result.polishingSteps = GUESS_STEPS;
     result.maxIterations = std::min(GUESS_SAMPLES, params.maxIterations);
     return result;
@@ -116,6 +116,7 @@ AutomaticThreshold::AutomaticThreshold(const Problem& problem, const Params& giv
       latest(), drawn(0), computed(0), uniform(0)
 {
     parts.score = createLogarithmicScore();
+    parts.polisher = createBiweightPolisher();
     coreParts = parts;
     coreParts.sampler = listed;
     parts.terminations.push_back(makePtr<NoiseTermination>());

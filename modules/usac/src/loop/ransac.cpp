@@ -187,9 +187,9 @@ void Ransac::account(const Hypotheses& h)
 
 /* Processes a model that is better than the models of all previous samples, or a runner-up. The
 paper compares the model with the optimized best model instead; but a good model of a noisy sample
-is often worse than an optimized bad model, and would then never be optimized. (If `literal` is true,
-it is compared as in the paper.) `before` is the value of State::sampleQuality before this model.
-This value is restored if a check rejects the model or makes it no better than `before`. */
+is often worse than an optimized bad model, and would then never be optimized. (If `literal` is
+true, it is compared as in the paper.) `before` is the value of State::sampleQuality before this
+model. This value is restored if a check rejects the model or makes it no better than `before`. */
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;

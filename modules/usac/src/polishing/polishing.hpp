@@ -19,7 +19,7 @@ constexpr double FIT_WORK = 50;
 Ptr<Polisher> createLeastSquaresPolisher();
 //! Creates the polisher with the weights of MAGSAC++, see ReweightedPolisher.
 Ptr<Polisher> createReweightedPolisher();
-//! Creates the polisher that minimizes Tukey's biweight, see BiweightPolisher; a part of the next.
+//! Creates the polisher that minimizes Tukey's biweight, see BiweightPolisher.
 Ptr<Polisher> createBiweightPolisher();
 //! Creates the polisher of #POLISHING_ROBUST, see RobustPolisher.
 Ptr<Polisher> createRobustPolisher();

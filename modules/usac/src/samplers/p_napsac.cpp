@@ -41,7 +41,8 @@ number doubles each time the same first point is chosen again; once no layer has
 the sample is drawn as in PROSAC. Of the non-uniform samples (Params::orderedEvery), one in
 #LOCAL_EVERY is local, or one in #LOCAL_EVERY_GUESS if the order is a guess from the density of the
 points. With more local samples, small groups of consistent outliers (repeated patterns) are taken
-for the inliers more often. If Params::orderedEvery is 1, all samples are local, as in the paper.
+for the inliers more often. If Params::orderedEvery is 1, all samples are local, as in the paper,
+unless #TERMINATION_PROSAC needs samples drawn as in PROSAC.
 
 The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, unless all samples follow the
 order. There are two more rules if the order is a guess. With #SMALL points per sample (H), all of
@@ -104,9 +105,10 @@ public:
 private:
     static int localEvery(const Context& context)
     {
-        return context.params.orderedEvery == 1 ? 1
-               : isGuess(context)               ? LOCAL_EVERY_GUESS
-                                                : LOCAL_EVERY;
+        const Params& params = context.params;
+        if (params.orderedEvery == 1 && (params.termination & TERMINATION_PROSAC) == 0)
+            return 1;
+        return isGuess(context) ? LOCAL_EVERY_GUESS : LOCAL_EVERY;
     }
 
     //! The same as isOrdered(), except for the first samples, see PNapsacSampler.

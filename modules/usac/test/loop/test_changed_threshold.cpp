@@ -227,8 +227,8 @@ int timesTold(const Scene& scene, const Params& params)
     return check->told;
 }
 
-//! Polishing has a threshold of its own with #QUALITY_LMEDS. With few points, it tries other
-//! initial models, which the checks examine.
+//! Polishing has a threshold of its own with #QUALITY_LMEDS. With few points, robust polishing
+//! tries other initial models, which the checks examine.
 TEST(Usac_ChangedThreshold, checksAreToldOfPolishing)
 {
     SceneOptions options;
@@ -236,6 +236,7 @@ TEST(Usac_ChangedThreshold, checksAreToldOfPolishing)
     options.noise = 0.2;
     Params params = Params::lmeds();
     params.threshold = 3;
+    params.polishing = POLISHING_ROBUST;
     EXPECT_GT(timesTold(makeScene(HOMOGRAPHY, options), params), 0);
 }
 

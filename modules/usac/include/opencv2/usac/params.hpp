@@ -29,12 +29,8 @@ a flag of this module and a flag of OpenCV, it must call usacv20::findHomography
 usacv20::findFundamentalMat and similar functions, which accept both kinds of flags as `int`:
 @code{.cpp}
     int method = (int)cv::USACV20;  // without the cast this does not compile
-    // reads the flag from a cv::FileStorage: 16385 is USACV20_FAST, 8 is cv::RANSAC
-    cv::read(fs["method"], method, method);
     cv::Mat F = cv::usacv20::findFundamentalMat(points1, points2, method, 1.0, 0.99, mask);
 @endcode
-usacv20::methodFromInt converts a number to a flag; usacv20::isUsacV20Method tells whether a number
-is a flag of this module.
 */
 enum class UsacV20Method : int {
     //! the configuration of the paper @cite ivashechkin2021usacv20, with robust polishing;
@@ -109,9 +105,8 @@ enum SamplerType {
     //! P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
     //! @cite barath2019progressive. One in four of the non-uniform samples (Params::orderedEvery)
     //! is drawn in this way (one in two without scores or sorted points), the others as in PROSAC;
-    //! if `orderedEvery` is 1, all are drawn in this way, as in the paper, until no layer of the
-    //! neighborhood has enough points. A neighborhood doubles when its point is chosen again; in
-    //! the paper it grows like PROSAC's set.
+    //! all, as in the paper, if `orderedEvery` is 1, unless #TERMINATION_PROSAC is set. A
+    //! neighborhood doubles when its point is drawn again; in the paper it grows like PROSAC's set.
     SAMPLER_P_NAPSAC = 2,
     SAMPLER_NAPSAC = 3,     //!< a random point and some of its neighbors @cite nasuto2002napsac
     SAMPLER_IMPORTANCE = 4  //!< each point with probability proportional to Params::scores, for
@@ -190,11 +185,8 @@ enum LocalOptimizationType {
                                                        //!< @cite barath2019magsac
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5,  //!< re-weighted fits with marginalized
                                                        //!< weights @cite barath2020magsac
-    //! graph cut and inner RANSAC alternately, as long as the model improves
-    //! @cite barath2018graph. As in Algorithm 1, each model that is better than the optimized best
-    //! one is optimized at once; the other types compare it with the best model of a sample, and
-    //! optimize only the best of the first models
-    LOCAL_OPTIMIZATION_GC_RANSAC = 6
+    LOCAL_OPTIMIZATION_GC_RANSAC = 6  //!< graph cut and inner RANSAC alternately, as long as the
+                                      //!< model improves @cite barath2018graph; see Params::paper
 };
 
 //! Termination criteria, a set of bits; the first that fires ends the search (paper, section
@@ -212,8 +204,7 @@ enum TerminationFlags {
                                //!< @cite barath2019magsac
     TERMINATION_EXACT = 32,    //!< modifies the other criteria: with I inliers among N points, a
                              //!< sample of m points, drawn without replacement, is all-inlier with
-                             //!< probability C(I, m) / C(N, m) instead of (I / N)^m. E: on a plane,
-                             //!< every second all-inlier sample leads to a wrong model
+                             //!< probability C(I, m) / C(N, m) instead of (I / N)^m
     //! PROSAC's criterion, if inliers of the best model come early in a known order and samples
     //! drawn from its outliers yield no better model; takes effect only with PROSAC or P-NAPSAC,
     //! local optimization, `orderedEvery` above 1 and `runnersUp` above 0
@@ -222,8 +213,7 @@ enum TerminationFlags {
 
 //! Checks for degenerate configurations, a set of bits (paper, section "Degeneracy"). All bits: all
 //! checks that the problem has. For affine maps, absolute poses and 3-D motions,
-//! #DEGENERACY_DEGENSAC raises cv::Exception unless all bits are set; Params::usac2013 and
-//! Params::paper, which lack #DEGENERACY_REPEATED, therefore cause this exception.
+//! #DEGENERACY_DEGENSAC raises cv::Exception unless all bits are set, as in usac2013() and paper().
 enum DegeneracyFlags {
     DEGENERACY_ORIENTATION = 1,  //!< H: orientation of the sample; F, E: oriented epipolar
                                  //!< constraint @cite chum2004epipolar
@@ -243,10 +233,8 @@ enum PolishingType {
                                   //!< repeated while this improves the model
     POLISHING_REWEIGHTED = 2,     //!< iteratively re-weighted least squares with the weights of
                                   //!< MAGSAC++ @cite barath2020magsac
-    //! least squares with a robust loss adapted to the noise of the inliers
-    //! @cite beaton1974fitting; with at most 30 inliers, also from other initial models; F and E
-    //! also without the inliers of highest leverage
-    POLISHING_ROBUST = 3
+    POLISHING_ROBUST = 3  //!< least squares with a robust loss adapted to the noise of the inliers
+                          //!< @cite beaton1974fitting; few inliers: from several initial models
 };
 
 /** @brief All options of the estimator.
@@ -385,8 +373,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! 1: Report::covariance and Report::sigma are computed (0.1 to 0.3 ms); 0..1. Default 0.
     CV_PROP_RW int covariance;
 
-    /** @brief The paper's recommended configuration and the module's additions; equal to Params().
-    */
+    /** @brief The configuration of the paper, with additions; equal to Params(). See paper(). */
     CV_WRAP static Params usacV20();
     /** @brief Preset of UsacV20Method::USACV20_FAST: like usacV20(), but the search ends when a
     model with 50 % more inliers (less if there are few inliers, see `relaxation`) would have been
@@ -413,8 +400,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     pixels. Preset of UsacV20Method::USACV20_AUTO. */
     CV_WRAP static Params automatic();
     /** @brief RANSAC of 1981: uniform samples, number of inliers, least squares
-    @cite fischler1981random. The number of samples follows from the inlier ratio of the best model
-    so far, as has become customary; the paper of 1981 derives it from a known inlier ratio. */
+    @cite fischler1981random. The number of samples follows from the best model so far. */
     CV_WRAP static Params ransac();
     /** @brief MSAC: like ransac(), with truncated squared errors @cite torr2000mlesac. */
     CV_WRAP static Params msac();
@@ -443,19 +429,14 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params gcRansac();
     /** @brief USAC of 2013: PROSAC samples of sorted points (`orderedEvery` 1: all of them), SPRT,
     LO-RANSAC, DEGENSAC, the terminations of SPRT and PROSAC @cite raguram2013usac. DEGENSAC (only
-    for F) replaces the paper's general test for degeneracy. H, F and E have the orientation test.
-    */
+    for F) replaces the paper's general test for degeneracy; all have the orientation test. */
     CV_WRAP static Params usac2013();
-    /** @brief USACv20 to the letter: Algorithm 1 and section 2 of @cite ivashechkin2021usacv20, for
-    comparisons. All samples are drawn as in P-NAPSAC, without `scores` in the order of the points'
-    local density; MSAC, SPRT, the local optimization of gcRansac() with neighbors from a grid, the
-    terminations of SPRT and P-NAPSAC, orientation tests, DEGENSAC, one least-squares fit to all
-    inliers. None of the additions of usacV20(): runners-up, samples from outliers, choice by rank,
-    repeated matches, significance. For H, F and E only. The paper's experiments use at most 10000
-    iterations for H and 1000 for F and E. What remains without an option, because it does not
-    change what the paper describes: samples are drawn and verified in batches; with more than 32768
-    points, the search uses a random part; a search also ends when nearly all possible samples have
-    been drawn. */
+    /** @brief USACv20 to the letter, for comparisons (H, F, E): Algorithm 1 and section 2 of
+    @cite ivashechkin2021usacv20, without the additions of usacV20(). P-NAPSAC draws all samples,
+    and as in gcRansac(), each model better than the optimized best one is optimized at once (in the
+    other presets: than all models of samples; of the first samples, only the best). The paper's
+    experiments have 10000 iterations for H, 1000 for F and E. What remains because it is no choice
+    of the paper: batches of samples, and a random part of more than 32768 points is searched. */
     CV_WRAP static Params paper();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
     @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`

@@ -140,7 +140,7 @@ class LocalOptimizationType(enum.IntEnum):
     LOCAL_OPTIMIZATION_FLO_RANSAC = 3  # like LO-RANSAC, with fits of bounded size
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS = 4  # fits marginalized over the noise scale
     LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS = 5  # re-weighted fits with marginalized weights
-    LOCAL_OPTIMIZATION_GC_RANSAC = 6  # graph cut and inner RANSAC alternately, as long as the model improves
+    LOCAL_OPTIMIZATION_GC_RANSAC = 6  # graph cut and inner RANSAC alternately, as long as the model improves; see Params.paper
 
 
 class TerminationFlags(enum.IntFlag):
@@ -163,8 +163,8 @@ class DegeneracyFlags(enum.IntFlag):
     """Checks for degenerate configurations, a set of bits."""
 
     DEGENERACY_ORIENTATION = 1  # H: orientation of the sample; F, E: oriented epipolar constraint
-    # F: if a plane dominates a sample, F is computed by plane and parallax. E: twice as many samples are drawn if most inliers
-    # are on a plane
+    # F: if a plane dominates a sample, F is computed by plane and parallax. E: with TERMINATION_EXACT, twice as many samples
+    # are drawn if most inliers are on a plane
     DEGENERACY_DEGENSAC = 2
     # rejects samples in which two matches have the same point in an array (nearly the same, if there are many such matches);
     # many matches to one point, or many copies of one match, count as a single inlier
@@ -178,7 +178,8 @@ class PolishingType(enum.IntEnum):
     # least squares of the geometric error over all inliers, repeated while this improves the model
     POLISHING_LEAST_SQUARES = 1
     POLISHING_REWEIGHTED = 2  # iteratively re-weighted least squares with the weights of MAGSAC++
-    POLISHING_ROBUST = 3  # least squares with a robust loss adapted to the noise of the inliers
+    # least squares with a robust loss adapted to the noise of the inliers; few inliers: from several initial models
+    POLISHING_ROBUST = 3
 
 
 class StopReason(enum.IntEnum):
