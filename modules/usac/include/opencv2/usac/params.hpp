@@ -435,8 +435,8 @@ struct CV_EXPORTS_W_SIMPLE Params
     @cite ivashechkin2021usacv20, without the additions of usacV20(). P-NAPSAC draws all samples,
     and as in gcRansac(), each model better than the optimized best one is optimized at once (in the
     other presets: than all models of samples; of the first samples, only the best). The paper's
-    experiments have 10000 iterations for H, 1000 for F and E. What remains because it is no choice
-    of the paper: batches of samples, and a random part of more than 32768 points is searched. */
+    experiments have 10000 iterations for H, 1000 for F and E. What remains: batches of samples,
+    only a random part of more than 32768 points is searched; all of it is in doc/paper_map.md. */
     CV_WRAP static Params paper();
     /** @brief MAGSAC: uniform samples, marginalized score, termination and fits (sigma-consensus)
     @cite barath2019magsac. The largest standard deviation of the noise is `reach` times `threshold`
