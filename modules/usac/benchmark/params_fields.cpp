@@ -95,10 +95,11 @@ struct Assignment
         if (isIt(name))
             params.*member = assigned.value;
     }
-    void operator()(const char* name, int Params::*member, const FieldValues&)
+    template <class T>
+    void operator()(const char* name, T Params::*member, const FieldValues&)
     {
         if (isIt(name))
-            params.*member = assigned.integer();
+            params.*member = (T)assigned.integer();
     }
     template <class T>
     void operator()(const char*, std::vector<T> Params::*, const FieldValues&)

@@ -50,7 +50,7 @@ PERF_TEST_P(UsacScore, rate_1000000points,
     const ProblemType problem = get<0>(GetParam()) == TRANSFER ? HOMOGRAPHY : FUNDAMENTAL;
     const int way = get<2>(GetParam()), size = get<3>(GetParam()), models = 1000000 / size;
     Params params;
-    params.quality = get<1>(GetParam());
+    params.quality = (QualityType)(int)get<1>(GetParam());
     const PerfScene scene(problem, size, params);
     Ptr<Residual>& residual = scene.usac->components().residual;
     if (way == NOT_FUSED)

@@ -107,14 +107,17 @@ void checkCombinations(const Params& p)
 }
 
 //! Raises a cv::Exception if there are scores, but not one for each of the `count` correspondences
-//! (not checked if `count` is negative, that is, unknown), or if the sampler is #SAMPLER_IMPORTANCE
-//! and a score is not finite or is negative.
+//! (not checked if `count` is negative, that is, unknown), if all of them are NaN, or if the
+//! sampler is #SAMPLER_IMPORTANCE and a score is not finite or is negative.
 void checkScores(const Params& p, int count)
 {
     if (count >= 0 && !p.scores.empty() && (int)p.scores.size() != count)
         CV_Error_(Error::StsUnmatchedSizes,
                   ("scores: one for each of the %d correspondences is expected, not %d", count,
                    (int)p.scores.size()));
+    const auto isNaN = [](float score) { return score != score; };
+    if (!p.scores.empty() && std::all_of(p.scores.begin(), p.scores.end(), isNaN))
+        CV_Error(Error::StsBadArg, "scores: numbers are expected, but all of them are NaN");
     if (p.sampler != SAMPLER_IMPORTANCE)
         return;
     for (size_t i = 0; i < p.scores.size(); ++i)

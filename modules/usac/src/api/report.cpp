@@ -52,13 +52,11 @@ String Report::describe() const
                            ? format("; only %d inliers are independent", independentInliers)
                            : String();
     return format(
-        "%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s%s",
+        "%d inliers, cost %.4f, %d iterations, %d local optimizations, stopped by: %s%s%s%s%s%s",
         inliers, cost, iterations, localOptimizations, reason,
-        degenerate ? "; a dominant plane was found" : "",
-        wideThreshold ? "; the threshold is as large as the extent of all points: is it in "
-                        "their unit?"
-                      : "",
-        few.c_str(), model && chance > SIGNIFICANT ? "; no better than chance" : "");
+        degenerate ? "; a dominant plane was found" : "", warning.empty() ? "" : "; ",
+        warning.c_str(), few.c_str(),
+        model && chance > SIGNIFICANT ? "; no better than chance" : "");
 }
 
 }  // namespace usacv20

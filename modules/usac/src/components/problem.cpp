@@ -59,6 +59,7 @@ bool Problem::commonUnit() const { return true; }
 bool Problem::ambiguous() const { return false; }
 bool Problem::leavesFree(const Context&, const Model&) const { return false; }
 double Problem::toModelCoordinates(double* const*, int) const { return 1; }
+String Problem::doubt(const double* const*, int) const { return String(); }
 void Problem::toImageCoordinates(double* const*, int) const {}
 Ptr<Residual> Problem::createImageResidual(const Ptr<Residual>&) const { return Ptr<Residual>(); }
 int Problem::normalization(int) const { return SCALE_NONE; }

@@ -134,6 +134,7 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
     if (image)
         keepImage(params, arena);
     pixels = problem.toModelCoordinates(input, view.inputSize) / view.meanSigma;
+    doubt = problem.doubt(input, view.inputSize);
     inputThreshold = std::min(pixelThreshold / pixels, DBL_MAX);
     shuffle(params, arena);
     scale(params, arena);
@@ -431,6 +432,11 @@ void ProblemData::tell(const uchar* mask, bool independent, Arena& arena, Report
     report.inlierRatio = view.inputSize > 0 ? (double)report.inliers / view.inputSize : 0;
     report.threshold = threshold();
     report.wideThreshold = report.stop != STOP_TOO_FEW_POINTS && wideThreshold();
+    report.warning = doubt;
+    if (report.wideThreshold)
+        report.warning += String(doubt.empty() ? "" : "; ") +
+                          "the threshold is as large as the extent of all points: is it in their "
+                          "unit?";
     if (independent)
         report.independentInliers = independentInliers(mask, arena);
 }

@@ -110,6 +110,7 @@ private:
                                 //!< noise of the matches; null: not stored
     const double* seenDoubles[MAX_COLUMNS];  //!< `seen`, shuffled and normalized, for imagePoints()
     const float* seenFloats[MAX_COLUMNS];
+    String doubt;   //!< of Problem::doubt
     int described;  //!< number of matches in the arrays read last, which Params::sigmas, if there
                     //!< are any, describe; 0: no points were read
 

@@ -37,6 +37,9 @@ larger than the noise, KEPT = 0.9 makes the error of H 3.1 times that of a least
 because polishing is undone; KEPT = 0.5 makes it 1.2 times that error. On the data of the benchmark,
 0.25 changes nothing; 1 raises errors by 2 to 6 %. */
 constexpr double KEPT = 0.5;
+//! What lastWarning() returns.
+thread_local String warningOfLastRun;
+
 //! Report::chance is not computed exactly if it is below this value and below a hundredth of its
 //! limit. Halving or doubling this value changes no run.
 constexpr double CLEAR = 1e-6;
@@ -415,6 +418,7 @@ private:
                             !context.stopBefore(learned.inliers * REPETITION_WORK);
         tellStop(context, learned);
         data.tell(inliers, timely && report && !result.empty(), arena, learned);
+        warningOfLastRun = learned.warning;
         learned.polishMs = milliseconds(start);
         if (report)
         {
@@ -447,6 +451,8 @@ private:
 };
 
 }  // namespace
+
+String lastWarning() { return warningOfLastRun; }
 
 Ptr<Usac> Usac::create(ProblemType problem, InputArray points1, InputArray points2,
                        const Params& params, InputArray cameraMatrix1, InputArray cameraMatrix2,

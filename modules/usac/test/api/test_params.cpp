@@ -33,23 +33,22 @@ void permitAll(const std::string& field, Params& params)
 
 TEST(Usac_Params, ranges_of_integers)
 {
-    for (const NamedField<int>& tested : Fields().ints)
+    for (const NamedField& tested : Fields().ints)
     {
         SCOPED_TRACE(tested.name);
         const int low = (int)tested.values.low, high = (int)tested.values.high;
         Check check;
-        int& field = check.params.*tested.member;
         permitAll(tested.name, check.params);
         for (int right : {low, high})
         {
-            field = right;
+            Assignment(check.params, tested.name, right);
             EXPECT_NO_THROW(check());
         }
         if (low == INT_MIN)
             continue;
         for (int wrong : {low - 1, INT_MIN, high < INT_MAX ? high + 1 : -2})
         {
-            field = wrong;
+            Assignment(check.params, tested.name, wrong);
             expectException(check, std::string(tested.name) + ": ");
         }
     }
@@ -59,7 +58,7 @@ TEST(Usac_Params, ranges_of_reals)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
-    for (const NamedField<double>& tested : Fields().doubles)
+    for (const NamedField& tested : Fields().doubles)
     {
         SCOPED_TRACE(tested.name);
         double low = tested.values.low, high = tested.values.high;
@@ -68,15 +67,14 @@ TEST(Usac_Params, ranges_of_reals)
         if (tested.values.kind == FIELD_PROBABILITY)
             high = std::nextafter(high, -inf);
         Check check;
-        double& field = check.params.*tested.member;
         for (double right : {low, high})
         {
-            field = right;
+            Assignment(check.params, tested.name, right);
             EXPECT_NO_THROW(check());
         }
         for (double wrong : {std::nextafter(low, -inf), std::nextafter(high, inf), -inf, inf, nan})
         {
-            field = wrong;
+            Assignment(check.params, tested.name, wrong);
             expectException(check, std::string(tested.name) + ": ");
         }
     }
@@ -88,7 +86,7 @@ TEST(Usac_Params, messages)
     Check check;
     check.params.neighborRadius = -2;
     expectException(check, "neighborRadius: a positive number of pixels is expected, not -2");
-    check.params.quality = 7;
+    check.params.quality = (QualityType)7;
     expectException(check, "neighborRadius");  // the message names the first wrong field
     check.params.neighborRadius = 1;
     expectException(check, "quality: 0 .. 5 is expected, not 7");
@@ -109,10 +107,9 @@ TEST(Usac_Params, impossible_combinations)
     check.params.termination = TERMINATION_EXACT;
     expectException(check, "termination: TERMINATION_EXACT modifies");
     check.params.termination = TERMINATION_PROSAC;
-    const int guesses[] = {ORDERING_AUTO, ORDERING_DENSITY, ORDERING_NONE};
-    for (int i = 0; i < 3; ++i)
+    for (OrderingType guess : {ORDERING_AUTO, ORDERING_DENSITY, ORDERING_NONE})
     {
-        check.params.ordering = guesses[i];
+        check.params.ordering = guess;
         expectException(check, "termination: TERMINATION_PROSAC needs points in an order");
     }
     check.params.ordering = ORDERING_INPUT_ORDER;
@@ -120,10 +117,9 @@ TEST(Usac_Params, impossible_combinations)
     check.params.ordering = ORDERING_AUTO;
     check.params.scores.assign(3, 0.5f);
     EXPECT_NO_THROW(check());
-    const int others[] = {SAMPLER_UNIFORM, SAMPLER_NAPSAC};
-    for (int i = 0; i < 2; ++i)
+    for (SamplerType other : {SAMPLER_UNIFORM, SAMPLER_NAPSAC})
     {
-        check.params.sampler = others[i];
+        check.params.sampler = other;
         expectException(check, "termination: TERMINATION_PROSAC needs");
     }
 }
@@ -134,22 +130,21 @@ TEST(Usac_Params, impossible_combinations_with_lmeds)
     EXPECT_NO_THROW(lmeds.check());
     const struct
     {
-        int Params::*field;
+        const char* field;
         int value;
-        const char* name;
-    } wrong[] = {{&Params::verification, VERIFICATION_SPRT, "verification"},
-                 {&Params::verification, VERIFICATION_TDD, "verification"},
-                 {&Params::localOptimization, LOCAL_OPTIMIZATION_GRAPH_CUT, "localOptimization"},
-                 {&Params::localOptimization, LOCAL_OPTIMIZATION_LO_RANSAC, "localOptimization"},
-                 {&Params::localOptimization, LOCAL_OPTIMIZATION_GC_RANSAC, "localOptimization"},
-                 {&Params::degeneracy, DEGENERACY_DEGENSAC, "degeneracy"},
-                 {&Params::termination, TERMINATION_MAGSAC, "termination"}};
+    } wrong[] = {{"verification", VERIFICATION_SPRT},
+                 {"verification", VERIFICATION_TDD},
+                 {"localOptimization", LOCAL_OPTIMIZATION_GRAPH_CUT},
+                 {"localOptimization", LOCAL_OPTIMIZATION_LO_RANSAC},
+                 {"localOptimization", LOCAL_OPTIMIZATION_GC_RANSAC},
+                 {"degeneracy", DEGENERACY_DEGENSAC},
+                 {"termination", TERMINATION_MAGSAC}};
     for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); ++i)
     {
         Check check;
         check.params = lmeds;
-        check.params.*wrong[i].field = wrong[i].value;
-        expectException(check, wrong[i].name);
+        Assignment(check.params, wrong[i].field, wrong[i].value);
+        expectException(check, wrong[i].field);
     }
 }
 
@@ -185,15 +180,25 @@ TEST(Usac_Params, number_of_scores)
     EXPECT_NO_THROW(params.check(9));
 }
 
+TEST(Usac_Params, scores_that_are_all_nan)
+{
+    Params params;
+    params.scores.assign(10, std::numeric_limits<float>::quiet_NaN());
+    expectException([&]() { params.check(10); }, "scores: ");
+    params.scores[9] = 0.5f;
+    EXPECT_NO_THROW(params.check(10));
+}
+
 //! Gives each field a value that is in its range and differs from its default. Some of these values
 //! contradict each other; unusual() corrects them.
 struct Changer
 {
     Params& params;
-    void operator()(const char*, int Params::*member, const FieldValues& values)
+    template <class T>
+    void operator()(const char*, T Params::*member, const FieldValues& values)
     {
         params.*
-            member = (int)(values.initial < values.high ? values.initial + 1 : values.initial - 1);
+            member = (T)(values.initial < values.high ? values.initial + 1 : values.initial - 1);
     }
     void operator()(const char*, double Params::*member, const FieldValues& values)
     {

@@ -41,7 +41,7 @@ private:
 };
 
 //! Number of point errors that a run without local optimization computes in single precision.
-int64 pointsTested(const Scene& scene, int verification)
+int64 pointsTested(const Scene& scene, VerificationType verification)
 {
     Params params;
     params.localOptimization = LOCAL_OPTIMIZATION_NONE;
@@ -345,7 +345,7 @@ TEST_P(UsacComponents, persistence)
 TEST_P(UsacComponents, polishingSteps)
 {
     const Scene scene = makeScene(problem(), 200, 100, 3);
-    const int types[] = {POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED, POLISHING_ROBUST};
+    const PolishingType types[] = {POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED, POLISHING_ROBUST};
     for (int i = 0; i < 3; ++i)
         for (int steps = 1; steps <= 65; steps *= 4)
         {

@@ -120,8 +120,9 @@ TEST_P(UsacEffects, seed)
     Params params;
     params.scores.assign(scene.size(), 0.5f);
     params.scoreOrder = SCORES_HIGHER_IS_BETTER;  // required by SAMPLER_IMPORTANCE
-    for (params.sampler = SAMPLER_UNIFORM; params.sampler <= SAMPLER_IMPORTANCE; ++params.sampler)
+    for (int sampler = SAMPLER_UNIFORM; sampler <= SAMPLER_IMPORTANCE; ++sampler)
     {
+        params.sampler = (SamplerType)sampler;
         SCOPED_TRACE(cv::format("sampler %d", params.sampler));
         std::set<std::vector<int>> sequences;
         const int seeds[] = {0, 1, 2, -1, INT_MAX, INT_MIN};
@@ -251,14 +252,17 @@ TEST_P(UsacEffects, sampler)
 TEST_P(UsacEffects, ordering)
 {
     const Scene scene = sorted(makeScene(problem(), 60, 240, 3));
-    for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
+    for (SamplerType sampler : {SAMPLER_PROSAC, SAMPLER_P_NAPSAC})
     {
         Params params;
         params.orderedEvery = 1;
         params.sampler = sampler;
         std::vector<int> samples[4];
-        for (params.ordering = ORDERING_AUTO; params.ordering <= ORDERING_NONE; ++params.ordering)
-            samples[params.ordering] = samplesOf(scene, params);
+        for (int i = ORDERING_AUTO; i <= ORDERING_NONE; ++i)
+        {
+            params.ordering = (OrderingType)i;
+            samples[i] = samplesOf(scene, params);
+        }
         EXPECT_EQ(samples[ORDERING_AUTO], samples[ORDERING_DENSITY]) << "no scores were given";
         EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_NONE]);
         EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_INPUT_ORDER]);

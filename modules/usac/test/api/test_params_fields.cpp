@@ -72,7 +72,7 @@ struct Enumerations
              at = header.find("\nenum ", at + 1))
         {
             const std::string text = header.substr(at, header.find("\n};", at) - at);
-            const std::string name = text.substr(6, text.find(' ', 6) - 6);
+            const std::string name = text.substr(6, text.find_first_of(" :", 6) - 6);
             Range range = {INT_MAX, INT_MIN, 0};
             for (std::sregex_iterator i(text.begin(), text.end(), enumerator), end; i != end; ++i)
             {
@@ -154,7 +154,7 @@ struct DocumentationReader
         const Declaration& declared = declarations[count++];
         SCOPED_TRACE(declared.name + ": " + declared.comment);
         EXPECT_EQ(declared.name, name);
-        EXPECT_EQ(declared.type, typeName((T*)0));
+        EXPECT_EQ(declared.type, typeName((T*)0, declared.comment));
         const FieldValues documented = documentedValues(declared.comment, enumerations);
         EXPECT_EQ(documented.kind, values.kind);
         EXPECT_EQ(documented.initial, values.initial);
@@ -162,10 +162,19 @@ struct DocumentationReader
         EXPECT_EQ(documented.high, values.high);
     }
 
-    static const char* typeName(int*) { return "int"; }
-    static const char* typeName(double*) { return "double"; }
-    static const char* typeName(std::vector<float>*) { return "std::vector<float>"; }
-    static const char* typeName(std::vector<double>*) { return "std::vector<double>"; }
+    typedef const std::string& Comment;
+    static std::string typeName(int*, Comment) { return "int"; }
+    static std::string typeName(double*, Comment) { return "double"; }
+    static std::string typeName(std::vector<float>*, Comment) { return "std::vector<float>"; }
+    static std::string typeName(std::vector<double>*, Comment) { return "std::vector<double>"; }
+    //! An enumeration, whose name is the first word of the comment after "@ref".
+    template <class T>
+    static std::string typeName(T*, Comment comment)
+    {
+        std::smatch match;
+        const bool found = std::regex_search(comment, match, std::regex("^ *@ref (\\w+)"));
+        return found ? match[1].str() : "";
+    }
 };
 
 //! Fails if visitFields lacks a field of the header, or if the default or range of a field differs

@@ -402,8 +402,8 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
 {
     std::vector<Point3d> points = scene(100, 300, 0.01);
     points[7].y = points[150].z = std::numeric_limits<double>::quiet_NaN();
-    for (int neighborhood = NEIGHBORHOOD_GRID; neighborhood <= NEIGHBORHOOD_RADIUS; ++neighborhood)
-        for (int ordering = ORDERING_NONE; ordering <= ORDERING_DENSITY; ++ordering)
+    for (NeighborhoodType neighborhood : {NEIGHBORHOOD_GRID, NEIGHBORHOOD_KNN, NEIGHBORHOOD_RADIUS})
+        for (OrderingType ordering : {ORDERING_NONE, ORDERING_DENSITY})
         {
             Params params;
             params.threshold = 0.04;

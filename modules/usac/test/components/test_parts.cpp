@@ -148,7 +148,7 @@ TEST(Usac_Parts, fitsNeedASolver)
     for (int polishing = POLISHING_NONE; polishing <= POLISHING_ROBUST; ++polishing)
     {
         Params params = Params::ransac();
-        params.polishing = polishing;
+        params.polishing = (PolishingType)polishing;
         const Ptr<Usac> usac = createUsac(scene, params);
         usac->components().nonMinimalSolver.release();
         if (polishing == POLISHING_NONE)

@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "contracts/pose_contracts.hpp"
+#include "support/params_fields.hpp"
 
 // Tests of absolute poses with difficult points, cameras and lenses, and with every option.
 
@@ -199,13 +200,13 @@ TEST(Usac_PoseHostile, every_option)
 {
     const struct
     {
-        int Params::*field;
+        const char* field;
         int values;
         bool bits;
-    } options[] = {{&Params::sampler, 5, false},           {&Params::quality, 6, false},
-                   {&Params::localOptimization, 7, false}, {&Params::polishing, 4, false},
-                   {&Params::verification, 3, false},      {&Params::termination, 5, true},
-                   {&Params::ordering, 4, false},          {&Params::neighborhood, 3, false}};
+    } options[] = {{"sampler", 5, false},           {"quality", 6, false},
+                   {"localOptimization", 7, false}, {"polishing", 4, false},
+                   {"verification", 3, false},      {"termination", 5, true},
+                   {"ordering", 4, false},          {"neighborhood", 3, false}};
     const int fields = sizeof(options) / sizeof(options[0]);
     int tried = 0;
     for (int coefficients : {0, 5})
@@ -218,8 +219,8 @@ TEST(Usac_PoseHostile, every_option)
                     const int x = k % options[a].values, y = k / options[a].values;
                     SCOPED_TRACE(cv::format("option %d: %d, option %d: %d", a, x, b, y));
                     Params params;
-                    params.*options[a].field = options[a].bits ? 1 << x : x;
-                    params.*options[b].field = options[b].bits ? 1 << y : y;
+                    Assignment(params, options[a].field, options[a].bits ? 1 << x : x);
+                    Assignment(params, options[b].field, options[b].bits ? 1 << y : y);
                     params.maxIterations = 50;
                     if (k % 2 || params.sampler == SAMPLER_IMPORTANCE)
                         for (float score : scene.scores)

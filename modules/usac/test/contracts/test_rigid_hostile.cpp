@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "contracts/rigid_contracts.hpp"
+#include "support/params_fields.hpp"
 
 // Tests of 3-D motions with difficult points and with every option.
 
@@ -181,13 +182,13 @@ TEST_P(Usac_RigidHostile, every_option)
 {
     const struct
     {
-        int Params::*field;
+        const char* field;
         int values;
         bool bits;
-    } options[] = {{&Params::sampler, 5, false},           {&Params::quality, 6, false},
-                   {&Params::localOptimization, 7, false}, {&Params::polishing, 4, false},
-                   {&Params::verification, 3, false},      {&Params::termination, 5, true},
-                   {&Params::ordering, 4, false},          {&Params::neighborhood, 3, false}};
+    } options[] = {{"sampler", 5, false},           {"quality", 6, false},
+                   {"localOptimization", 7, false}, {"polishing", 4, false},
+                   {"verification", 3, false},      {"termination", 5, true},
+                   {"ordering", 4, false},          {"neighborhood", 3, false}};
     const int fields = sizeof(options) / sizeof(options[0]);
     int tried = 0;
     const RigidScene scene = makeRigidScene(optionsOf(problem()));
@@ -199,8 +200,8 @@ TEST_P(Usac_RigidHostile, every_option)
                 SCOPED_TRACE(cv::format("option %d: %d, option %d: %d", a, x, b, y));
                 Params params;
                 params.threshold = scene.threshold;
-                params.*options[a].field = options[a].bits ? 1 << x : x;
-                params.*options[b].field = options[b].bits ? 1 << y : y;
+                Assignment(params, options[a].field, options[a].bits ? 1 << x : x);
+                Assignment(params, options[b].field, options[b].bits ? 1 << y : y);
                 params.maxIterations = 50;
                 params.neighborRadius = 0.5;
                 if (k % 2 || params.sampler == SAMPLER_IMPORTANCE)

@@ -49,9 +49,9 @@ Params readParams(Bytes& bytes)
     {
         const int field = bytes.below(ints + (int)fields.doubles.size());
         if (field < ints)
-            params.*fields.ints[field].member = bytes.integer();
+            Assignment(params, fields.ints[field].name, bytes.integer());
         else
-            params.*fields.doubles[field - ints].member = bytes.number();
+            Assignment(params, fields.doubles[field - ints].name, bytes.number());
     }
     reduce(params.maxIterations, 1, INT_MAX, 100);
     reduce(params.localIterations, 1, 1000, 10);

@@ -26,8 +26,8 @@ TEST_P(Usac_LocalOptimization, neverWorsensTheScore)
             options.seed = seed;
             const Scene scene = makeScene(problem, options);
             Params params;
-            params.quality = quality;
-            params.localOptimization = std::get<1>(GetParam());
+            params.quality = (QualityType)quality;
+            params.localOptimization = (LocalOptimizationType)std::get<1>(GetParam());
             const Ptr<Usac> usac = createUsac(scene, params);
             Arena arena;
             const Context context(usac->points(), usac->components(), params, arena);
@@ -73,7 +73,7 @@ TEST_P(Usac_LocalOptimization, improvesRoughModels)
         options.seed = seed;
         const Scene scene = makeScene(problem, options);
         Params params;
-        params.localOptimization = std::get<1>(GetParam());
+        params.localOptimization = (LocalOptimizationType)std::get<1>(GetParam());
         if (params.localOptimization != LOCAL_OPTIMIZATION_GRAPH_CUT)
             params.localSamples = 4;
         if (params.localOptimization >= LOCAL_OPTIMIZATION_SIGMA_CONSENSUS &&
@@ -167,7 +167,7 @@ TEST(Usac_LocalOptimizers, fitsThatFail)
             params.localIterations = type % 2 ? 1 : 4;
             params.localOptimization = LOCAL_OPTIMIZATION_NONE;
             const Mat plain = estimate(scene, params);
-            params.localOptimization = type;
+            params.localOptimization = (LocalOptimizationType)type;
             for (int silent = 0; silent < 2; ++silent)
             {
                 int fits = 0;

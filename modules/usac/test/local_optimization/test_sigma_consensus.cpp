@@ -346,9 +346,9 @@ TEST_P(Usac_Sigma_Consensus, polisherConverges)
 //! polishing must improve it.
 TEST_P(Usac_Sigma_Consensus, estimates)
 {
-    const int types[] = {LOCAL_OPTIMIZATION_SIGMA_CONSENSUS,
-                         LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
-    const int qualities[] = {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_MSAC};
+    const LocalOptimizationType types[] = {LOCAL_OPTIMIZATION_SIGMA_CONSENSUS,
+                                           LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
+    const QualityType qualities[] = {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_MSAC};
     for (int k = 0; k < 6; ++k)
     {
         const Scene scene = makeScene((ProblemType)GetParam());

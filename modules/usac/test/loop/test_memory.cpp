@@ -6,6 +6,7 @@
 #include "problems/absolute_pose/pose_scenes.hpp"
 #include "problems/rigid_motion/rigid_scenes.hpp"
 #include "support/contracts.hpp"
+#include "support/params_fields.hpp"
 
 // A run must allocate only the model that it returns, and nothing in the main loop.
 
@@ -52,13 +53,13 @@ bool isPossible(const Params& params)
     }
 }
 
-void addVariants(std::vector<Variant>& variants, const Params& base, const char* name,
-                 int Params::*field, int values, bool bits = false)
+void addVariants(std::vector<Variant>& variants, const Params& base, const char* name, int values,
+                 bool bits = false)
 {
     for (int k = 0; k < values; ++k)
     {
         Variant variant = {cv::format("%s %d", name, k), base};
-        variant.params.*field = bits ? 1 << k : k;
+        Assignment(variant.params, name, bits ? 1 << k : k);
         if (isPossible(variant.params))
             variants.push_back(variant);
     }
@@ -88,14 +89,14 @@ std::vector<Variant> allVariants(ProblemType problem, const std::vector<float>& 
             variants.push_back(variant);
         }
         const Params base = given ? scored : Params();
-        addVariants(variants, base, "sampler", &Params::sampler, given ? 5 : 4);
-        addVariants(variants, base, "quality", &Params::quality, 6);
-        addVariants(variants, base, "localOptimization", &Params::localOptimization, 7);
-        addVariants(variants, base, "polishing", &Params::polishing, 4);
-        addVariants(variants, base, "verification", &Params::verification, 3);
-        addVariants(variants, base, "termination", &Params::termination, 5, true);
-        addVariants(variants, base, "residual", &Params::residual, hasSymmetric ? 2 : 1);
-        addVariants(variants, base, "ordering", &Params::ordering, 4);
+        addVariants(variants, base, "sampler", given ? 5 : 4);
+        addVariants(variants, base, "quality", 6);
+        addVariants(variants, base, "localOptimization", 7);
+        addVariants(variants, base, "polishing", 4);
+        addVariants(variants, base, "verification", 3);
+        addVariants(variants, base, "termination", 5, true);
+        addVariants(variants, base, "residual", hasSymmetric ? 2 : 1);
+        addVariants(variants, base, "ordering", 4);
     }
     for (size_t i = 0; i < variants.size(); ++i)
     {
@@ -232,7 +233,7 @@ TEST_P(Usac_Memory, ofOpenCV)
         for (int spatial = 0; spatial < 2; ++spatial)
         {
             Params params;
-            params.neighborhood = neighborhood;
+            params.neighborhood = (NeighborhoodType)neighborhood;
             params.threads = 1;
             if (!spatial)
                 params.spatialWeight = 0;

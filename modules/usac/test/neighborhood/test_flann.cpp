@@ -296,7 +296,7 @@ TEST(Usac_NeighborhoodFlann, reproducible)
 TEST(Usac_NeighborhoodFlann, rightModels)
 {
     for (int problem = 0; problem < 3; ++problem)
-        for (int kind = NEIGHBORHOOD_KNN; kind <= NEIGHBORHOOD_RADIUS; ++kind)
+        for (NeighborhoodType kind : {NEIGHBORHOOD_KNN, NEIGHBORHOOD_RADIUS})
             for (uint64 seed = 1; seed <= 3; ++seed)
             {
                 SceneOptions options;

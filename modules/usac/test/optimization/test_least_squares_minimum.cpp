@@ -55,7 +55,7 @@ TEST_P(Usac_LeastSquares_Minimum, isThatOfAGenericOptimizer)
         options.seed = seed;
         const Scene scene = makeScene((ProblemType)std::get<0>(GetParam()), options);
         Params params;
-        params.residual = std::get<1>(GetParam());
+        params.residual = (ResidualType)std::get<1>(GetParam());
         const Ptr<Usac> usac = createUsac(scene, params);
         const Correspondences& points = usac->points();
         const Components& parts = usac->components();

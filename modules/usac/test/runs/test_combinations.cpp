@@ -17,7 +17,6 @@ namespace {
 struct Option
 {
     std::string name;
-    int Params::*field;
     std::vector<int> values;
 };
 
@@ -30,11 +29,11 @@ std::vector<Option> allOptions()
     const Fields fields;
     for (size_t i = 0; i < fields.ints.size(); ++i)
     {
-        const NamedField<int>& field = fields.ints[i];
+        const NamedField& field = fields.ints[i];
         if (field.values.kind != FIELD_OPTION && field.values.kind != FIELD_FLAGS)
             continue;
-        Option option = {field.name, field.member, std::vector<int>()};
-        const bool criteria = field.member == &Params::termination;
+        Option option = {field.name, std::vector<int>()};
+        const bool criteria = option.name == "termination";
         for (int value = (int)field.values.low; value <= (int)field.values.high; ++value)
             if (!criteria ||
                 ((value & (value - 1)) == 0 && value != 0 && value != TERMINATION_EXACT))
@@ -47,10 +46,10 @@ std::vector<Option> allOptions()
 const std::vector<Option> OPTIONS = allOptions();
 const int OPTION_COUNT = (int)OPTIONS.size();
 
-int numberOf(int Params::*field)
+int numberOf(const char* name)
 {
     int i = 0;
-    while (OPTIONS[i].field != field)
+    while (OPTIONS[i].name != name)
         ++i;
     return i;
 }
@@ -104,7 +103,7 @@ struct TestArena
         params.maxIterations = set.problem == HOMOGRAPHY ? 5000 : 2000;
         params.confidence = 0.9999;
         for (int i = 0; i < OPTION_COUNT; ++i)
-            params.*OPTIONS[i].field = valueOf(i, choice[i]);
+            Assignment(params, OPTIONS[i].name, valueOf(i, choice[i]));
         // TERMINATION_ORDER is for use together with another criterion
         if (params.termination == TERMINATION_ORDER)
             params.termination |= TERMINATION_STANDARD;
@@ -235,12 +234,10 @@ TEST_P(UsacCombinations, each_pair_of_options)
 
     // values of enumerations and sets of checks equal their indices, because they begin with 0; the
     // values of `termination` are single bits
-    const int sampler = numberOf(&Params::sampler), ordering = numberOf(&Params::ordering),
-              scoreOrder = numberOf(&Params::scoreOrder), quality = numberOf(&Params::quality),
-              verification = numberOf(&Params::verification),
-              local = numberOf(&Params::localOptimization),
-              termination = numberOf(&Params::termination),
-              degeneracy = numberOf(&Params::degeneracy);
+    const int sampler = numberOf("sampler"), ordering = numberOf("ordering"),
+              scoreOrder = numberOf("scoreOrder"), quality = numberOf("quality"),
+              verification = numberOf("verification"), local = numberOf("localOptimization"),
+              termination = numberOf("termination"), degeneracy = numberOf("degeneracy");
     std::set<Pair> expected;
     for (int v = VERIFICATION_SPRT; v <= VERIFICATION_TDD; ++v)
         expected.insert(pairOf(quality, QUALITY_LMEDS, verification, v));

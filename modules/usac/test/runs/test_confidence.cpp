@@ -73,7 +73,7 @@ struct Rivals
 
 //! Parameters to test a criterion alone, without local optimization, polishing and degeneracy
 //! checks.
-Params plainParams(int termination, int verification = VERIFICATION_NONE)
+Params plainParams(int termination, VerificationType verification = VERIFICATION_NONE)
 {
     Params params;
     params.confidence = 0.9;  // low, so that there are enough failures to count
@@ -243,7 +243,7 @@ TEST(Usac_Confidence, sprt)
 TEST(Usac_Confidence, prosac)
 {
     const Rivals rivals(102, 100, 98);
-    for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
+    for (SamplerType sampler : {SAMPLER_PROSAC, SAMPLER_P_NAPSAC})
     {
         Params params = plainParams(TERMINATION_PROSAC | TERMINATION_EXACT);
         params.sampler = sampler;

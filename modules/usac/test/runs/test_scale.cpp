@@ -165,7 +165,7 @@ TEST_P(UsacScale, memory_of_every_neighborhood)
     if (!memoryIsMeasurable())
         USAC_SKIP("the memory of the process is not measurable");
     const Scene scene = largeScene(problem(), 30000);
-    for (int type = NEIGHBORHOOD_GRID; type <= NEIGHBORHOOD_RADIUS; ++type)
+    for (NeighborhoodType type : {NEIGHBORHOOD_GRID, NEIGHBORHOOD_KNN, NEIGHBORHOOD_RADIUS})
     {
         SCOPED_TRACE(cv::format("neighborhood %d", type));
         Params params;

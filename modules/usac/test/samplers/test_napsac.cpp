@@ -154,7 +154,7 @@ TEST(Usac_Napsac, findsALocalModel)
                 }
             scene.model = shrink * scene.model * shrink.inv();
             Params params = Draw::ordered();
-            params.neighborhood = kind;
+            params.neighborhood = (NeighborhoodType)kind;
             params.neighbors = 3;
             params.neighborRadius = 8;
             params.maxIterations = 300;

@@ -61,7 +61,7 @@ TEST(Usac_Samplers, pNapsacStartsLocalAndEndsGlobal)
 //! this set contains all points, and any of its points afterward. This holds for all samples if
 //! `period` (Params::orderedEvery) is 1, otherwise for one in `period` samples after the first
 //! eight. The other samples must be uniform and count for the termination criteria.
-void expectGrowth(int ordering, int period)
+void expectGrowth(OrderingType ordering, int period)
 {
     const int N = 300, first = period > 1 ? 8 : 0;
     Params params;
@@ -179,7 +179,7 @@ public:
     std::vector<int> drawn;
 };
 
-std::vector<int> samplesBy(int ordering, const Ptr<Ordering>& own = Ptr<Ordering>())
+std::vector<int> samplesBy(OrderingType ordering, const Ptr<Ordering>& own = Ptr<Ordering>())
 {
     SceneOptions options;
     const Scene scene = makeScene(FUNDAMENTAL, options);

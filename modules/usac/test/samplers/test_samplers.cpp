@@ -41,7 +41,7 @@ private:
     const bool known;
 };
 
-int sortings(ProblemType problem, int ordering, int outliers)
+int sortings(ProblemType problem, OrderingType ordering, int outliers)
 {
     SceneOptions options;
     options.outliers = outliers;

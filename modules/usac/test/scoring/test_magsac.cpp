@@ -163,7 +163,7 @@ TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
     options.inliers = 1200;
     options.outliers = 800;
     const Scene scene = makeScene((ProblemType)GetParam(), options);
-    for (int quality = QUALITY_MAGSAC; quality <= QUALITY_MAGSAC_PLUS_PLUS; ++quality)
+    for (QualityType quality : {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS})
     {
         Params params;
         params.quality = quality;
@@ -200,7 +200,7 @@ TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
 TEST_P(Usac_Magsac_Problem, estimates)
 {
     const ProblemType problem = (ProblemType)GetParam();
-    for (int quality = QUALITY_MAGSAC; quality <= QUALITY_MAGSAC_PLUS_PLUS; ++quality)
+    for (QualityType quality : {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS})
         for (int wide = 0; wide < 2; ++wide)
         {
             const Scene scene = makeScene(problem);

@@ -255,12 +255,11 @@ private:
 
 TEST(Usac_Scores, customResidual)
 {
-    const int qualities[] = {QUALITY_MSAC, QUALITY_INLIERS};
     for (int problem : TWO_VIEW_PROBLEMS)
-        for (int i = 0; i < 2; ++i)
+        for (QualityType quality : {QUALITY_MSAC, QUALITY_INLIERS})
         {
             Params params;
-            params.quality = qualities[i];
+            params.quality = quality;
             const Scene scene = makeScene((ProblemType)problem);
             const Ptr<Usac> usac = createUsac(scene, params);
             const Model model = toInternal(usac->points(), scene.model);
@@ -287,7 +286,7 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
     for (int quality = 0; quality < 2; ++quality)
     {
         Params params;
-        params.quality = quality;
+        params.quality = (QualityType)quality;
         const Ptr<Usac> usac = createUsac(scene, params);
         Arena arena;
         const Context context(usac->points(), usac->components(), params, arena);

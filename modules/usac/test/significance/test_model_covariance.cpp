@@ -22,10 +22,11 @@ approximation, so that the tolerance is larger above 1 than below. */
 TEST_P(Usac_ModelCovariance, calibrated)
 {
     const int scenes = 200;
-    for (int polishing : {POLISHING_ROBUST, POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED})
+    for (PolishingType polishing :
+         {POLISHING_ROBUST, POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED})
     {
         Params params;
-        params.polishing = (PolishingType)polishing;
+        params.polishing = polishing;
         double sum = 0, noise = 0;
         int within = 0, d = 0;
         for (int seed = 1001; seed <= 1000 + scenes; ++seed)

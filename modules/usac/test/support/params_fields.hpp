@@ -14,32 +14,55 @@ namespace opencv_test {
 using cv::usacv20::FieldValues;
 using cv::usacv20::Params;
 
-template <class T>
 struct NamedField
 {
     const char* name;
-    T Params::*member;
     FieldValues values;
 };
 
-//! The fields of Params of the types int and double, and the names of all fields, each list in the
-//! order of cv::usacv20::visitFields.
+//! Assigns a number to the field of the given name, whose type is not a list.
+class Assignment
+{
+public:
+    Assignment(Params& params_, const std::string& name, double value_)
+        : params(params_), assigned(name), value(value_)
+    {
+        cv::usacv20::visitFields(*this);
+    }
+    template <class T>
+    void operator()(const char* name, T Params::*member, const FieldValues&)
+    {
+        if (assigned == name)
+            params.*member = (T)value;
+    }
+    template <class T>
+    void operator()(const char*, std::vector<T> Params::*, const FieldValues&)
+    {}
+
+private:
+    Params& params;
+    const std::string assigned;
+    const double value;
+};
+
+//! The fields of Params of the type double, those that are integers or enumerators, and the names
+//! of all fields, each list in the order of cv::usacv20::visitFields.
 struct Fields
 {
-    std::vector<NamedField<int>> ints;
-    std::vector<NamedField<double>> doubles;
+    std::vector<NamedField> ints, doubles;
     std::vector<std::string> names;  //!< of all fields, whatever their type
 
     Fields() { cv::usacv20::visitFields(*this); }
 
-    void operator()(const char* name, int Params::*member, const FieldValues& values)
+    template <class T>
+    void operator()(const char* name, T Params::*, const FieldValues& values)
     {
-        ints.push_back(NamedField<int>{name, member, values});
+        ints.push_back(NamedField{name, values});
         names.push_back(name);
     }
-    void operator()(const char* name, double Params::*member, const FieldValues& values)
+    void operator()(const char* name, double Params::*, const FieldValues& values)
     {
-        doubles.push_back(NamedField<double>{name, member, values});
+        doubles.push_back(NamedField{name, values});
         names.push_back(name);
     }
     template <class T>

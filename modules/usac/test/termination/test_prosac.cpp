@@ -232,7 +232,7 @@ TEST(Usac_TerminationProsac, randomInlierRatio)
 
 //! Parameters with scores that sort the points: the scores of wrong matches are worse by
 //! `separation` on average, so that true matches are more frequent among the best points.
-Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
+Params sortedParams(const Scene& scene, SamplerType sampler, double separation = 0.4)
 {
     RNG rng(scene.size());
     Params params;
@@ -251,7 +251,7 @@ Params sortedParams(const Scene& scene, int sampler, double separation = 0.4)
 TEST(Usac_TerminationProsac, endsARun)
 {
     for (int problem : TWO_VIEW_PROBLEMS)
-        for (int sampler = SAMPLER_PROSAC; sampler <= SAMPLER_P_NAPSAC; ++sampler)
+        for (SamplerType sampler : {SAMPLER_PROSAC, SAMPLER_P_NAPSAC})
             for (uint64 seed = 1; seed <= 5; ++seed)
             {
                 SceneOptions options;

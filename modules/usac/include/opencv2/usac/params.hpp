@@ -82,8 +82,10 @@ enum ProblemType {
     TRANSLATION_2D = 8  //!< 2x3 translation from 1 or more correspondences
 };
 
+// OpenCV's generator of bindings accepts no space before the colon of an enumeration.
+// clang-format off
 //! What Params::threshold means.
-enum ThresholdType {
+enum ThresholdType: int {
     THRESHOLD_GIVEN = 0,  //!< the inlier threshold
     /** `threshold` is the largest plausible inlier threshold, for example three to ten times the
     usual one. The inlier threshold (Report::threshold) is the error that 95 % of the inliers do not
@@ -99,7 +101,7 @@ enum ThresholdType {
 
 //! How minimal samples are drawn (paper, section "Sampling"). One in Params::orderedEvery samples
 //! is drawn in the way of the sampler; the others are uniform.
-enum SamplerType {
+enum SamplerType: int {
     SAMPLER_UNIFORM = 0,  //!< all points are equally likely @cite fischler1981random
     SAMPLER_PROSAC = 1,   //!< from a growing set of the best points @cite chum2005matching
     //! P-NAPSAC: a point of PROSAC's set and others from its growing neighborhood
@@ -114,7 +116,7 @@ enum SamplerType {
 };
 
 //! Which points are neighbors in the joint space of both arrays, such as (x1, y1, x2, y2).
-enum NeighborhoodType {
+enum NeighborhoodType: int {
     //! points in the same cell of a grid with layers of finer and coarser cells
     //! @cite barath2019progressive
     NEIGHBORHOOD_GRID = 0,
@@ -123,7 +125,7 @@ enum NeighborhoodType {
 };
 
 //! The error of a point, which is minimized and compared with the threshold.
-enum ResidualType {
+enum ResidualType: int {
     //! H, affine maps: transfer error in image 2. F, E: Sampson distance. Absolute pose:
     //! reprojection error in the original (distorted) image. 3-D motions: distance between a mapped
     //! point and its counterpart
@@ -135,7 +137,7 @@ enum ResidualType {
 };
 
 //! Where the order of the points ("best first") comes from (paper, section "Other features").
-enum OrderingType {
+enum OrderingType: int {
     ORDERING_AUTO = 0,     //!< Params::scores if given, else the local density
     ORDERING_DENSITY = 1,  //!< local density of the points in the joint space, densest first
     //! the caller has sorted the points, best first; if Params::scores are given, they determine
@@ -145,13 +147,13 @@ enum OrderingType {
 };
 
 //! Whether low or high Params::scores are good.
-enum ScoreOrder {
+enum ScoreOrder: int {
     SCORES_LOWER_IS_BETTER = 0,  //!< descriptor distances, distance ratios
     SCORES_HIGHER_IS_BETTER = 1  //!< similarities, probabilities
 };
 
 //! How a model is scored (paper, section "Quality").
-enum QualityType {
+enum QualityType: int {
     QUALITY_INLIERS = 0,  //!< number of inliers @cite fischler1981random
     QUALITY_MSAC = 1,     //!< sum of truncated squared errors @cite torr2000mlesac
     QUALITY_MLESAC = 2,   //!< likelihood under a mixture of Gaussian inliers and uniform outliers
@@ -164,7 +166,7 @@ enum QualityType {
 };
 
 //! How bad models are rejected early (paper, section "Pre-emptive verification").
-enum VerificationType {
+enum VerificationType: int {
     VERIFICATION_NONE = 0,  //!< no test; scoring ends early only when the cost becomes too high
     VERIFICATION_SPRT = 1,  //!< Wald's sequential probability ratio test @cite chum2008optimal
     VERIFICATION_TDD = 2    //!< Params::tddPoints random points must be inliers
@@ -172,7 +174,7 @@ enum VerificationType {
 };
 
 //! How each model that is better than all before is improved (paper, section "Local optimization").
-enum LocalOptimizationType {
+enum LocalOptimizationType: int {
     LOCAL_OPTIMIZATION_NONE = 0,        //!< nothing
     LOCAL_OPTIMIZATION_GRAPH_CUT = 1,   //!< least squares with a shrinking threshold; then, if the
                                         //!< model clearly beats the best model so far, graph cut
@@ -227,7 +229,7 @@ enum DegeneracyFlags {
 };
 
 //! How the best model is refined at the end (Algorithm 1, last line).
-enum PolishingType {
+enum PolishingType: int {
     POLISHING_NONE = 0,           //!< nothing
     POLISHING_LEAST_SQUARES = 1,  //!< least squares of the geometric error over all inliers,
                                   //!< repeated while this improves the model
@@ -236,6 +238,8 @@ enum PolishingType {
     POLISHING_ROBUST = 3  //!< least squares with a robust loss adapted to the noise of the inliers
                           //!< @cite beaton1974fitting; few inliers: from several initial models
 };
+
+// clang-format on
 
 /** @brief All options of the estimator.
 
@@ -249,7 +253,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! squared; > 0. 3-D motions: in the unit of the points. Default 1.5.
     CV_PROP_RW double threshold;
     //! @ref ThresholdType of `threshold`. Default #THRESHOLD_GIVEN.
-    CV_PROP_RW int thresholdType;
+    CV_PROP_RW ThresholdType thresholdType;
     /** Probability that the search does not miss a better model (#TERMINATION_P_NAPSAC: a
     significantly better one, see `relaxation`), unless `maxIterations` ends it first; in (0, 1).
     Default 0.99. */
@@ -268,13 +272,12 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Number of threads that compute and score models; 0..1024, 0: cv::getNumThreads(). The result
     //! does not depend on this number. Default 1.
     CV_PROP_RW int threads;
-
     //! @ref SamplerType. Default #SAMPLER_P_NAPSAC.
-    CV_PROP_RW int sampler;
+    CV_PROP_RW SamplerType sampler;
     //! @ref OrderingType. Default #ORDERING_AUTO.
-    CV_PROP_RW int ordering;
-    //! Score of each correspondence, N values or none; samplers use them to prefer points, and with
-    //! `runnersUp` they decide between models of nearly equal cost. Default none.
+    CV_PROP_RW OrderingType ordering;
+    //! Score of each match, N values, not all NaN (the worst), or none; samplers use them to prefer
+    //! matches, `runnersUp` to decide between models of nearly equal cost. Default none.
     CV_PROP_RW std::vector<float> scores;
     /** Noise of each correspondence: N, 3 N or 6 N numbers, or no sigmas; N: standard deviations of
     errors, 1e-6 to 1e6, in pixels or up to a common factor (such as keypoint scales); 3 N:
@@ -295,9 +298,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     model is that of a previous frame, add the covariance of the motion since then. Default none. */
     CV_PROP_RW std::vector<double> initialCovariance;
     //! @ref ScoreOrder of `scores`. Default #SCORES_LOWER_IS_BETTER.
-    CV_PROP_RW int scoreOrder;
+    CV_PROP_RW ScoreOrder scoreOrder;
     //! @ref NeighborhoodType. Default #NEIGHBORHOOD_GRID.
-    CV_PROP_RW int neighborhood;
+    CV_PROP_RW NeighborhoodType neighborhood;
     //! Number of neighbors of a point for #NEIGHBORHOOD_KNN in the finest of four layers; each
     //! further layer has twice as many (up to 512); 1..1000. Default 10.
     CV_PROP_RW int neighbors;
@@ -305,9 +308,9 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! further layer, with at most 512 neighbors; > 0. Default 40.
     CV_PROP_RW double neighborRadius;
     //! @ref ResidualType. Default #RESIDUAL_STANDARD.
-    CV_PROP_RW int residual;
+    CV_PROP_RW ResidualType residual;
     //! @ref QualityType. Default #QUALITY_MSAC.
-    CV_PROP_RW int quality;
+    CV_PROP_RW QualityType quality;
     /** Search, local optimization and polishing use this multiple of `threshold`; the mask uses
     `threshold` itself; 1..10. Meant for scores and fits that are marginalized over the noise scale.
     Default 1; magsac() 3, magsacPlusPlus() 2.4. */
@@ -318,11 +321,11 @@ struct CV_EXPORTS_W_SIMPLE Params
     @cite moisan2004probabilistic. Default 1; magsac() and magsacPlusPlus() 1000. */
     CV_PROP_RW double widestReach;
     //! @ref VerificationType. Default #VERIFICATION_SPRT.
-    CV_PROP_RW int verification;
+    CV_PROP_RW VerificationType verification;
     //! Number of points that must be inliers for #VERIFICATION_TDD; 1..100. Default 1.
     CV_PROP_RW int tddPoints;
     //! @ref LocalOptimizationType. Default #LOCAL_OPTIMIZATION_GRAPH_CUT.
-    CV_PROP_RW int localOptimization;
+    CV_PROP_RW LocalOptimizationType localOptimization;
     //! Iterations of one local optimization: alternations of labeling and fitting, steps of the
     //! shrinking threshold, or re-weightings; 1..1000. Default 5.
     CV_PROP_RW int localIterations;
@@ -361,7 +364,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     //! Set of @ref DegeneracyFlags. Default all.
     CV_PROP_RW int degeneracy;
     //! @ref PolishingType. Default #POLISHING_ROBUST; the paper has #POLISHING_LEAST_SQUARES.
-    CV_PROP_RW int polishing;
+    CV_PROP_RW PolishingType polishing;
     //! Maximum number of fits of the polishing, each with the inliers or weights of the previous
     //! fit; six more for #POLISHING_ROBUST with more than 32768 points; 1..100. Default 6.
     CV_PROP_RW int polishingSteps;
@@ -451,8 +454,7 @@ struct CV_EXPORTS_W_SIMPLE Params
     CV_WRAP static Params magsacPlusPlus();
     //! The preset of a flag; an invalid value (from a cast) raises cv::Exception.
     static Params fromMethod(UsacV20Method method);
-    /** @brief The preset for the value of a flag.
-    @param method value of a #UsacV20Method; anything else raises cv::Exception. */
+    //! The preset for the value of a #UsacV20Method; anything else raises cv::Exception.
     CV_WRAP static Params fromMethod(int method);
 
     //! The options closest to those of OpenCV's own USAC; threshold, confidence, maximum number of
@@ -484,12 +486,10 @@ CV_EXPORTS void write(FileStorage& fs, const String& name, const Params& params)
 //! For `fs["usac"] >> params`.
 CV_EXPORTS void read(const FileNode& node, Params& params, const Params& defaults = Params());
 
-/** @brief Converts an integer to a flag of the module.
-@param method value of a #UsacV20Method; anything else raises cv::Exception. */
+//! Converts a number to a flag; one that is not a #UsacV20Method raises cv::Exception.
 CV_EXPORTS UsacV20Method methodFromInt(int method);
 
-/** @brief True for the values of #UsacV20Method.
-@param method any integer */
+//! True for the values of #UsacV20Method.
 CV_EXPORTS_W bool isUsacV20Method(int method);
 
 //! @}

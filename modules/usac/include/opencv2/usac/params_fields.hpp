@@ -88,10 +88,11 @@ private:
 
 /** @brief Calls `visit(name, &Params::field, values)` for each field of Params.
 
-`name` is a `const char*`, the second argument a pointer to a member of type `int`, `double`,
-`std::vector<float>` or `std::vector<double>`, and `values` a FieldValues. This is the only list of
-the fields: the default values, Params::check, reading and writing of files, tests, the fuzzer and
-the options of the benchmark are derived from it. Programs can use it to set fields by name. */
+`name` is a `const char*`, the second argument a pointer to a member of type `int`, an enumeration,
+`double`, `std::vector<float>` or `std::vector<double>`, and `values` a FieldValues. This is the
+only list of the fields: the default values, Params::check, reading and writing of files, tests, the
+fuzzer and the options of the benchmark are derived from it. Programs can use it to set fields by
+name. */
 template <class Visitor>
 void visitFields(Visitor& visit)
 {

@@ -79,6 +79,9 @@ public:
     @return number of pixels (units of Params::threshold) per unit of the new coordinates. Default:
     1, nothing is transformed. */
     virtual double toModelCoordinates(double* const* columns, int count) const;
+    //! What is implausible about points in the coordinates of toModelCoordinates(), some of which
+    //! can be NaN: a text for Report::warning. Default: empty, nothing is.
+    virtual String doubt(const double* const* columns, int count) const;
     //! Converts the points of array 1, in place, to the unit of toModelCoordinates() without
     //! removing their distortion, for createImageResidual(). The columns of array 0 must stay
     //! unchanged. Default: nothing is converted.

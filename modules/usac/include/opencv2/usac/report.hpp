@@ -149,6 +149,12 @@ struct CV_EXPORTS_W_SIMPLE Report
     points as inliers, and the number of inliers means nothing. The threshold is probably in the
     wrong unit, for example in pixels with points of the normalized image plane. */
     CV_PROP_RW bool wideThreshold;
+    /** What makes the result doubtful although the call is valid, as a text for the user; empty if
+    nothing does. There are three causes: `wideThreshold`; most points are more than 80 degrees off
+    the optical axis (E, absolute pose), as with a camera matrix that is inverted or has no focal
+    length; the principal point is at the same corner of the box of all points in both images (E),
+    as with the camera matrix of larger images or without principal point. */
+    CV_PROP_RW String warning;
     //! Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of min(error^2 /
     //! threshold^2, 1), where the threshold is that of the search (Params::reach).
     CV_PROP_RW double cost;
@@ -167,6 +173,10 @@ struct CV_EXPORTS_W_SIMPLE Report
     Params::significance allows it. */
     CV_WRAP String describe() const;
 };
+
+//! Report::warning of the last estimation in the calling thread, for functions that return no
+//! Report, such as cv::findHomography with a flag of this module.
+CV_EXPORTS_W String lastWarning();
 
 //! @}
 

@@ -2,9 +2,9 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-// Programs that would silently lose a flag and therefore must not compile. A macro REFUSED_*
-// selects one program. If MENDED is defined, too, the place marked with FLAG, FOCAL or IN_NAMESPACE
-// is changed and the program must compile, which shows that it is refused because of this place.
+// Programs that would silently lose a flag or an option and therefore must not compile. A macro
+// REFUSED_* selects one program. If MENDED is defined, too, the place marked with FLAG, FOCAL,
+// SAMPLER or IN_NAMESPACE is changed and the program must compile, which shows that it is refused because of this place.
 // Programs below a macro ALLOWED_* must compile unchanged.
 
 #include <map>
@@ -15,10 +15,12 @@
 #ifdef MENDED
 #define FLAG(flag) (int)flag  // an explicit conversion to a number
 #define FOCAL(length) 1. * length
+#define SAMPLER(number) (cv::usacv20::SamplerType)(number)
 #define IN_NAMESPACE usacv20::
 #else
 #define FLAG(flag) flag
 #define FOCAL(length) length
+#define SAMPLER(number) number
 #define IN_NAMESPACE
 #endif
 
@@ -123,6 +125,10 @@ cv::Mat estimate(const Points& a, const Points& b, int method)
 {
     return IN_NAMESPACE findFundamentalMat(a, b, method);
 }
+#elif defined(REFUSED_enumerator_of_another_field)
+void choose(cv::usacv20::Params& params) { params.sampler = SAMPLER(cv::usacv20::QUALITY_MSAC); }
+#elif defined(REFUSED_number_of_an_enumerator)
+void choose(cv::usacv20::Params& params, int number) { params.sampler = SAMPLER(number); }
 
 #elif defined(ALLOWED_namespace_cv)
 using namespace cv;

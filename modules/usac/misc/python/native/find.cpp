@@ -154,6 +154,7 @@ py::dict solvePnPFlags()
 void addFind(py::module_& module)
 {
     module.def("isUsacV20Method", &isUsacV20Method, py::arg("method"));
+    module.def("lastWarning", [] { return (std::string)lastWarning(); });
     module.def("findHomography", &homography);
     module.def("findFundamentalMat", &fundamental);
     module.def("findEssentialMat", &essential);

@@ -11,15 +11,18 @@ namespace python {
 
 namespace {
 
-//! Adds each field as a property. If a field is a list, the property returns an array with a copy
-//! of the list.
+//! Adds each field as a property. An enumerator is an integer in Python. If a field is a list, the
+//! property returns an array with a copy of the list.
 struct FieldAdder
 {
     py::class_<Params>& type;
     template <class T>
     void operator()(const char* name, T Params::*field, const FieldValues&)
     {
-        type.def_readwrite(name, field);
+        typedef typename std::conditional<std::is_enum<T>::value, int, T>::type Value;
+        type.def_property(
+            name, [field](const Params& params) { return (Value)(params.*field); },
+            [field](Params& params, Value value) { params.*field = (T)value; });
     }
     template <class T>
     void operator()(const char* name, std::vector<T> Params::*field, const FieldValues&)

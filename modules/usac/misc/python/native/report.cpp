@@ -41,6 +41,9 @@ void addReport(py::module_& module)
             })
         .def_readwrite("priorChance", &Report::priorChance)
         .def_readwrite("wideThreshold", &Report::wideThreshold)
+        .def_property(
+            "warning", [](const Report& report) { return (std::string)report.warning; },
+            [](Report& report, const std::string& warning) { report.warning = warning; })
         .def_readwrite("cost", &Report::cost)
         .def_readwrite("setupMs", &Report::setupMs)
         .def_readwrite("searchMs", &Report::searchMs)

@@ -6,10 +6,11 @@
 """Tests of removing the lens distortion from image points."""
 
 import unittest
+import warnings
 
 import numpy as np
 
-from usac_common import ERRORS, cv, needsCv2, usac
+from usac_common import ERRORS, FINDER, GENERAL, RANSAC, cv, needsCv2, usac
 
 K = np.array([[800, 0, 410], [0, 790, 305], [0, 0, 1.0]])
 COEFFICIENTS = np.array([-.3, .1, .002, -.001, -.01, .05, .02, -.01, .003, -.001, .002, .001, .02, -.03])
@@ -78,6 +79,35 @@ class ReportTest(unittest.TestCase):
             self.assertIs(report.wideThreshold, threshold == 1.5)
             self.assertEqual("the threshold is as large as the extent" in report.describe(), threshold == 1.5)
             self.assertEqual(report.describe().endswith("no better than chance"), threshold == 1.5)
+
+    def test_warnings(self):
+        """A camera matrix that is probably wrong gives a warning about the line of the call; the right one
+        gives none, and neither does a flag of OpenCV."""
+        a, b, right, p = GENERAL.points1, GENERAL.points2, GENERAL.K1, usac.Params()
+        X = np.hstack([(a - right[:2, 2]) / 800, np.ones((len(a), 1))]) * np.random.RandomState(1).uniform(4, 8, (len(a), 1))
+        calls = (lambda K: usac.estimateEssential(a, b, K, params=p), lambda K: usac.estimateRelativePose(a, b, K, params=p),
+                 lambda K: usac.estimateEssentials([a], [b], K, params=p),
+                 lambda K: FINDER.findEssentialMat(a, b, K, usac.USACV20, .99, 2.), lambda K: usac.findEssentialMat(a, b, K, p),
+                 lambda K: FINDER.findEssentialMat(a, b, K[0, 0], tuple(K[:2, 2]), usac.USACV20, .99, 2.),
+                 lambda K: usac.findEssentialMat(a, b, K, None, K, None, usac.USACV20),
+                 lambda K: usac.refineModel("essential", np.eye(3), a, b, params=p, cameraMatrix1=K),
+                 lambda K: usac.estimateAbsolutePose(X, a, K), lambda K: FINDER.solvePnPRansac(X, a, K, None, flags=usac.USACV20),
+                 lambda K: usac.solvePnPRansac(X, a, K, None, params=p))
+        for i, call in enumerate(calls):
+            for K in (right, np.eye(3)):
+                with warnings.catch_warnings(record=True) as seen:
+                    warnings.simplefilter("always")
+                    call(K)
+                    with usac.progress(lambda report: None):
+                        call(K)
+                self.assertEqual([(one.category, one.filename) for one in seen],
+                                 [(usac.UsacWarning, __file__)] * 2 if K is not right else [], i)
+                self.assertTrue(all("80 degrees" in str(one.message) for one in seen), i)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            usac.findEssentialMat(a, b, np.eye(3), RANSAC, .99, 2.)
+        with self.assertWarnsRegex(usac.UsacWarning, "threshold"):
+            FINDER.findHomography(a / 800, b / 800, usac.USACV20, 3.0)
 
 
 if __name__ == "__main__":

@@ -195,9 +195,12 @@ class ArrayTest(MistakeCase):
         usac.findHomography(a, b, mask=apart[:, 1:2])
         np.testing.assert_array_equal(apart[:, 1:2], mask)
         self.assertEqual(set(apart[:, ::2].ravel()), {7})
-        other = np.full((count, 2), 7, np.uint8)  # a mask of wrong shape stays unchanged, and a new mask is returned, as in cv2
-        self.assertEqual(bits(usac.findHomography(a, b, mask=other)[1]), bits(mask))
-        self.assertEqual(set(other.ravel()), {7})
+        for shape in ((count, 2), (count - 1, 1), (count + 1,), (1, count)):  # cv2 leaves such an array as it was
+            wrong = np.zeros(shape, np.uint8)
+            self.refused("mask", usac.findHomography, a, b, mask=wrong)
+            self.refused("mask", usac.estimateHomography, a, b, mask=wrong)
+            self.refused("inliers", FINDER.estimateAffine2D, a, b, wrong, usac.USACV20)
+        self.assertEqual(bits(usac.findHomography(a, b, mask=np.zeros(0, np.uint8))[1]), bits(mask))
 
 
 if __name__ == "__main__":

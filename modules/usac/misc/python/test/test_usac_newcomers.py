@@ -92,6 +92,11 @@ class ParamsTest(NewcomerCase):
         scores = np.ma.masked_array([1.0, 2.0], mask=[True, False])
         self.refused(ERRORS, ("scores", "mask"), usac.Params, scores=scores)
 
+    def test_scores_that_say_nothing(self):
+        self.refused(TypeError, ("scores", "bool", "True"), usac.Params, scores=PLANE.inliers)
+        nan = usac.Params(scores=np.full(len(PLANE.points1), np.nan))
+        self.refused(ERRORS, ("scores", "NaN"), usac.estimateHomography, PLANE.points1, PLANE.points2, nan)
+
     def test_fields_that_are_none(self):
         for call, name, hint in ((usac.Params.fast, "treshold", "threshold"), (usac.Params().replace, "maxIters", "maxIterations"),
                                  (usac.Params.accurate, "ransacReprojThreshold", "threshold"), (usac.Params.fast, "xyz", "help")):

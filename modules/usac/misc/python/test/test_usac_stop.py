@@ -70,6 +70,13 @@ class StopTest(unittest.TestCase):
         self.assertNotEqual(report.stop, usac.STOP_CANCELLED)  # the function must not be called after the with block
         self.assertEqual(len(seen), 5)
 
+    def test_function_without_a_result(self):
+        seen = []
+        with usac.progress(seen.append):
+            _, _, report = usac.estimateHomography(*hard(), usac.Params(maxTime=50, **ENDLESS))
+        self.assertEqual(report.stop, usac.STOP_TIME)
+        self.assertGreater(len(seen), 0)
+
     def test_flags_batches_and_objects(self):
         params = usac.Params(**ENDLESS)
         with usac.progress(lambda report: False):
@@ -125,7 +132,7 @@ class StopTest(unittest.TestCase):
     def test_mistakes(self):
         with self.assertRaisesRegex(ERRORS, "function"):
             usac.progress(1)
-        with usac.progress(lambda report: None), self.assertRaisesRegex(ERRORS, "function"):
+        with usac.progress(lambda report: 1), self.assertRaisesRegex(ERRORS, "function"):
             usac.estimateHomography(*hard(), usac.Params(**ENDLESS))
         scope = usac.progress(lambda report: True)
         with scope, self.assertRaisesRegex(ERRORS, "progress"), scope:

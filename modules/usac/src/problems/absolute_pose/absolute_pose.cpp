@@ -9,6 +9,7 @@
 #include "problems/absolute_pose/lens_residual.hpp"
 #include "problems/absolute_pose/pose_parameterization.hpp"
 #include "problems/kernels.hpp"
+#include "problems/seen_points.hpp"
 #include "problems/two_view/two_view.hpp"
 
 namespace cv {
@@ -40,6 +41,11 @@ public:
     {
         camera.toSearch(columns[3], columns[4], count);
         return camera.focal;
+    }
+
+    String doubt(const double* const* columns, int count) const CV_OVERRIDE
+    {
+        return SeenPoints(columns[3], columns[4], count).aside ? SeenPoints::ASIDE : "";
     }
 
     void toImageCoordinates(double* const* columns, int count) const CV_OVERRIDE

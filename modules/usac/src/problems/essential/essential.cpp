@@ -12,6 +12,7 @@
 #include "problems/two_view/dominant_plane.hpp"
 #include "problems/two_view/two_view.hpp"
 #include "problems/kernels.hpp"
+#include "problems/seen_points.hpp"
 
 namespace cv {
 namespace usacv20 {
@@ -55,6 +56,18 @@ public:
     double toModelCoordinates(double* const* columns, int count) const CV_OVERRIDE
     {
         return cameras.toImagePlane(columns, count);
+    }
+
+    String doubt(const double* const* columns, int count) const CV_OVERRIDE
+    {
+        const SeenPoints first(columns[X1], columns[Y1], count),
+            second(columns[X2], columns[Y2], count);
+        if (first.aside || second.aside)
+            return SeenPoints::ASIDE;
+        return first.corner && first.corner == second.corner
+                   ? "the principal point is at a corner of the points' box in both images: is the "
+                     "camera matrix that of images of this size?"
+                   : "";
     }
 
     //! The result has unit norm: its singular values are (1, 1, 0) / sqrt(2).

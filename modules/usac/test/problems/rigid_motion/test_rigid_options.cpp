@@ -4,6 +4,7 @@
 
 #include "contracts/rigid_contracts.hpp"
 #include "support/run_context.hpp"
+#include "support/params_fields.hpp"
 
 // Tests of the search for 3-D motions with each component, with an initial model and with a
 // residual of the caller.
@@ -34,21 +35,19 @@ INSTANTIATE_TEST_CASE_P(/**/, Usac_RigidOptions, testing::ValuesIn(SPACE_PROBLEM
 struct Option
 {
     const char* name;
-    int Params::*field;
     int first, last;
 };
 
 //! With each value of each of these options, the motion must be found accurately.
 TEST_P(Usac_RigidOptions, every_component)
 {
-    const Option options[] = {
-        {"sampler", &Params::sampler, SAMPLER_UNIFORM, SAMPLER_IMPORTANCE},
-        {"quality", &Params::quality, QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
-        {"localOptimization", &Params::localOptimization, 0, 6},
-        {"polishing", &Params::polishing, 1, 3},
-        {"verification", &Params::verification, 0, 2},
-        {"ordering", &Params::ordering, 0, 3},
-        {"neighborhood", &Params::neighborhood, 0, 2}};
+    const Option options[] = {{"sampler", SAMPLER_UNIFORM, SAMPLER_IMPORTANCE},
+                              {"quality", QUALITY_INLIERS, QUALITY_MAGSAC_PLUS_PLUS},
+                              {"localOptimization", 0, 6},
+                              {"polishing", 1, 3},
+                              {"verification", 0, 2},
+                              {"ordering", 0, 3},
+                              {"neighborhood", 0, 2}};
     int tried = 0;
     for (const Option& option : options)
         for (int value = option.first; value <= option.last; ++value)
@@ -58,11 +57,11 @@ TEST_P(Usac_RigidOptions, every_component)
                 RigidSceneOptions sceneOptions = optionsOf(problem(), 0.6);
                 sceneOptions.seed = seed;
                 const RigidScene scene = makeRigidScene(sceneOptions);
-                const bool median = option.field == &Params::quality && value == QUALITY_LMEDS;
+                const bool median = option.name == std::string("quality") && value == QUALITY_LMEDS;
                 Params params = median ? Params::lmeds() : Params();
                 params.threshold = scene.threshold;
-                params.*option.field = value;
-                if (option.field == &Params::verification && value != VERIFICATION_SPRT)
+                Assignment(params, option.name, value);
+                if (option.name == std::string("verification") && value != VERIFICATION_SPRT)
                     params.termination = TERMINATION_STANDARD;
                 params.neighborRadius = 0.5;
                 params.scoreOrder = SCORES_HIGHER_IS_BETTER;

@@ -163,7 +163,7 @@ TEST(Usac_Translation, inlierRatios)
 TEST(Usac_Translation, everyPreset)
 {
     for (const NamedPreset& preset : allPresets(TRANSLATION_2D))
-        for (int residual : {RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC})
+        for (ResidualType residual : {RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC})
             for (uint64 seed = 1; seed <= 3; ++seed)
             {
                 const Matches matches(200, 150, 0.5, seed);

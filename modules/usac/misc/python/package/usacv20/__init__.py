@@ -40,7 +40,8 @@ the function of usacv20.progress, or by Ctrl-C (in cv2.usacv20 only within usacv
 If there is no model, the model is None, all entries of the mask are 0, and report.stop gives the
 reason. report.chance is an upper bound of the probability that random matches give an equally good
 model. An invalid argument raises usacv20.error, whose message names the argument; this exception is
-a subclass of cv2.error if cv2 can be imported. The global interpreter lock is released during an
+a subclass of cv2.error if cv2 can be imported. A call that is valid but probably has a wrong camera
+matrix or unit of the threshold gives a usacv20.UsacWarning; report.warning has its text. The global interpreter lock is released during an
 estimation; with cv2.usacv20, other threads must not change the points or the Params during this
 time.
 
@@ -55,6 +56,7 @@ from ._backend import native as _compiled
 from ._covariance import covarianceOfModel, covarianceOfPose, pointCovariance, tangentOfModel
 from ._draw import draw_matches
 from ._enumerations import *  # noqa: F403
+from ._errors import UsacWarning
 from ._errors import errorClass as _errorClass
 from ._essential import findEssentialMat
 from ._estimate import estimateModel
@@ -82,8 +84,8 @@ from ._params import UsacParams as UsacParams
 from ._version import __version__
 
 __all__ = [
-    "Params", "RelativePose", "Report", "TwoViewGeometry", "TwoViewPair", "TwoViewRules", "covarianceOfModel",
-    "covarianceOfPose", "draw_matches", "estimateAffine2D", "estimateAffinePartial2D", "estimateModel", "estimateRelativePose",
+    "Params", "RelativePose", "Report", "TwoViewGeometry", "TwoViewPair", "TwoViewRules", "UsacWarning",
+    "covarianceOfModel", "covarianceOfPose", "draw_matches", "estimateAffine2D", "estimateAffinePartial2D", "estimateModel", "estimateRelativePose",
     "estimateTwoViewGeometries", "estimateTwoViewGeometry", "findEssentialMat", "findFundamentalMat", "findHomography",
     "fitModel", "isUsacV20Method", "modelErrors", "patch_cv2", "pointCovariance", "progress", "refineModel",
     "removeDistortion", "solvePnPRansac", "tangentOfModel", "unpatch_cv2"]

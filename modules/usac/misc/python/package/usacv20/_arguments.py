@@ -11,12 +11,11 @@ import enum
 import inspect
 import operator
 import typing
-import warnings
 from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
 
-from ._errors import fail
+from ._errors import fail, warn
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -297,9 +296,8 @@ def points(value: Any, name: str, plane: bool = True) -> npt.NDArray[Any]:
                        "homogeneous points by their third coordinate first".format(
                            name, known.min(), known.max()))
         if _looksLikeColumn(rows):
-            warnings.warn("{}: the third coordinate is homogeneous (x and y are divided by it), but looks independent of x and "
-                          "y: if it is the size or a score of a feature, give x and y alone, "
-                          "points[:, :2]".format(name), stacklevel=3)
+            warn("{}: the third coordinate is homogeneous (x and y are divided by it), but looks independent of x and "
+                 "y: if it is the size or a score of a feature, give x and y alone, points[:, :2]".format(name))
     return given
 
 
@@ -318,6 +316,16 @@ def checkMask(given: Any, name: str) -> None:
     checkOutput(given, name)
     if isinstance(given, np.ndarray) and given.dtype not in (np.uint8, np.bool_):
         raise fail("{}: an array of uint8 or bool is expected for the mask, not of {}".format(name, given.dtype))
+
+
+def outputMask(given: Any, mask: Any, name: str) -> Any:
+    """Writes a mask, or None if there are no points, to the caller's array like output(). Raises
+    usacv20.error if this array, unless it is empty, has another shape than Nx1 or N."""
+    if mask is None:
+        return np.empty((0, 1), np.uint8)
+    if isinstance(given, np.ndarray) and given.size > 0 and given.shape not in (mask.shape, mask.shape[:1]):
+        raise fail("{}: an array of the shape ({}, 1) is expected for the mask, not {}".format(name, len(mask), given.shape))
+    return output(given, mask)
 
 
 def output(given: Any, result: Any) -> Any:

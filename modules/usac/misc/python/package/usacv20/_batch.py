@@ -151,7 +151,7 @@ def estimateMany(problem: int, points1: _Lists, points2: _Lists, params: _Params
     for i, (model, mask, report, wrong) in enumerate(found):
         mistake = mistakes.found.get(i) or (fail("{}[{}]: {}".format(names[0], i, inWordsOf(words, wrong))) if wrong else None)
         if mistake is None:
-            results.append((model, NO_POINTS.copy() if mask is None else mask, Report._of(report)))
+            results.append((model, NO_POINTS.copy() if mask is None else mask, Report._ofCall(report)))
         elif returnExceptions:
             results.append(mistake)
         else:

@@ -300,7 +300,7 @@ class Usac:
         Returns (model, mask, report) like the function estimate* of the problem."""
         _arguments.checkMask(mask, "mask")
         model, inliers, report = self._usac.run()
-        return model, _arguments.output(mask, inliers), Report._of(report)
+        return model, _arguments.outputMask(mask, inliers, "mask"), Report._ofCall(report)
 
 
 for _class in (Correspondences, Sampler, Score, Components, Usac):

@@ -2,7 +2,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""The exception of the package, `usacv20.error`."""
+"""The exception of the package, `usacv20.error`, and its warning, UsacWarning."""
 
 from __future__ import annotations
 
@@ -11,10 +11,31 @@ import importlib.util
 import re
 import sys
 import typing
+import warnings
 from typing import Any, Callable, List, Type
 
 _PACKAGE = __name__.rpartition(".")[0]
 _made: List[Type[Exception]] = []
+
+
+class UsacWarning(UserWarning):
+    """Given for a valid call whose result is doubtful, for example because a camera matrix or the
+    unit of a threshold seems to be wrong; the text is report.warning."""
+
+
+UsacWarning.__module__ = _PACKAGE
+
+
+def warn(message: str) -> None:
+    """Gives a UsacWarning for the line that has called the package; does nothing if the message is
+    empty."""
+    if not message:
+        return
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and str(frame.f_globals.get("__name__")).startswith(_PACKAGE):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(message, UsacWarning, stacklevel=level)
+
 
 _ABOUT = """Raised for an invalid argument, which the message names, or for a failure of a component.
 

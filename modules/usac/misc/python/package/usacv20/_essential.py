@@ -171,4 +171,4 @@ def _withFlag(form: Tuple[str, ...], v: Dict[str, Any]) -> Any:
         result = native.findEssentialMatOfCameras(
             points1, points2, array(v["cameraMatrix1"], "cameraMatrix1"), optionalArray(v["distCoeffs1"], "distCoeffs1"),
             array(v["cameraMatrix2"], "cameraMatrix2"), optionalArray(v["distCoeffs2"], "distCoeffs2"), method, prob, threshold)
-    return found(result, v["mask"])
+    return found(result, method, v["mask"])

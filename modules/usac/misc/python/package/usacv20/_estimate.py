@@ -81,7 +81,7 @@ def estimate(problem: int, points1: Any, points2: Any, params: Any, mask: Any, c
         dict(zip(NAMES, names)), native.estimate, problem, *pointsAndOptions(problem, points1, points2, params, names),
         _arguments.optionalArray(cameraMatrix1, names[2]), _arguments.optionalArray(cameraMatrix2, names[3]),
         _arguments.optionalArray(distCoeffs1, names[4]), _arguments.optionalArray(distCoeffs2, names[5]))
-    return model, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers), Report._of(report)
+    return model, _arguments.outputMask(mask, inliers, maskName), Report._ofCall(report)
 
 
 def oneOrTwoCameras(cameraMatrix2: Any, distCoeffs1: Any, distCoeffs2: Any, params: Any, mask: Any) -> Tuple[Any, Any, Any, Any]:

@@ -229,6 +229,8 @@ class Scores(Numbers):
     one-dimensional array can be assigned."""
 
     def checkShape(self, given: npt.NDArray[Any]) -> None:
+        if given.dtype == np.bool_:
+            raise TypeError("{}: numbers are expected, not bool, of which it is unknown whether True is good".format(self.name))
         if not _arguments.isList(given):
             raise TypeError("{}: N numbers are expected, N x 1 or 1 x N, not the shape {}".format(self.name, given.shape))
 

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, overload
 import numpy as np
 
 from . import _arguments
-from ._arguments import bind, checkMask, integer, isInteger, isOfAnother, output, points, real, shown, signed
+from ._arguments import bind, checkMask, integer, isInteger, isOfAnother, outputMask, points, real, shown, signed
 from ._backend import native
 from ._enumerations import USACV20, ProblemType, UsacV20Method
-from ._errors import calling, fail
-from ._estimate import NO_POINTS, estimate
+from ._errors import calling, fail, warn
+from ._estimate import estimate
 from ._params import Params
 
 if TYPE_CHECKING:
@@ -66,11 +66,18 @@ def flag(value: Any, name: str = "method") -> int:
     return integer(value, name, int(USACV20))
 
 
-def found(result: Any, given: Any) -> Any:
-    """Returns (model, mask) of a call with a flag. `result` comes from the compiled part; its mask
-    is written to the caller's array `given` if possible."""
+def warnOf(method: int) -> None:
+    """Gives the warning of a call with a flag, which has no report."""
+    if native.isUsacV20Method(method):
+        warn(native.lastWarning())
+
+
+def found(result: Any, method: int, given: Any, name: str = "mask") -> Any:
+    """Returns (model, mask) of a call with the flag `method`. `result` comes from the compiled part;
+    its mask is written to the caller's array `given`, the argument `name`."""
+    warnOf(method)
     model, mask = result
-    return model, output(given, NO_POINTS.copy() if mask is None else mask)
+    return model, outputMask(given, mask, name)
 
 
 _HOMOGRAPHY = ("srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mask", "maxIters", "confidence")
@@ -115,10 +122,11 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
         return estimate(ProblemType.HOMOGRAPHY, v["srcPoints"], v["dstPoints"], v["params"], v["mask"],
                         names=("srcPoints", "dstPoints", "", "", "", ""))[:2]
     checkMask(v["mask"], "mask")
+    method = flag(v["method"])
     return found(native.findHomography(
-        points(v["srcPoints"], "srcPoints"), points(v["dstPoints"], "dstPoints"), flag(v["method"]),
+        points(v["srcPoints"], "srcPoints"), points(v["dstPoints"], "dstPoints"), method,
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), integer(v["maxIters"], "maxIters", 2000),
-        real(v["confidence"], "confidence", 0.995)), v["mask"])
+        real(v["confidence"], "confidence", 0.995)), method, v["mask"])
 
 
 _FUNDAMENTAL = ("points1", "points2", "method", "ransacReprojThreshold", "confidence", "maxIters", "mask")
@@ -169,10 +177,11 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     if "params" in v:
         return estimate(ProblemType.FUNDAMENTAL, v["points1"], v["points2"], v["params"], v["mask"])[:2]
     checkMask(v["mask"], "mask")
+    method = flag(v["method"])
     return found(native.findFundamentalMat(
-        points(v["points1"], "points1"), points(v["points2"], "points2"), flag(v["method"]),
+        points(v["points1"], "points1"), points(v["points2"], "points2"), method,
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), real(v["confidence"], "confidence", 0.99),
-        integer(v["maxIters"], "maxIters", 1000)), v["mask"])
+        integer(v["maxIters"], "maxIters", 1000)), method, v["mask"])
 
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
@@ -193,12 +202,13 @@ def _findMap(function: str, problem: int, args: Tuple[Any, ...], kwargs: Dict[st
         return estimate(problem, v["from_"], v["to"], v["method"], v["inliers"], names=("from_", "to", "", "", "", ""),
                         maskName="inliers")[:2]
     checkMask(v["inliers"], "inliers")
+    method = flag(v["method"])
     return found(calling(
-        _MAP_NAMES, getattr(native, function), points(v["from_"], "from_"), points(v["to"], "to"), flag(v["method"]),
+        _MAP_NAMES, getattr(native, function), points(v["from_"], "from_"), points(v["to"], "to"), method,
         real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0),
         integer(v["maxIters"], "maxIters", 2000, 0, _arguments.INT_MAX),
         real(v["confidence"], "confidence", 0.99),
-        integer(v["refineIters"], "refineIters", 10, 0, _arguments.INT_MAX)), v["inliers"])
+        integer(v["refineIters"], "refineIters", 10, 0, _arguments.INT_MAX)), method, v["inliers"], "inliers")
 
 
 @overload

@@ -53,7 +53,7 @@ def _perPoint(value: Any, name: str, points: Tuple[Any, ...], instead: str) -> A
 
 def _result(found: Tuple[Any, Any, Any]) -> _Estimate:
     model, mask, report = found
-    return model, NO_POINTS.copy() if mask is None else mask, Report._of(report)
+    return model, NO_POINTS.copy() if mask is None else mask, Report._ofCall(report)
 
 
 def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.ArrayLike, weights: _Optional = None, chosen: _Optional = None,

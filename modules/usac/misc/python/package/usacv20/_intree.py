@@ -36,6 +36,7 @@ class Native:
         self.TwoViewRules = native.TwoViewRules
         self.isUsacV20Method = native.isUsacV20Method
         self.removeDistortion = native.removeDistortion
+        self.lastWarning = self._functions.lastWarning
 
     def estimate(self, problem: int, points1: Any, points2: Any, params: Any, cameraMatrix1: Any = None,
                  cameraMatrix2: Any = None, distCoeffs1: Any = None, distCoeffs2: Any = None) -> Tuple[Any, Any, Any]:

@@ -20,6 +20,7 @@ _STOP_CANCELLED = 13
 class _Here(threading.local):
     def __init__(self) -> None:
         self.scopes: List[Progress] = []
+        self.warning = ""  # of the last run in a second thread
 
 
 _here = _Here()
@@ -81,6 +82,7 @@ class Runs:
         def work() -> None:
             try:
                 outcome["result"] = call(control)
+                outcome["warning"] = self._functions.lastWarning()
             except BaseException as failure:
                 outcome["failure"] = failure
             finally:
@@ -98,7 +100,12 @@ class Runs:
             thread.join()
         if "failure" in outcome:
             raise outcome["failure"]
+        _here.warning = outcome["warning"]
         return outcome["result"]
+
+    def lastWarning(self) -> str:
+        """Returns the warning of the last run that this thread has begun."""
+        return _here.warning if _here.scopes else str(self._functions.lastWarning())
 
     def notBegun(self) -> Tuple[Optional[Any], Optional[Any], Any, str]:
         """Returns the result of an estimation that was canceled before it started."""

@@ -125,6 +125,7 @@ class Report(metaclass=_Class):
     covariance: _Double
     priorChance: float
     wideThreshold: bool
+    warning: str
     cost: float
     setupMs: float
     searchMs: float
@@ -170,6 +171,7 @@ class Progress(metaclass=_Class):
     def leave(self) -> None: ...
 
 def isUsacV20Method(method: int) -> bool: ...
+def lastWarning() -> str: ...
 def removeDistortion(points: _Array, cameraMatrix: _Array, distCoeffs: _Optional) -> _Double: ...
 def fitModel(problem: int, points1: _Array, points2: _Array, params: Params, weights: _Optional, chosen: _Optional,
              cameraMatrix1: _Optional, cameraMatrix2: _Optional, distCoeffs1: _Optional,

@@ -14,9 +14,9 @@ import numpy as np
 from ._arguments import array, bind, checkOutput, integer, isInteger, optionalArray, output, points, real, shown, signed
 from ._backend import IN_TREE, native
 from ._enumerations import USACV20, ProblemType
-from ._errors import fail
+from ._errors import fail, warn
 from ._estimate import POSE, pointsAndOptions
-from ._find import flag, isOptions, refuseBesideParams
+from ._find import flag, isOptions, refuseBesideParams, warnOf
 from ._params import Params
 
 if TYPE_CHECKING:
@@ -124,6 +124,7 @@ def solvePnPRansac(*args: Any, **kwargs: Any) -> Any:
             ProblemType.ABSOLUTE_POSE, v["objectPoints"], v["imagePoints"], v["params" if options else "flags"], POSE)
         result = native.solvePnPRansacOfParams(objectPoints, imagePoints, camera, optionalArray(v["distCoeffs"], "distCoeffs"),
                                                params)
+        warn(native.lastWarning())
         retval, rvec, tvec, inliers = _results(result, v)
         return (retval, camera, rvec, tvec, inliers) if options else (retval, rvec, tvec, inliers)
     return _results(_withFlag(v), v)
@@ -134,11 +135,14 @@ def _withFlag(v: Dict[str, Any]) -> Any:
     # The arrays are copied, so that the caller's arrays do not change if there is no pose.
     rvec = array(v["rvec"], "rvec").copy() if guess and v["rvec"] is not None else None
     tvec = array(v["tvec"], "tvec").copy() if guess and v["tvec"] is not None else None
-    return native.solvePnPRansac(
+    method = flag(v["flags"], "flags")
+    result = native.solvePnPRansac(
         points(v["objectPoints"], "objectPoints", False), points(v["imagePoints"], "imagePoints"),
         array(v["cameraMatrix"], "cameraMatrix"), optionalArray(v["distCoeffs"], "distCoeffs"), rvec, tvec, guess,
         integer(v["iterationsCount"], "iterationsCount", 100), real(v["reprojectionError"], "reprojectionError", 8.0),
-        real(v["confidence"], "confidence", 0.99), _opencvFlag(flag(v["flags"], "flags")))
+        real(v["confidence"], "confidence", 0.99), _opencvFlag(method))
+    warnOf(method)
+    return result
 
 
 def _results(result: Any, v: Dict[str, Any]) -> Tuple[Any, Any, Any, Any]:

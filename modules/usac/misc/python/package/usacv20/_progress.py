@@ -24,7 +24,7 @@ class progress:
         with usacv20.progress(lambda report: report.iterations < 10**6 and not canceled.is_set()):
             H, mask = usacv20.findHomography(points1, points2, usacv20.USACV20, 3.0)
 
-    function -- gets a Report on the state of the search and returns True to continue. In this
+    function -- gets a Report on the state of the search and returns True or None to continue. In this
     Report, `stop` is STOP_NOT_RUN, and `searchMs` is the time since the run began. `inliers`,
     `inlierRatio` and `cost` are those of the best model before polishing (0, 0 and 1 if there is
     none); with more than 32768 points, they refer to the random part of the points that is
@@ -41,7 +41,7 @@ class progress:
     context. In cv2.usacv20, it does so only within the context, for example progress(lambda report:
     True); each estimation then runs in a thread of its own."""
 
-    def __init__(self, function: typing.Callable[[Report], bool]) -> None:
+    def __init__(self, function: typing.Callable[[Report], Optional[bool]]) -> None:
         if not callable(function):
             raise fail("function: a function or another callable is expected, not {}".format(shown(function)))
         self._function = function
@@ -49,9 +49,9 @@ class progress:
 
     def _ask(self, report: Any) -> bool:
         answer = self._function(Report._of(report))
-        if not isinstance(answer, (bool, np.bool_)):
-            raise fail("function: it must return True to continue or False to stop, not {}".format(shown(answer)))
-        return bool(answer)
+        if answer is not None and not isinstance(answer, (bool, np.bool_)):
+            raise fail("function: it must return True or None to continue or False to stop, not {}".format(shown(answer)))
+        return answer is None or bool(answer)
 
     def __enter__(self) -> progress:
         if self._native is not None:

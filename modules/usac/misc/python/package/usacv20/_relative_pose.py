@@ -70,8 +70,8 @@ def estimateRelativePose(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraM
         first, second, array(cameraMatrix1, "cameraMatrix1"),
         optionalArray(distCoeffs1, "distCoeffs1"), optionalArray(cameraMatrix2, "cameraMatrix2"),
         optionalArray(distCoeffs2, "distCoeffs2"), options)
-    return (R, t, _arguments.output(mask, NO_POINTS.copy() if inliers is None else inliers),
-            RelativePose(Report._of(report), essential, behind, onPlane, otherR, otherT, otherInliers))
+    return (R, t, _arguments.outputMask(mask, inliers, "mask"),
+            RelativePose(Report._ofCall(report), essential, behind, onPlane, otherR, otherT, otherInliers))
 
 
 RelativePose.__module__ = __name__.rpartition(".")[0]

@@ -12,6 +12,7 @@ import numpy as np
 
 from ._backend import native
 from ._enumerations import StopReason
+from ._errors import warn
 from ._fields import EnumField, Field
 
 if TYPE_CHECKING:
@@ -94,6 +95,10 @@ class Report:
         points of the second array. A model that maps all points to a single point can then have most points as inliers, and
         the number of inliers means nothing. The threshold is probably in the wrong unit, for example in pixels with points of the
         normalized image plane.""")
+    warning = Field[str]("""What makes the result doubtful although the call is valid; empty if nothing does: `wideThreshold`; a
+        camera matrix under which most points are more than 80 degrees off the axis of the camera (E, absolute pose); or the
+        principal point at the same corner of the box of all points in both images (E), as if the camera matrix were that of
+        images of another size. Functions that estimate a single model give this text as a UsacWarning, too.""")
     cost = Field[float]("""Cost of the returned model per correspondence; 0 (best) .. 1. MSAC: mean of
         min(error^2 / threshold^2, 1).""")
     setupMs = Field[float]("""Milliseconds before the search: reading and ordering the points, and the samples that
@@ -110,6 +115,12 @@ class Report:
         result = cls.__new__(cls)
         result._native = values
         return result
+
+    @classmethod
+    def _ofCall(cls, values: Any) -> Report:
+        """Gives report.warning as a UsacWarning, too."""
+        warn(values.warning)
+        return cls._of(values)
 
     def describe(self) -> str:
         """Returns one sentence for a log. It ends with "no better than chance" if `chance` is above
