@@ -36,8 +36,7 @@ int64 ticks(double milliseconds)
 constexpr double Watch::WORK;
 
 Watch::Watch(double maxTime, int64 spent)
-    : active(maxTime > 0 || ProgressScope::current()), scopes(ProgressScope::current()),
-      start(active ? getTickCount() - spent : 0),
+    : active(maxTime > 0 || ProgressScope::current()), start(active ? getTickCount() - spent : 0),
       deadline(maxTime > 0 ? start + ticks(maxTime) : INT64_MAX), next(start + ticks(LOOK_PERIOD)),
       done(0), reason(STOP_NOT_RUN), state(0), points(0)
 {}
@@ -64,7 +63,8 @@ bool Watch::look()
 {
     done = 0;
     const int64 now = getTickCount();
-    if (scopes && now >= next)
+    const ProgressScope* const scopes = now >= next ? ProgressScope::current() : 0;
+    if (scopes)  // read anew each time, because a component can end or begin a scope
     {
         if (!scopes->ask(present(now)))
             reason = STOP_CANCELLED;

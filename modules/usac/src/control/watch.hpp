@@ -74,7 +74,6 @@ private:
     static constexpr double WORK = 2e5;
 
     const bool active;
-    const ProgressScope* const scopes;  //!< innermost scope of the thread; null: none
     const int64 start;
     int64 deadline, next;  //!< in ticks: end of the run, and next call of the progress functions
     double done;           //!< work since the last reading of the clock

@@ -3,8 +3,10 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
+#include "components/repetitions.hpp"
 #include "components/sample_group.hpp"
 #include "components/streams.hpp"
+#include "control/watch.hpp"
 #include "loop/given_models.hpp"
 
 namespace cv {
@@ -272,7 +274,11 @@ Mat GivenModels::give(State& state, OutputArray mask, Report* report)
         learned.stop = STOP_NO_MODEL;
     if (mask.needed())
         Mat(rows, 1, CV_8U, inliers).copyTo(mask);
-    data.tell(inliers, report && !result.empty(), context.arena, learned);
+    const bool timely = learned.inliers <= ENOUGH ||
+                        !context.stopBefore(learned.inliers * REPETITION_WORK);
+    data.tell(inliers, timely && report && !result.empty(), context.arena, learned);
+    if (context.watch && context.watch->stopped())
+        learned.stop = context.watch->stopReason();
     learned.polishMs = (getTickCount() - start) / getTickFrequency() * 1e3;
     if (report)
         *report = learned;

@@ -49,7 +49,8 @@ class UsacImpl : public Usac
 public:
     UsacImpl(const Ptr<Problem>& problem_, InputArray points1, InputArray points2,
              const Params& params_)
-        : readTicks(0), params(params_), problem(problem_), keepsImage(true), sampled(false)
+        : readTicks(0), begun(0), params(params_), problem(problem_), keepsImage(true),
+          sampled(false)
     {
         // before any other method of the problem is used
         const String wrong = findWrongNumber(*problem, params.residual);
@@ -71,18 +72,16 @@ public:
 
     void setPoints(InputArray points1, InputArray points2) CV_OVERRIDE
     {
-        created = getTickCount();
+        const int64 start = getTickCount();
         data.read(*problem, points1, points2, params, arena, keepsImage);
-        readTicks = getTickCount() - created;
+        readTicks = getTickCount() - start;
     }
 
     Mat run(OutputArray mask, Report* report) CV_OVERRIDE
     {
-        const int64 begun = getTickCount();
-        if (created == 0)  // another run with the same points
-            readTicks = 0;
-        created = begun - readTicks;  // excludes the time between reading the points and run()
-        Watch watch(params.maxTime, readTicks);
+        const int64 reading = spent();
+        begun = getTickCount() - reading;
+        Watch watch(params.maxTime, reading);
         prepare();
         const Context context(data.searchPoints(), parts, params, arena,
                               watch.isActive() ? &watch : 0);
@@ -99,7 +98,6 @@ public:
             search(context, state, guessed ? &guess : 0);
         else
             state.report.stop = STOP_TOO_FEW_POINTS;
-        created = 0;
         const Context all(data.points(), parts, params, arena, context.watch);
         if (data.points().size > data.searchPoints().size)
             start(all);
@@ -108,16 +106,18 @@ public:
 
     Mat fit(InputArray weights, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
     {
+        Watch watch(params.maxTime, spent());
         prepare();
-        const Context context(data.points(), parts, params, arena);
+        const Context context(data.points(), parts, params, arena, watch.isActive() ? &watch : 0);
         start(context);
         return given(context).fit(weights, chosen, mask, report);
     }
 
     Mat refine(InputArray model, InputArray chosen, OutputArray mask, Report* report) CV_OVERRIDE
     {
+        Watch watch(params.maxTime, spent());
         prepare();
-        const Context context(data.points(), parts, params, arena);
+        const Context context(data.points(), parts, params, arena, watch.isActive() ? &watch : 0);
         start(context);
         GivenModels models = given(context);
         if (!chosen.empty())
@@ -148,6 +148,14 @@ public:
     }
 
 private:
+    //! Ticks that reading the points has taken; 0 if an earlier call has counted them.
+    int64 spent()
+    {
+        const int64 ticks = readTicks;
+        readTicks = 0;
+        return ticks;
+    }
+
     //! Undoes what a previous run has changed, checks the components, and adapts the solver and the
     //! image residual to a replaced residual.
     void prepare()
@@ -180,7 +188,7 @@ private:
     //! @param guess initial model of the search; null: there is none
     void search(const Context& context, State& state, const Model* guess)
     {
-        state.report.setupMs = milliseconds(created);
+        state.report.setupMs = milliseconds(begun);
         Ransac ransac(context, state, parts.sampler != made.sampler);
         if (!params.initialModel.empty())
             begin(context, ransac);
@@ -430,8 +438,8 @@ private:
     }
 
     Arena arena;      //!< memory of the runs
-    int64 created;    //!< time at which the points were given, in ticks; 0: a run has used them
-    int64 readTicks;  //!< duration of reading the points
+    int64 readTicks;  //!< duration of reading the points; 0: a call has counted it
+    int64 begun;      //!< beginning of the last run, in ticks, earlier by the duration of reading
     const Params params;
     const Ptr<Problem> problem;
     ProblemData data;

@@ -5,6 +5,7 @@
 #ifndef OPENCV_USACV20_LEAST_SQUARES_HPP
 #define OPENCV_USACV20_LEAST_SQUARES_HPP
 
+#include "control/watch.hpp"
 #include "optimization/cholesky.hpp"
 #include "optimization/inner_product.hpp"
 #include "residual/normal_equations.hpp"
@@ -32,7 +33,9 @@ operations per point and iteration, and twice as many for the symmetric errors.
 
 The first step is not damped, because a polisher can request only one step in each call of fit().
 With damping, weakly determined parameters (the epipole under forward motion) would hardly change in
-any of these calls. */
+any of these calls.
+
+When the run must end (Params::maxTime, ProgressScope), a fit ends after its current step. */
 template <class Parameterization, class Around = AroundModel<Parameterization>>
 class LeastSquaresSolver : public NonMinimalSolver
 {
@@ -42,10 +45,14 @@ public:
     //! @param around_ function object that creates the parameterization around a model
     LeastSquaresSolver(const Ptr<Residual>& residual_, int errorDimension_,
                        const Around& around_ = Around())
-        : residual(residual_), errorDimension(errorDimension_), around(around_), arena(0)
+        : residual(residual_), errorDimension(errorDimension_), around(around_), arena(0), watch(0)
     {}
 
-    void start(const Context& context) CV_OVERRIDE { arena = &context.arena; }
+    void start(const Context& context) CV_OVERRIDE
+    {
+        arena = &context.arena;
+        watch = context.watch;
+    }
 
     bool fit(const Correspondences& points, const int* indices, int count, const double* weights,
              Model& model, int iterations) const CV_OVERRIDE
@@ -79,6 +86,8 @@ public:
             }
             else
                 damping = std::max(damping * 10, FIRST_DAMPING);
+            if (watch && watch->stop(count))
+                break;
         }
         if (!here.wellConditioned())
             return false;
@@ -147,6 +156,7 @@ private:
     const int errorDimension;
     const Around around;
     Arena* arena;  //!< memory of the run; null before the first run
+    Watch* watch;  //!< ends the fits of the run early; null: nothing can stop the run
 };
 
 template <class Parameterization, class Around>

@@ -259,6 +259,35 @@ TEST(Usac_Stop, scopesEndInAnyOrder)
     } while (std::next_permutation(order, order + 3));
 }
 
+//! Ends a scope when the first sample is drawn.
+class EndingSampler : public Sampler
+{
+public:
+    void sample(const Context& context, State& state, int* sample) CV_OVERRIDE
+    {
+        scope.reset();
+        state.rng.distinct(context.points.size, 4, sample);
+    }
+
+    std::unique_ptr<ProgressScope> scope;
+};
+
+//! A component can end a scope of its own run. The run must then go on without the scope.
+TEST(Usac_Stop, scopeEndsDuringTheRun)
+{
+    Params params = endless(HOMOGRAPHY);
+    params.maxTime = 50;
+    const Ptr<Usac> usac = createUsac(hardScene(HOMOGRAPHY), params);
+    const Ptr<EndingSampler> sampler = makePtr<EndingSampler>();
+    usac->components().sampler = sampler;
+    int calls = 0;
+    sampler->scope.reset(new ProgressScope([&calls](const Report&) { return ++calls < 0; }));
+    Report report;
+    usac->run(noArray(), &report);
+    EXPECT_EQ((int)STOP_TIME, report.stop);
+    EXPECT_EQ(0, calls);
+}
+
 //! After the progress function has canceled a run with 100 000 points, the search and the local
 //! optimization must not go on: the run must end within a second, apart from SLACK.
 TEST(Usac_Stop, many_points)

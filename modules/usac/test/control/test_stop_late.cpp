@@ -117,5 +117,37 @@ TEST(Usac_StopLate, a_million_points_cancelled)
     }
 }
 
+//! Fits and refinements of a million points must end in time, too, with the best model so far.
+TEST(Usac_StopLate, aMillionPointsWithoutASearch)
+{
+    for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
+    {
+        SceneOptions options;
+        options.setSize(1000000, 0.5);
+        const Scene scene = makeScene((ProblemType)problem, options);
+        Params params;
+        const Mat known = estimate(scene, params), all = Mat::ones(1000000, 1, CV_8U);
+        for (int limited = 0; limited < 2; ++limited)
+            for (int method = 0; method < 3; ++method)
+            {
+                SCOPED_TRACE(cv::format("problem %d, %d, %d", problem, limited, method));
+                params.maxTime = limited ? 1 : 0;
+                const Ptr<Usac> usac = createUsac(scene, params);
+                double said = processorTime();
+                const ProgressScope scope([&](const Report&) {
+                    said = processorTime();
+                    return limited > 0;
+                });
+                Report report;
+                const Mat model = method == 0 ? usac->fit(noArray(), noArray(), noArray(), &report)
+                                              : usac->refine(known, method == 1 ? all : Mat(),
+                                                             noArray(), &report);
+                EXPECT_EQ(limited ? (int)STOP_TIME : (int)STOP_CANCELLED, report.stop);
+                EXPECT_LE(processorTime() - said, LATE);
+                EXPECT_FALSE(model.empty());
+            }
+    }
+}
+
 }  // namespace
 }  // namespace opencv_test

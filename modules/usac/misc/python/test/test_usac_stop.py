@@ -50,6 +50,19 @@ class StopTest(unittest.TestCase):
             usac.estimateHomography(*hard(), usac.Params(maxTime=-1))
         self.assertIn("maxTime=50", repr(usac.Params(maxTime=50)))
 
+    def test_without_a_search(self):
+        """Fits and refinements of a million points end early, too."""
+        points1 = np.random.RandomState(1).uniform(0, 640, (10**6, 2))
+        points2 = points1 * [0.9, 1.1] + [20, -10] + np.random.RandomState(2).normal(0, 50, points1.shape)
+        for call in (lambda params: usac.fitModel(usac.FUNDAMENTAL, points1, points2, params=params),
+                     lambda params: usac.refineModel(usac.HOMOGRAPHY, np.eye(3), points1, points2, np.ones(len(points1)), params),
+                     lambda params: usac.refineModel(usac.HOMOGRAPHY, np.diag([0.9, 1.1, 1]), points1, points2, None, params)):
+            model, mask, report = call(usac.Params(maxTime=1, threshold=100))
+            self.assertEqual((report.stop, report.inliers), (usac.STOP_TIME, np.count_nonzero(mask)))
+            self.assertIsNotNone(model)
+            with usac.progress(lambda report: False):
+                self.assertEqual(call(usac.Params(threshold=100))[2].stop, usac.STOP_CANCELLED)
+
     def test_function_sees_the_search_go_on(self):
         seen = []
 
@@ -175,6 +188,27 @@ class StopTest(unittest.TestCase):
         asyncio.run(both())
         usac.estimateHomography(*hard(), usac.Params(maxTime=30, **ENDLESS))
         self.assertEqual(called, [])
+
+    @package
+    def test_left_by_a_component(self):
+        """A sampler leaves the context of its own run, also in another thread."""
+        class Leaving(usac.Sampler):
+            def sample(self, rng, iteration):
+                scope.__exit__(None, None, None)
+                return rng.distinct(2000, 4)
+
+        def run():
+            with scope:
+                estimator = usac.Usac.create(usac.HOMOGRAPHY, *hard(), usac.Params(maxTime=50, **ENDLESS))
+                estimator.components.sampler = Leaving()
+                stops.append(estimator.run()[2].stop)
+
+        scope, stops = usac.progress(lambda report: False), []
+        run()
+        thread = threading.Thread(target=run)
+        thread.start()
+        thread.join()
+        self.assertEqual(stops, [usac.STOP_TIME] * 2)
 
     @package
     def test_not_left_by_its_own_function(self):

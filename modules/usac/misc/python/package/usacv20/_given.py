@@ -74,7 +74,8 @@ def fitModel(problem: Union[int, str], points1: npt.ArrayLike, points2: npt.Arra
     cameraMatrix2, distCoeffs2 -- for ESSENTIAL; None: the same as cameraMatrix1, and no distortion
 
     Returns (model, mask, report) like the function estimate* of the problem. report.stop is
-    STOP_NO_SEARCH, or gives the reason why there is no model. The fit is not robust: outliers are
+    STOP_NO_SEARCH, gives the reason why there is no model, or is STOP_TIME or STOP_CANCELLED if the
+    fit ended early (Params.maxTime, progress). The fit is not robust: outliers are
     not detected and affect it fully."""
     number = problemOf(problem)
     given = pointsAndOptions(number, points1, points2, params)
