@@ -21,6 +21,22 @@ void checkNumPy()
 #endif
 }
 
+//! Makes copies and pickles of the objects of a module raise a TypeError. Without this, the pickle
+//! protocols 0 and 1 create an object of a base class of pybind11, which aborts the process.
+void refuseCopies(pybind11::module_& module)
+{
+    using namespace pybind11;
+    for (const auto& member : module.attr("__dict__").cast<dict>())
+        if (isinstance<type>(member.second))
+            setattr(member.second, "__reduce_ex__",
+                    cpp_function(
+                        [](const object& self, const object&) -> object {
+                            throw type_error(repr(type::of(self)).cast<std::string>() +
+                                             ": its objects cannot be copied or pickled");
+                        },
+                        is_method(member.second)));
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_native, module)
@@ -43,4 +59,5 @@ PYBIND11_MODULE(_native, module)
     addProgress(module);
     addRng(module);
     addUsac(module);
+    refuseCopies(module);
 }

@@ -43,8 +43,9 @@ void PythonSampler::sample(const Context&, State& state, int* sample)
                   ("components.sampler: sample() has to return %d integers, not %s", sampleSize,
                    py::repr(drawn).cast<std::string>().substr(0, 60).c_str()));
     }
-    const py::array_t<int, py::array::c_style | py::array::forcecast> indices(given);
-    std::copy(indices.data(), indices.data() + sampleSize, sample);
+    const py::array_t<int64, py::array::c_style | py::array::forcecast> indices(given);
+    for (int i = 0; i < sampleSize; ++i)  // a number that is too large becomes -1, which is refused
+        sample[i] = indices.at(i) == (int)indices.at(i) ? (int)indices.at(i) : -1;
     state.counts = py::bool_(sampler.attr("counts"));
 }
 

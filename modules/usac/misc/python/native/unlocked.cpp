@@ -4,6 +4,7 @@
 
 #include "unlocked.hpp"
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <thread>
 
@@ -16,6 +17,35 @@ namespace {
 //! Minimum number of milliseconds between two checks for signals. The checks are rare, because
 //! acquiring the interpreter's lock can take 5 ms if other Python threads run.
 constexpr double PERIOD = 50;
+
+//! Maximum number of seconds for which the end of the interpreter waits for canceled estimations.
+//! Only a component written in Python can take so long.
+constexpr double PATIENCE = 5;
+
+//! Number of estimations in other threads than the main thread; used while the lock is held.
+int others = 0;
+//! True when the interpreter ends.
+std::atomic<bool> ending(false);
+
+//! Cancels the estimations of other threads and waits for their end.
+void end()
+{
+    ending = true;
+    const int64 start = getTickCount();
+    while (others > 0 && (getTickCount() - start) / getTickFrequency() < PATIENCE)
+    {
+        const py::gil_scoped_release unlocked;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+//! Waits until the process ends.
+void waitForever()
+{
+    const py::gil_scoped_release unlocked;
+    for (;;)
+        std::this_thread::sleep_for(std::chrono::hours(1));
+}
 
 bool isMainThread()
 {
@@ -118,7 +148,21 @@ thread_local int PythonProgress::Depth::current = 0;
 
 }  // namespace
 
-Unlocked::Unlocked() : scope(isMainThread() ? new ProgressScope(Signals()) : 0), released() {}
+Unlocked::Unlocked()
+    : inMain(isMainThread()),
+      scope(inMain ? Progress(Signals()) : [](const Report&) { return !ending; })
+{
+    if (!inMain && ending)
+        waitForever();
+    others += !inMain;
+    released.reset(new py::gil_scoped_release);
+}
+
+Unlocked::~Unlocked()
+{
+    released.reset();
+    others -= !inMain;
+}
 
 void addProgress(py::module_& module)
 {
@@ -126,6 +170,11 @@ void addProgress(py::module_& module)
         .def(py::init<const py::object&>(), py::arg("function"))
         .def("enter", &PythonProgress::enter)
         .def("leave", &PythonProgress::leave);
+    py::module_::import("atexit").attr("register")(py::cpp_function(&end));
+    const py::module_ os = py::module_::import("os");
+    if (py::hasattr(os, "register_at_fork"))  // the other threads do not exist in the child
+        os.attr("register_at_fork")(
+            py::arg("after_in_child") = py::cpp_function([] { others = 0; }));
 }
 
 }  // namespace python

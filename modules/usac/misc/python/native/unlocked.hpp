@@ -12,19 +12,24 @@ namespace cv {
 namespace usacv20 {
 namespace python {
 
-/** @brief While an object exists, the interpreter's lock is released. In the main thread, where
-Python handles signals, estimations can then be interrupted.
+/** @brief While an object exists, the interpreter's lock is released, and estimations can be
+interrupted.
 
-Estimations of the main thread check for signals regularly. An exception of a signal handler, such
-as KeyboardInterrupt, passes through the estimation as py::error_already_set. */
+Estimations of the main thread, where Python handles signals, check for signals regularly. An
+exception of a signal handler, such as KeyboardInterrupt, passes through the estimation as
+py::error_already_set. Estimations of other threads are canceled when the interpreter ends, which
+waits for them: Python ends a daemon thread when it next acquires the lock, and this would abort the
+process if a function of C++ was running in the thread. */
 class Unlocked
 {
 public:
     Unlocked();
+    ~Unlocked();
 
 private:
-    const std::unique_ptr<ProgressScope> scope;
-    const py::gil_scoped_release released;
+    const bool inMain;
+    const ProgressScope scope;
+    std::unique_ptr<py::gil_scoped_release> released;
 
     Unlocked(const Unlocked&);
     Unlocked& operator=(const Unlocked&);

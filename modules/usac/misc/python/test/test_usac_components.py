@@ -213,7 +213,7 @@ class SamplerTest(unittest.TestCase):
         usac_, sampler = create(usac.HOMOGRAPHY, PLANE), Wrong()
         usac_.components.sampler = sampler
         for wrong in ([1, 2, 3], [1, 2, 3, 4, 5], [1, 2, 3, 300], [-1, 2, 3, 4], [1, 1, 2, 3], None, "abcd", [1.5, 2, 3, 4], 7,
-                      np.zeros((4, 1), int), [[1, 2], [3, 4]]):
+                      np.zeros((4, 1), int), [[1, 2], [3, 4]], [1, 2, 3, 2**32 + 4], np.uint64([1, 2, 3, 2**64 - 1])):
             sampler.wrong = wrong
             with self.assertRaises(usac.error, msg=wrong) as context:
                 usac_.run()

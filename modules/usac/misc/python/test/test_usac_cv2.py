@@ -11,6 +11,7 @@ import os
 import pickle
 import subprocess
 import sys
+import threading
 import types
 import unittest
 
@@ -154,6 +155,30 @@ class PatchTest(unittest.TestCase):
             self.assertEqual(bits(other.findHomography(PLANE.points1, PLANE.points2, usac.USACV20)),
                              bits(usac.findHomography(PLANE.points1, PLANE.points2, usac.USACV20)))
         self.assertEqual(vars(other), self.original())
+
+
+class LockTest(unittest.TestCase):
+
+    def test_threads(self):
+        """Threads that patch and unpatch a module at the same time leave it as it was."""
+        def work():
+            for _ in range(200):
+                usac.patch_cv2(module)
+                usac.unpatch_cv2(module)
+
+        functions = {name: lambda: None for name in FUNCTIONS}
+        module, interval = types.SimpleNamespace(**functions), sys.getswitchinterval()
+        sys.setswitchinterval(1e-5)
+        try:
+            threads = [threading.Thread(target=work) for _ in range(8)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+        finally:
+            sys.setswitchinterval(interval)
+        usac.unpatch_cv2(module)
+        self.assertEqual(vars(module), functions)
 
 
 class RouteTest(unittest.TestCase):

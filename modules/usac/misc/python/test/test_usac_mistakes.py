@@ -112,7 +112,11 @@ class CallTest(MistakeCase):
                 ("pp", usac.findEssentialMat, (a, b, 1.0, 3.0), {}), ("pp", usac.findEssentialMat, (a, b, 1.0, (1, "2")), {}),
                 ("focal", usac.findEssentialMat, (a, b), dict(focal=K)),
                 ("useExtrinsicGuess", usac.solvePnPRansac, (POSE.X, POSE.x, K, None, None, None, "no"), {}),
-                ("flags", usac.solvePnPRansac, (POSE.X, POSE.x, K, None), dict(flags="USACV20"))):
+                ("flags", usac.solvePnPRansac, (POSE.X, POSE.x, K, None), dict(flags="USACV20")),
+                ("ransacReprojThreshold", usac.findHomography, (a, b, 16384, 10**400), {}),
+                ("focal", usac.findEssentialMat, (a, b), dict(focal=10**400)), ("maxTime", usac.Params, (), dict(maxTime=10**5000)),
+                ("inlierRatio", usac.TwoViewRules(inlierRatio=10**400).check, (), {}),
+                ("seed", usac.Params, (), dict(seed=10**5000)), ("problem", usac.fitModel, (10**400, a, b), {})):
             self.refused(word, function, *args, **kwargs)
         self.assertEqual(bits(usac.findHomography(a, b, np.array(usac.USACV20), np.float32(3), None, np.uint8(200), np.array(0.5))),
                          bits(usac.findHomography(a, b, usac.USACV20, 3.0, None, 200, 0.5)))

@@ -185,6 +185,19 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(set(fields(report)), names)
 
 
+@package
+class CopyTest(unittest.TestCase):
+    """Objects with a state of the compiled part that cannot be copied."""
+
+    def test_refused(self):
+        usac_ = usac.Usac.create(usac.HOMOGRAPHY, PLANE.points1, PLANE.points2)
+        with usac.progress(lambda report: True) as progress:
+            for value in (usac.Rng(1), usac_, usac_.components, usac_._usac, progress._native, native.Params(), native.Report()):
+                for copied in [copy.copy, copy.deepcopy] + [lambda v, k=k: pickle.dumps(v, k) for k in range(pickle.HIGHEST_PROTOCOL + 1)]:
+                    with self.assertRaisesRegex(TypeError, type(value).__name__ + ".* copied or pickled"):
+                        copied(value)
+
+
 class TextTest(unittest.TestCase):
 
     def test_everything_has_a_text(self):

@@ -8,15 +8,18 @@ leaks."""
 
 import concurrent.futures
 import gc
+import importlib.util
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
 
 import numpy as np
 
-from usac_common import DISTORTED, GENERAL, IN_TREE, MOVED, PLANE, SANITIZED, THRESHOLD, bits, estimate, usac
+from usac_common import DISTORTED, GENERAL, IN_TREE, MOVED, PLANE, SANITIZED, THRESHOLD, bits, estimate, package, usac
 from usac_pose import POSE
 
 # Number of calls of each function in the tests for memory leaks; 100000 for a long test.
@@ -115,6 +118,71 @@ class ThreadTest(unittest.TestCase):
                 time.sleep(5)
         finally:
             signal.signal(signal.SIGALRM, handler)
+
+
+DAEMON = """
+import threading, time
+import numpy as np, usacv20
+
+class First(usacv20.Sampler):
+    def sample(self, rng, iteration):
+        return rng.distinct(1000, 4)
+
+def search(own, forever=True):
+    usac = usacv20.Usac.create(usacv20.HOMOGRAPHY, a, b, usacv20.Params(maxIterations=2**31 - 1 if forever else 20, termination=0))
+    if own:
+        usac.components.sampler = First()
+    usac.run()
+
+def repeat():
+    while True:
+        search(True, False)
+
+a, b = np.random.RandomState(1).uniform(0, 640, (2, 1000, 2))
+for function, args in ((search, (False,)), (search, (True,)), (repeat, ())):
+    threading.Thread(target=function, args=args, daemon=True).start()
+time.sleep(0.2)
+"""
+# In a child process, there are no other threads to wait for. What is registered first is called last.
+FORKED = """
+import atexit
+atexit.register(lambda: print(time.monotonic() - ended > 4))
+""", """
+import os, sys
+if os.fork() == 0:
+    ended = time.monotonic()
+    sys.exit()
+os.wait()
+ended = time.monotonic()
+"""
+SUB_INTERPRETER = """
+import sys
+import {0} as interpreters
+failures = "import sys; sys.path[:] = {{!r}}\\ntry:\\n    import usacv20\\nexcept ImportError as failure:\\n    print(failure)"
+interpreters.run_string(interpreters.create(), failures.format(sys.path))
+"""
+
+
+@package
+class ProcessTest(unittest.TestCase):
+    """Tests in other processes, which would crash or never end."""
+
+    def output(self, code):
+        return subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60,
+                              universal_newlines=True, check=True).stdout
+
+    def test_end_with_daemon_threads(self):
+        for _ in range(3):
+            self.assertEqual(self.output(DAEMON), "")
+        if hasattr(os, "fork"):
+            self.assertEqual(self.output(FORKED[0] + DAEMON + FORKED[1]), "False\nFalse\n")
+
+    @unittest.skipIf(SANITIZED, "the interpreters of the sanitizer's process are not checked")
+    def test_sub_interpreter(self):
+        name = next((name for name in ("_interpreters", "_xxsubinterpreters") if importlib.util.find_spec(name)), None)
+        if name is None:
+            self.skipTest("this Python has no module for sub-interpreters")
+        self.assertIn("not in a sub-interpreter", self.output(SUB_INTERPRETER.format(name)))
 
 
 @unittest.skipUnless(hasattr(os, "fork"), "no fork")

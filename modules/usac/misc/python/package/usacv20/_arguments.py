@@ -66,7 +66,10 @@ def shown(value: Any) -> str:
     """Returns a text for a message: type and shape of an array, or any other value in at most 60 characters."""
     if isinstance(value, np.ndarray):
         return "an array of {} with shape {}".format(value.dtype, value.shape)
-    text = repr(value)
+    try:
+        text = repr(value)
+    except Exception:  # raised for integers of more than 4300 digits
+        text = "a value of type " + type(value).__name__
     return text if len(text) <= 60 else text[:57] + "..."
 
 
@@ -97,7 +100,10 @@ def real(value: Any, name: str, default: Optional[float] = None) -> float:
         return default
     if not isReal(value):
         raise fail("{}: a number is expected, not {}".format(name, shown(value)))
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:  # an integer
+        raise fail("{}: a number below 1.8e308 is expected, not {}".format(name, shown(value))) from None
 
 
 def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT_MIN, high: int = INT_MAX) -> int:
@@ -109,7 +115,7 @@ def integer(value: Any, name: str, default: Optional[int] = None, low: int = INT
         raise fail("{}: an integer is expected, not {}".format(name, shown(value)))
     number = operator.index(value)
     if not low <= number <= high:
-        raise fail("{}: {} .. {} is expected, not {}".format(name, low, high, number))
+        raise fail("{}: {} .. {} is expected, not {}".format(name, low, high, shown(number)))
     return number
 
 

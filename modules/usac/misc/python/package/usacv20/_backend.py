@@ -8,12 +8,24 @@ and Rng."""
 
 from __future__ import annotations
 
+import importlib
 import sys
 from typing import TYPE_CHECKING
 
 __all__ = ["IN_TREE", "native"]
 
 IN_TREE = __name__.startswith("cv2.")
+
+
+def _inSubInterpreter() -> bool:
+    for name in ("_interpreters", "_xxsubinterpreters"):  # the names since Python 3.13 and before
+        try:
+            interpreters = importlib.import_module(name)
+        except ImportError:
+            continue
+        return bool(interpreters.get_current() != interpreters.get_main())
+    return False
+
 
 if TYPE_CHECKING:
     from . import _native as native
@@ -24,6 +36,9 @@ elif IN_TREE:
 
     native = Native(cv2)  # raises ImportError if this cv2 was built without the module; cv2 itself still works
 else:
+    if _inSubInterpreter():  # the import of the compiled part would not return
+        raise ImportError("usacv20: it can be imported in the main interpreter only, not in a sub-interpreter")
+    import numpy  # noqa: F401  # first: Ctrl-C while the compiled part imports it would become an ImportError
     try:
         from . import _native as native
     except ImportError as failure:

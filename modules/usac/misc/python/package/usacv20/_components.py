@@ -149,6 +149,11 @@ def _noComponent(name: str) -> str:
         name, "the others can be replaced in C++ only (samples/custom_residual.cpp); Params selects among the existing ones")
 
 
+def _notCopied(value: Any) -> TypeError:
+    return TypeError("{}: it cannot be copied or pickled, because it belongs to one estimation; create another with "
+                     "Usac.create()".format(type(value).__name__))
+
+
 class Components:
     """The components of an estimator that can be replaced; None means the component that Params
     selects.
@@ -167,6 +172,9 @@ class Components:
 
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(_noComponent(name))
+
+    def __reduce_ex__(self, protocol: typing.SupportsIndex) -> typing.NoReturn:
+        raise _notCopied(self)
 
     def __init__(self, usac: native.Usac) -> None:
         self._usac = usac
@@ -212,6 +220,9 @@ class Usac:
                 where = "components.{}".format(name) if name in ("sampler", "score") else "components or params"
                 raise AttributeError("Usac.{}: there is no such attribute; did you mean {}?".format(name, where))
             super().__setattr__(name, value)
+
+    def __reduce_ex__(self, protocol: typing.SupportsIndex) -> typing.NoReturn:
+        raise _notCopied(self)
 
     def __init__(self, usac: native.Usac, problem: int, params: Optional[Params], count: int) -> None:
         self._count = count  # number of points

@@ -74,7 +74,7 @@ class Real(Field[float]):
     def __set__(self, instance: Any, value: float) -> None:
         if not _arguments.isReal(value):
             raise TypeError("{}: a number is expected, not {}".format(self.name, _arguments.shown(value)))
-        setattr(instance._native, self.name, float(value))
+        setattr(instance._native, self.name, _arguments.real(value, self.name))
 
 
 class Integer(Field[int]):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import functools
 import importlib
 import numbers
+import threading
 import typing
 from typing import Any, Callable, Dict, Optional, Tuple
 
@@ -24,6 +25,7 @@ OURS: typing.Mapping[str, Callable[..., Any]] = {
 
 _FLAGS = frozenset(int(flag) for flag in UsacV20Method)
 _MARK = "_usacv20Patch"
+_lock = threading.RLock()  # held while functions of a cv2 are replaced or restored
 
 
 def _essentialPlace(args: Tuple[Any, ...]) -> int:
@@ -83,11 +85,12 @@ class Patch:
         """Restores the original functions. If other code has meanwhile replaced a patched function
         with a wrapper of its own, that wrapper stays in place; the patched function, which the
         wrapper calls, then passes all calls to the original function."""
-        self._active = False
-        for name, (original, wrapper) in self._functions.items():
-            if getattr(self._cv2, name, None) is wrapper:
-                setattr(self._cv2, name, original)
-        self._functions = {}
+        with _lock:
+            self._active = False
+            for name, (original, wrapper) in self._functions.items():
+                if getattr(self._cv2, name, None) is wrapper:
+                    setattr(self._cv2, name, original)
+            self._functions = {}
 
     def __enter__(self) -> Patch:
         return self
@@ -114,12 +117,15 @@ def patch_cv2(cv2: Any = None) -> Patch:
     effect. Modules that imported one of the functions by name before the call continue to use the
     original function."""
     cv2 = importlib.import_module("cv2") if cv2 is None else cv2
-    return Patch(cv2, {} if _present(cv2) else OURS)
+    with _lock:
+        return Patch(cv2, {} if _present(cv2) else OURS)
 
 
 def unpatch_cv2(cv2: Any = None) -> None:
     """Undoes patch_cv2(), no matter which code has called it. Does nothing if this cv2 is not
     patched."""
-    patch = _present(importlib.import_module("cv2") if cv2 is None else cv2)
-    if patch and not patch.permanent:
-        patch.undo()
+    cv2 = importlib.import_module("cv2") if cv2 is None else cv2
+    with _lock:
+        patch = _present(cv2)
+        if patch and not patch.permanent:
+            patch.undo()
