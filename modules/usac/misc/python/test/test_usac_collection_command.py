@@ -288,6 +288,8 @@ class CommandTest(unittest.TestCase):
                         del file[name]
                         file[name] = wrong
                     said = "has no scores of this pair" if name == "day-a.jpg" else "expected in " + pair
+                with contextlib.closing(sqlite3.connect(self.path)) as connection, connection:
+                    connection.execute("DELETE FROM two_view_geometries")
                 with self.subTest(name=name, wrong=wrong):
                     code, _, err = self.verify("--scores", path)
                     self.assertEqual(code, 1)

@@ -225,6 +225,9 @@ class FaultTest(DatabaseCase):
         self.faults(["20 rows of 3"], [(2, 4)],
                     ("UPDATE matches SET rows = 20, cols = 3, data = ? WHERE pair_id = ?", numbers.tobytes(), key))
         self.faults(["58 rows of 2", "0 bytes"], [(2, 4)], ("UPDATE matches SET data = NULL WHERE pair_id = ?", key))
+        for value in (7, 0, 1.5, "text"):
+            self.faults(["58 rows of 2", "no blob"], [(2, 4)], ("UPDATE matches SET data = ? WHERE pair_id = ?", value, key))
+        self.faults(["many rows of 2"], [(2, 4)], ("UPDATE matches SET rows = 'many' WHERE pair_id = ?", key))
 
     def test_no_matches(self):
         """If COLMAP finds no matches, it stores a row with 0 matches. For such a row the source must
@@ -238,6 +241,7 @@ class FaultTest(DatabaseCase):
         table = np.ones((60, 2), "<f4")
         for words, statement in (
                 (["60 rows of 2", "479 bytes"], ("UPDATE keypoints SET data = ? WHERE image_id = 3", table.tobytes()[:-1])),
+                (["60 rows of 2", "no blob"], ("UPDATE keypoints SET data = 7 WHERE image_id = 3",)),
                 (["of image3.jpg", "3 columns"], ("UPDATE keypoints SET cols = 3 WHERE image_id = 3",)),
                 (["image3.jpg, which has none"], ("DELETE FROM keypoints WHERE image_id = 3",)),
                 (["image3.jpg, which has none"], ("UPDATE keypoints SET rows = 0, data = NULL WHERE image_id = 3",)),
@@ -272,6 +276,11 @@ class FaultTest(DatabaseCase):
                     ("INSERT INTO cameras VALUES (2, 77, 640, 480, ?, 0)", np.ones(3).tobytes()),
                     ("UPDATE images SET camera_id = 2 WHERE image_id = 3",))
         self.faults(["camera 1"], everything, ("UPDATE cameras SET model = ?", OPENCV))
+        for value in (7, "text"):
+            self.faults(["camera 1", "no blob"], everything, ("UPDATE cameras SET params = ?", value))
+        for value in ("wide", 640.5, -1, 2**40):
+            self.faults(["camera 1", "width and height"], everything, ("UPDATE cameras SET width = ?", value))
+            self.faults(["camera 1", "width and height"], everything, ("UPDATE cameras SET height = ?", value))
 
     def test_itself(self):
         smallDatabase(self.path)

@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import contextlib
 import inspect
+import io
+import json
 import os
 import shutil
 import signal
@@ -33,10 +35,22 @@ if not IN_TREE:
     import usacv20.collection
     from usacv20.collection import CollectionError, _sqlite, verify
     from usacv20.collection._command import main
+    from usacv20.collection._report import report
     from usacv20.collection._scores import ColumnScores
 
 PAIRS, LATER = 234, 66  # numbers of pairs that are verified first and that are added later; together all pairs of 25 images
 TABLE = "two_view_geometries"
+INTERRUPTING = """
+import os, signal, sys
+
+class Finder:
+    def find_spec(self, name, path=None, target=None):
+        if name == os.environ.get("AT"):
+            os.kill(os.getpid(), signal.SIGINT)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.meta_path.insert(0, Finder())
+"""  # a sitecustomize.py that sends Ctrl-C when a module is imported
 FEW = 100  # maximum number of samples for a model; most matches are right, so few samples suffice
 
 
@@ -113,6 +127,40 @@ class GrowthTest(RunCase):
         self.assertEqual(rows(self.path, "SELECT rows, data, config FROM {} WHERE pair_id = ?".format(TABLE), empty),
                          [(0, None, 1)])
         self.assertEqual(dump(self.path, TABLE), dump(whole, TABLE))
+
+    def test_budget_of_a_number(self) -> None:
+        """A threshold that is given as a number must have the same settings, and so the same numbers of
+        samples, as the same threshold from --threshold auto."""
+        self.verify()
+        self.verify(threshold=self.summary.threshold)
+        settings = rows(self.path, "SELECT settings FROM usacv20_runs ORDER BY run_id")
+        self.assertEqual(settings[0], settings[1])
+        self.assertGreater(len(json.loads(settings[0][0])["ratios"]), 50)
+        self.verify(threshold=self.summary.threshold, resume=True)
+        self.assertEqual(self.summary.skipped, PAIRS + LATER)
+
+    def test_rows_of_faults(self) -> None:
+        """Rows of pairs that cannot be read must stay."""
+        self.verify(threshold=4.0)
+        before = dump(self.path, TABLE)[TABLE]
+        change(self.path, "UPDATE cameras SET width = 'wide'")
+        with contextlib.redirect_stderr(io.StringIO()):
+            said = self.verify(threshold=4.0)
+        self.assertEqual((self.summary.faults, len(said)), (PAIRS + LATER, 2))
+        self.assertEqual(dump(self.path, TABLE)[TABLE], before)
+
+    def test_unknown_focal_lengths(self) -> None:
+        shown = io.StringIO()
+        change(self.path, "UPDATE cameras SET prior_focal_length = 0")
+        count = rows(self.path, "SELECT count(*) FROM cameras")[0][0]
+        note = "0 of {} cameras {} a known focal length: only F and H".format(count, "has" if count == 1 else "have")
+        self.assertEqual(self.verify(threshold=4.0)[0], note)
+        report(self.path, stream=shown)
+        self.assertIn("\n  {}\n".format(note), shown.getvalue())
+        for numbers, expected in (((0, 2), "0 of 2 cameras have a known focal length: only F and H"),
+                                  ((1, 2), "1 of 2 cameras has a known focal length: only F and H for pairs with one of the others"),
+                                  ((2, 2), ""), ((0, 0), "")):
+            self.assertEqual(_sqlite.focalNote(*numbers), expected)
 
     def test_copy_of_another_state(self) -> None:
         """A run on a copy must not be resumed if the database has changed since the copy was made."""
@@ -311,6 +359,22 @@ class OutputTest(RunCase):
         self.assertEqual((run.returncode, error.count("\n")), (2, 1), error)
         self.assertIn("copy.db", error)
         self.assertEqual(os.listdir(os.path.dirname(target)), [])
+
+    def test_interrupted_imports(self) -> None:
+        """Ctrl-C while modules are being imported must end the command silently, and raise
+        KeyboardInterrupt in a program that imports the package."""
+        with open(os.path.join(self.folder, "sitecustomize.py"), "w") as file:
+            file.write(INTERRUPTING)
+        for name in ("numpy", "numpy.core._multiarray_umath", "usacv20._native", "usacv20._params", "usacv20.collection._command", "sqlite3"):
+            path = os.pathsep.join([self.folder] + sys.path)
+            with self.process("verify", self.path, env=dict(os.environ, AT=name, PYTHONPATH=path)) as run:
+                output = run.communicate()
+            self.assertEqual((output, run.returncode), ((b"", b""), -signal.SIGINT), name)
+        with subprocess.Popen([sys.executable, "-c", "import usacv20"], stderr=subprocess.PIPE,
+                              env=dict(os.environ, AT="numpy.core._multiarray_umath", PYTHONPATH=path)) as run:
+            error = run.communicate()[1].decode()
+        self.assertTrue(error.rstrip().endswith("KeyboardInterrupt"), error)
+        self.assertNotIn("ImportError:", error)
 
     def test_interrupted_early(self) -> None:
         """Ctrl-C during the start of the program must stop it without damage to the database. On a fast

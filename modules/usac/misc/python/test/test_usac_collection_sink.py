@@ -186,26 +186,22 @@ class RunTest(SinkCase):
         return [row[0] for row in rows(self.path, "SELECT pair_id FROM {} ORDER BY 1".format(TABLE))]
 
     def test_rows_of_others(self):
-        """Rows that another program has written must stay until the first commit, and be removed
-        then."""
+        """Rows that another program has written must stay, even those of faults, until a result replaces them."""
         other = [pairId(1, 2), pairId(3, 4), pairId(5, 6)]
         for key in other:
             change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (?, 0, 2, 3)".format(TABLE), key)
         self.sink().close(finished=False)
         self.assertEqual(self.pairs(), other)
         sink = self.sink()
-        self.assertEqual((self.pairs(), sink.removed), (other, 0))
-        sink.commit([found(1, 2)])
-        self.assertEqual((self.pairs(), sink.removed), ([pairId(1, 2)], 3))
-        sink.commit([found(1, 3)])
-        self.assertEqual((self.pairs(), sink.removed), ([pairId(1, 2), pairId(1, 3)], 3))
-        self.assertEqual(self.row(1, 2)["config"], 2)
+        sink.commit([found(1, 2), refused(3, 4, Configuration.UNDEFINED, "broken"), found(1, 3)])
+        self.assertEqual((self.pairs(), sink.replaced), (sorted(other + [pairId(1, 3)]), 1))
+        self.assertEqual([self.row(*pair)["config"] for pair in ((1, 2), (3, 4), (5, 6))], [2, 3, 3])
 
     def test_no_pairs(self):
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink()
         sink.close()
-        self.assertEqual((self.pairs(), sink.removed), ([], 1))
+        self.assertEqual((self.pairs(), sink.replaced), ([5], 0))
 
     def test_resume(self):
         sink = self.sink()
@@ -218,7 +214,7 @@ class RunTest(SinkCase):
         # The third pair could not be read and must be processed again; the fourth pair is new.
         self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])
         sink.commit(self.hashed(found(1, 4), found(1, 5)))
-        self.assertEqual((self.pairs(), sink.removed), (keys, 0))
+        self.assertEqual((self.pairs(), sink.replaced), (keys, 0))
         self.assertEqual(rows(self.path, "SELECT run_id, configuration FROM usacv20_pairs ORDER BY pair_id"),
                          [(1, 2), (1, 1), (2, 2), (2, 2)])
         sink.close()
@@ -274,19 +270,18 @@ class RunTest(SinkCase):
                 self.assertEqual(dump(self.path, TABLE, "usacv20_pairs", "usacv20_runs"), before)
                 second.commit([found(1, 5)])
                 second.close()
-                self.assertEqual(self.pairs(), [pairId(1, i) for i in ((2, 3, 5) if resume else (3, 5))])
+                self.assertEqual(self.pairs(), [pairId(1, i) for i in (2, 3, 5)])
                 self.assertEqual(lastRunOf(self.path)["state"], "finished")
                 change(self.path, "DELETE FROM " + TABLE)
                 change(self.path, "DROP TABLE usacv20_runs")
 
     def test_some_pairs(self):
-        """With keep=True, rows of other pairs must stay, no matter which program has written them.
-        Pairs that were processed with other settings must be processed again by a resumed run."""
+        """With keep=True, records of other pairs must stay. Pairs that were processed with other settings must be processed again by a resumed run."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink(keep=True)
         sink.commit(self.hashed(found(1, 2)))
         sink.close()
-        self.assertEqual((self.pairs(), sink.removed), ([5, pairId(1, 2)], 0))
+        self.assertEqual((self.pairs(), sink.replaced), ([5, pairId(1, 2)], 0))
         other = self.sink({"threshold": 3.0}, keep=True)
         other.commit(self.hashed(found(1, 3)))
         other.close()
@@ -334,20 +329,19 @@ class RunTest(SinkCase):
         self.refused(["another version"], self.sink, resume=True)
 
     def test_all_or_nothing(self):
-        """A commit that fails must not change the database. A first commit that fails must not remove
-        the old rows either."""
+        """A commit that fails must not change the database."""
         change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
         sink = self.sink()
         wrong = found(1, 3)._replace(F=np.eye(2))
         for _ in range(2):
             with self.assertRaises(ValueError):
                 sink.commit([found(1, 2), wrong])
-            self.assertEqual((self.pairs(), sink.removed), ([5], 0))
+            self.assertEqual((self.pairs(), sink.replaced), ([5], 0))
         self.assertIsNone(lastRun(sink._connection))
         sink.commit([found(1, 2)])
         with self.assertRaises(ValueError):
             sink.commit([found(1, 4), wrong])
-        self.assertEqual((self.pairs(), sink.removed), ([pairId(1, 2)], 1))
+        self.assertEqual((self.pairs(), sink.replaced), ([5, pairId(1, 2)], 0))
         self.assertEqual(rows(self.path, "SELECT pair_id FROM usacv20_pairs"), [(pairId(1, 2),)])
 
     def test_closed(self):

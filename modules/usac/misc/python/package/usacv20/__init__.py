@@ -48,6 +48,7 @@ time.
 See also help(usacv20.Params), help(usacv20.Report), and help on enumerations, such as
 help(usacv20.QualityType)."""
 
+from . import _start as _start  # first
 import importlib as _importlib
 from typing import TYPE_CHECKING, Any, List
 

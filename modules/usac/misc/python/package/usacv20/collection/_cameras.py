@@ -15,10 +15,11 @@ CollectionError is raised."""
 from __future__ import annotations
 
 import typing
-from typing import TYPE_CHECKING, Any, Dict, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 import numpy as np
 
+from .._arguments import INT_MAX
 from .._lens import removeDistortion
 from ._pair import CollectionError
 
@@ -54,6 +55,16 @@ _STEPS = 60
 _TOLERANCE = 1e-10
 
 
+def blobOf(value: Any) -> Optional[bytes]:
+    """Returns a value of a database as bytes; None if it is neither a blob nor NULL, for which there are no bytes."""
+    return b"" if value is None else value if isinstance(value, bytes) else None
+
+
+def sizeOf(blob: Optional[bytes]) -> str:
+    """Returns a text for messages on the result of blobOf."""
+    return "a value that is no blob" if blob is None else "{} bytes".format(len(blob))
+
+
 class Camera(typing.NamedTuple):
     """A camera, one row of the table `cameras`."""
 
@@ -75,11 +86,13 @@ class Camera(typing.NamedTuple):
             raise CollectionError("camera {}: its model {} has a distortion that OpenCV does not support".format(id, name))
         name, parameters = _MODELS[model]
         names = parameters.split()
-        blob = params or b""
-        values = np.frombuffer(blob, np.float64) if len(blob) % 8 == 0 else np.empty(0)
-        if len(values) != len(names):
-            raise CollectionError("camera {}: {} has {} parameters, of 8 bytes each, not {} bytes".format(
-                id, name, len(names), len(blob)))
+        blob = blobOf(params)
+        if blob is None or len(blob) != 8 * len(names):
+            raise CollectionError("camera {}: {} has {} parameters, of 8 bytes each, not {}".format(
+                id, name, len(names), sizeOf(blob)))
+        if not all(isinstance(side, int) and 0 <= side <= INT_MAX for side in (width, height)):
+            raise CollectionError("camera {}: width and height are numbers of pixels, not {!r} and {!r}".format(id, width, height))
+        values = np.frombuffer(blob, np.float64)
         value = {"fx": 0.0, "fy": 0.0, **{key: 0.0 for key in _DISTORTIONS}, **dict(zip(names, map(float, values)))}
         if "f" in value:
             value["fx"] = value["fy"] = value["f"]

@@ -12,6 +12,7 @@ import sys
 import typing
 from typing import Any, Dict, Optional
 
+from .._start import listen
 from ._engine import CHUNK, Summary, checkNumbers
 from ._output import say
 from ._pair import CollectionError
@@ -194,6 +195,7 @@ def _report(options: argparse.Namespace) -> int:
 def main(arguments: Optional[typing.Sequence[str]] = None) -> int:
     """Runs a command and returns its exit code."""
     try:
+        listen()
         options = _parser().parse_args(arguments)
         result: int = options.function(options)
         return result

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
-from ._cameras import Camera
+from ._cameras import Camera, blobOf, sizeOf
 from ._pair import CollectionError, Fault, Key, Pair, View
 from ._sqlite import checkInput, connect, explained, tidy
 
@@ -276,11 +276,11 @@ def _readKeypoints(connection: sqlite3.Connection, name: str, number: int) -> np
     if not stored:
         return np.empty((0, 2), np.float32)
     rows, columns, data = stored[0]
-    blob = data or b""
     if columns not in _COLUMNS:
         raise _Wrong("keypoints of {} have {} columns, not 2, 4 or 6".format(name, columns))
-    if not isinstance(blob, bytes) or not isinstance(rows, int) or len(blob) != 4 * rows * columns:
-        raise _Wrong("keypoints of {}: {} rows of {} numbers do not fit into {} bytes".format(name, rows, columns, len(blob)))
+    blob = blobOf(data)
+    if blob is None or not isinstance(rows, int) or len(blob) != 4 * rows * columns:
+        raise _Wrong("keypoints of {}: {} rows of {} numbers do not fit into {}".format(name, rows, columns, sizeOf(blob)))
     table = np.frombuffer(blob, "<f4").reshape(rows, columns)
     return table[:, :2].astype(np.float32)
 
@@ -298,9 +298,9 @@ def _matches(connection: sqlite3.Connection, key: int) -> Tuple[_Matches, int]:
     if not stored:
         raise _Wrong("the pair is no longer in the table matches")
     rows, columns, data = stored[0]
-    blob = data or b""
-    if not isinstance(blob, bytes) or not isinstance(rows, int) or (columns != 2 and rows) or len(blob) != 8 * rows:
-        raise _Wrong("{} rows of {} numbers do not fit into {} bytes of matches".format(rows, columns, len(blob)))
+    blob = blobOf(data)
+    if blob is None or not isinstance(rows, int) or (columns != 2 and rows) or len(blob) != 8 * rows:
+        raise _Wrong("{} rows of {} numbers do not fit into {} of matches".format(rows, columns, sizeOf(blob)))
     return np.frombuffer(blob, "<u4").reshape(rows, 2).astype(np.uint32), matchesHash(rows, columns, data)
 
 

@@ -58,20 +58,19 @@ class DatabaseSink:
     resume -- True: results of earlier runs with the same settings are kept. Raises CollectionError
     if the last run had other settings or was made by another version of the tool. If there was no
     run, a new run is started
-    keep -- True: rows of pairs that are not committed are kept, no matter which program wrote them,
-    and `edges` also returns pairs of earlier runs with the same settings, even if no run is resumed.
-    If `keep` is false and no run is resumed, the first commit removes all old rows of
-    two_view_geometries
+    keep -- True: `edges` also returns pairs of earlier runs with the same settings, even if no run is
+    resumed. If `keep` is false and no run is resumed, the first commit removes the records of earlier
+    runs from the additional tables
 
     A refused pair has a row without inliers in two_view_geometries, which shows COLMAP that the pair
-    was examined. A fault has no row there. If two sinks write to one database, even in different
+    was examined. Rows of other pairs and of faults are kept, no matter which program wrote them. If two sinks write to one database, even in different
     processes, the sink that started to write last continues. The other sink raises CollectionError
     at its next commit, which then changes nothing."""
 
     def __init__(self, path: str, settings: typing.Mapping[str, Any], resume: bool = False, keep: bool = False) -> None:
         self.path = os.path.abspath(path)
         self._settings = json.loads(json.dumps(dict(settings), sort_keys=True))
-        self.removed = 0  # number of removed rows of two_view_geometries from another program or an earlier run
+        self.replaced = 0  # number of rows of two_view_geometries from another program or an earlier run that were replaced
         self._run: Optional[int] = None
         self._newest: Optional[int] = None  # newest run in the database when this sink last wrote or was opened
         self._same = ""  # comma-separated ids of the earlier runs with the same settings, for SQL statements
@@ -178,7 +177,7 @@ class DatabaseSink:
             self._connection.execute("ROLLBACK")
 
     def _transaction(self, action: Any) -> None:
-        before = self._run, self._newest, self.removed
+        before = self._run, self._newest, self.replaced
         self._connection.execute("BEGIN IMMEDIATE")
         try:
             newest = self._newestRun()
@@ -188,7 +187,7 @@ class DatabaseSink:
             action()
             self._connection.execute("COMMIT")
         except BaseException:
-            self._run, self._newest, self.removed = before
+            self._run, self._newest, self.replaced = before
             if self._connection.in_transaction:
                 self._connection.execute("ROLLBACK")
             raise
@@ -240,11 +239,12 @@ class DatabaseSink:
     def _write(self, results: typing.Sequence[TwoView]) -> None:
         self._begin()
         names = ["pair_id", "rows", "cols", "data", "config"] + self._matrices
-        faults = [(result.key,) for result in results if result.configuration == Configuration.UNDEFINED]
-        self._connection.executemany("DELETE FROM two_view_geometries WHERE pair_id = ?", faults)
+        found = [result for result in results if result.configuration != Configuration.UNDEFINED]
+        self.replaced += sum(len(self._connection.execute("SELECT 1 FROM two_view_geometries WHERE pair_id = ?", (result.key,)).fetchall())
+                             for result in found)
         self._connection.executemany(
             "INSERT OR REPLACE INTO two_view_geometries ({}) VALUES ({})".format(", ".join(names), ", ".join("?" * len(names))),
-            (self._row(result) for result in results if result.configuration != Configuration.UNDEFINED))
+            map(self._row, found))
         self._connection.executemany(
             "INSERT OR REPLACE INTO {} (pair_id, run_id, configuration, reason, matches, inliers, iterations, chance, "
             "milliseconds, rotations, matches_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)".format(PAIRS),
@@ -264,8 +264,6 @@ class DatabaseSink:
         for name, kind in _ADDED:
             if name not in there:  # the table was made by an older version of this tool
                 self._connection.execute("ALTER TABLE {} ADD COLUMN {} {}".format(PAIRS, name, kind))
-        if not begun:
-            self.removed = self._connection.execute("DELETE FROM two_view_geometries").rowcount
         self._newest = self._run = self._connection.execute(
             "INSERT INTO {} (version, settings, state, started, updated) VALUES (?, ?, ?, ?, ?)".format(RUNS),
             (VERSION, json.dumps(self._settings, sort_keys=True), RUNNING, _now(), _now())).lastrowid

@@ -21,7 +21,7 @@ import typing
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Dict, List, Optional
 
-from .._arguments import isInteger
+from .._arguments import INT_MAX, isInteger, shown
 from ._pair import CollectionError, Configuration, Key, Sink, Source
 from ._progress import Progress
 from ._work import Future, Outcome, Verify, Workers, process
@@ -34,11 +34,11 @@ _POLL = 0.2  # seconds between two checks for Ctrl-C
 def checkNumbers(threads: Any = 0, chunk: Any = CHUNK, workers: Any = 0, **_: Any) -> None:
     """Raises CollectionError if one of these arguments of run() is invalid. Other arguments are
     ignored."""
-    if not isInteger(chunk) or chunk < 1:
+    if not isInteger(chunk) or not 1 <= chunk <= INT_MAX:
         raise CollectionError("chunk: a positive number is expected")
     for name, value in (("threads", threads), ("workers", workers)):
-        if not isInteger(value) or value < 0:
-            raise CollectionError("{}: an integer of at least 0 is expected, not {!r}".format(name, value))
+        if not isInteger(value) or not 0 <= value <= INT_MAX:
+            raise CollectionError("{}: an integer of at least 0 is expected, not {}".format(name, shown(value)))
 
 
 class Summary:

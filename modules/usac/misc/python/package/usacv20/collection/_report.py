@@ -28,6 +28,7 @@ from ._pair import CollectionError, Configuration
 from ._report_graph import Graph, graphOf, indexed
 from ._report_table import FAULT, OURS, PAIRS, REFUSED, VERIFIED, Results, Row
 from ._settings import Settings
+from ._sqlite import focalNote
 
 LOW_RATIO = 0.2  # verified pairs with a smaller inlier ratio are listed
 NEAR_LIMIT = 0.01  # verified pairs are listed if their chance is at least this fraction of the limit
@@ -111,6 +112,7 @@ def summarize(results: Results, most: int = 5) -> Dict[str, Any]:
                 "pairs": results.histogram(measure.value, measure.edges, measure.where)}
     summary["milliseconds"] = results.value("SELECT SUM(milliseconds) FROM results")
     summary["iterations"] = results.value("SELECT SUM(iterations) FROM results")
+    summary["knownCameras"], summary["cameras"] = results.cameras()
     images = results.images()
     graph = None
     if len(images):
@@ -153,8 +155,11 @@ def _textOfCounts(summary: Dict[str, Any]) -> List[str]:
     if summary["left"]:
         lines.append("  {} more pairs have not been processed yet".format(summary["left"]))
     if summary["changed"]:
-        lines.append("  {} rows of two_view_geometries are not of this run: another program has changed them".format(
+        lines.append("  {} rows of two_view_geometries are not of this run, but of another program or an earlier run".format(
             summary["changed"]))
+    note = focalNote(summary["knownCameras"], summary["cameras"])
+    if note:
+        lines.append("  " + note)
     lines += ["", "Configurations"] + _table([[name, count, _share(count, total)]
                                                for name, count in summary["configurations"].items()])
     if summary["reasons"]:

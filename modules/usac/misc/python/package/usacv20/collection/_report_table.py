@@ -17,7 +17,7 @@ import numpy as np
 
 from ._list_results import RUNS, TABLE
 from ._pair import CollectionError, Configuration
-from ._sqlite import columns, connect, decoded, explained, tidy
+from ._sqlite import columns, connect, decoded, explained, knownCameras, tidy
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -207,6 +207,12 @@ class Results:
         except ValueError:
             found = {}
         return found if isinstance(found, dict) else {}
+
+    def cameras(self) -> Tuple[int, int]:
+        """Returns how many cameras have a known focal length, and the number of cameras; 0 and 0 if the file has no cameras.
+        """
+        with explained(self.path):
+            return knownCameras(self._connection) if columns(self._connection, "cameras") else (0, 0)
 
     def left(self) -> int:
         """Returns the number of pairs that were not processed; 0 if this number is unknown."""

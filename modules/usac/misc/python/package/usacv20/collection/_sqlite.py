@@ -11,7 +11,7 @@ import os
 import pathlib
 import sqlite3
 import typing
-from typing import Dict, List, Optional
+from typing import Dict, List, Optional, Tuple
 
 from ._pair import CollectionError
 
@@ -120,6 +120,21 @@ def checkInput(connection: sqlite3.Connection, path: str) -> None:
         # SQLite detects missing pages, but it reads the missing end of a truncated page as zeros.
         if os.path.getsize(path) % int(connection.execute("PRAGMA page_size").fetchone()[0]):
             raise CollectionError("{}: the database is damaged or was cut off in the middle of a page".format(path))
+
+
+def knownCameras(connection: sqlite3.Connection) -> Tuple[int, int]:
+    """Returns how many of the cameras of the images have a known focal length, and the number of these cameras."""
+    known, every = connection.execute("SELECT total(prior_focal_length != 0), count(*) FROM cameras "
+                                      "WHERE camera_id IN (SELECT camera_id FROM images)").fetchone()
+    return int(known), int(every)
+
+
+def focalNote(known: int, every: int) -> str:
+    """Returns what the numbers of knownCameras mean for the results; an empty text if all focal lengths are known."""
+    if known == every:
+        return ""
+    return "{} of {} cameras {} a known focal length: only F and H{}".format(
+        known, every, "has" if 1 in (known, every) else "have", " for pairs with one of the others" if known else "")
 
 
 def tidy(path: str) -> None:

@@ -7,11 +7,12 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import os
 import sqlite3
 import time
 import typing
-from typing import Any, Callable, Dict, Optional, Union
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 from .._enumerations import UsacV20Method
 from ._database import DatabaseSource
@@ -23,7 +24,7 @@ from ._pair import CollectionError, Source
 from ._scores import ColumnScores, HlocScores
 from ._selection import Selection
 from ._settings import Settings
-from ._sqlite import connect, copied, explained
+from ._sqlite import connect, copied, explained, focalNote, knownCameras
 from ._threshold import WIDEST, estimateThreshold, samplePairs
 
 Say = Callable[[str], Any]
@@ -81,6 +82,10 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
     with contextlib.closing(DatabaseSource(path, scores)) as source:
         _checkMatches(source)
         _checkColumn(source)
+        with explained(path):
+            note = focalNote(*knownCameras(source.connection()))
+        if note:
+            say(note)
         chosen: Any = source
         if pairs is not None:
             chosen = Selection(source, pairs)
@@ -100,14 +105,14 @@ def verifyDatabase(path: str, output: Optional[str], threshold: Optional[float],
             sink = DatabaseSink(output or path, used, resume, keep=pairs is not None)
         summary = go(chosen, sink, settings, say, sink if loops else None, pairs is not None, **engine)
     summary.threshold = settings.threshold
-    if sink.removed:
-        say("{} rows that were in two_view_geometries are replaced".format(sink.removed))
+    if sink.replaced:
+        say("{} rows that were in two_view_geometries are replaced".format(sink.replaced))
     return summary
 
 
 def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], stored: Optional[typing.Mapping[str, Any]],
            say: Say) -> Settings:
-    """Returns the settings with a threshold.
+    """Returns the settings with a threshold and, for the number of samples, the inlier ratios of some pairs.
 
     source -- source of all pairs of the collection, even if only some pairs are verified, so that
     the threshold does not depend on the selection
@@ -117,18 +122,21 @@ def settle(source: Source, threshold: Optional[float], options: Dict[str, Any], 
     unknown = sorted(set(options) - set(Settings().asDict()))
     if unknown:
         raise CollectionError("{}: there is no such setting".format(unknown[0]))
-    if threshold is not None:
-        return Settings(threshold=threshold, **options)
+    settings = Settings(**options) if threshold is None else Settings(threshold=threshold, **options)
     before = (stored or {}).get("threshold")
+    ratios: Tuple[float, ...] = ()
     if isinstance(before, (int, float)):
-        say("threshold: {:g} px, that of the run that is continued".format(before))
-        return Settings(threshold=float(before), ratios=tuple((stored or {}).get("ratios") or ()), **options)
-    if options.get("method") == UsacV20Method.USACV20_AUTO.name:
-        say("threshold: of each pair from its own matches, at most {:g} px".format(WIDEST))
-        return Settings(threshold=WIDEST, **options)
-    estimate = estimateThreshold(samplePairs(source), Settings(**options))
-    say("threshold: " + estimate.describe())
-    return Settings(threshold=estimate.threshold, ratios=estimate.ratios, **options)
+        found, told = float(before), "{:g} px, that of the run that is continued".format(before)
+        ratios = tuple((stored or {}).get("ratios") or ())
+    elif settings.method == UsacV20Method.USACV20_AUTO.name:
+        found, told = WIDEST, "of each pair from its own matches, at most {:g} px".format(WIDEST)
+    else:
+        estimate = estimateThreshold(samplePairs(source), settings)
+        found, told, ratios = estimate.threshold, estimate.describe(), estimate.ratios
+    if threshold is not None:
+        return dataclasses.replace(settings, ratios=ratios)
+    say("threshold: " + told)
+    return dataclasses.replace(settings, threshold=found, ratios=ratios)
 
 
 def go(source: Source, sink: Any, settings: Settings, say: Say, graph: Optional[DatabaseSink] = None, some: bool = False,
