@@ -82,8 +82,8 @@ public:
     @param chosen mask of the points to fit, N numbers, 0 for points that are left out; empty: all
     points
     @param mask output, N x 1, CV_8U, for all points, as in #run
-    @param report output, can be null; `stop` is #STOP_NO_SEARCH, or the reason why there is no
-    model
+    @param report output, can be null; `stop` is #STOP_NO_SEARCH, the reason why there is no
+    model, or #STOP_TIME or #STOP_CANCELLED if the fit ended early
     @return the model as #run returns it; empty if the points determine none. The fit starts from
     the best models of minimal samples and iterates the Gauss-Newton method until it converges. It
     is not robust: outliers affect it fully. */

@@ -29,7 +29,8 @@ Usac::errors.)
 @param params `threshold` is the threshold of the mask, `residual` the error that is minimized
 @param mask output, N x 1, CV_8U: 1 exactly where the error of a point under the returned model is
 at most the threshold
-@param report output; `stop` is #STOP_NO_SEARCH, or the reason why there is no model
+@param report output; `stop` is #STOP_NO_SEARCH, the reason why there is no model, or #STOP_TIME or
+#STOP_CANCELLED if the fit ended early
 @param weights N finite weights of the squared errors, at least 0, any depth; empty: all 1
 @param chosen mask of the points to fit (for example the inliers), N numbers, 0 for points that are
 left out; empty: all points
@@ -54,7 +55,7 @@ CV_EXPORTS_W Mat fitModel(ProblemType problem, InputArray points1, InputArray po
 @param problem kind of the model
 @param model as #estimateHomography and similar functions return it, any depth
 @param points1, points2 as in #fitModel
-@param params options. Those of the search (samples, local optimization, termination, time) have no
+@param params options. Those of the search (samples, local optimization, termination) have no
 effect. If `chosen` is given, `covariance` and the options of the polishing have no effect, either
 @param mask, report as in #fitModel
 @param chosen mask of the inliers, N numbers, 0 for other points. With a mask, a least-squares fit

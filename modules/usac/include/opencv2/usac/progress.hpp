@@ -27,7 +27,7 @@ typedef std::function<bool(const Report& report)> Progress;
 function every 5 milliseconds. The function decides whether to continue.
 
 This applies to all functions that estimate a model: those with a flag, #estimateHomography and
-similar functions, #estimateBatch, and Usac::run.
+similar functions, #estimateBatch, #fitModel, #refineModel, and the methods of Usac.
 @code
     std::atomic<bool> canceled(false);  // another thread can set it
     const usacv20::ProgressScope scope([&](const usacv20::Report&) { return !canceled; });
@@ -42,7 +42,8 @@ has returned false, the estimation takes up to 0.1 s to return. If the function 
 the result is bit-identical to that without a ProgressScope. An exception from the function ends the
 run and is passed on to the caller; a Usac can be run again afterward. Scopes can be nested: their
 functions are called from the innermost outward until one returns false. They can be destroyed in
-any order, but only by the thread that created them, and not by a progress function. */
+any order, but only by the thread that created them, and neither by a progress function nor, in
+#estimateBatch, by a component. */
 class CV_EXPORTS ProgressScope
 {
 public:
