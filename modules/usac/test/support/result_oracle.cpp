@@ -116,13 +116,12 @@ std::vector<BoundedPoint> imagePoints(const std::vector<Point2d>& points, const 
     return result;
 }
 
-//! Half of the mean of the two focal lengths. K is allowed to be a multiple of the camera matrix
-//! whose last row is 0 0 1.
-double halfFocal(const Mat& K)
+//! Half of 1 / f, where f is the mean of the two focal lengths. K is allowed to be a multiple of
+//! the camera matrix whose last row is 0 0 1.
+Bounded halfPixel(const Mat& K)
 {
-    return (std::abs(K.at<double>(0, 0) / K.at<double>(2, 2)) +
-            std::abs(K.at<double>(1, 1) / K.at<double>(2, 2))) /
-           4;
+    return Bounded(std::abs(K.at<double>(2, 2))) /
+           (Bounded(std::abs(K.at<double>(0, 0))) + Bounded(std::abs(K.at<double>(1, 1))));
 }
 
 std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33d& model,
@@ -131,7 +130,7 @@ std::string brokenMask(const EstimatorCall& call, double threshold, const Matx33
     const Mat &K1 = call.K1, &K2 = call.K2.empty() ? K1 : call.K2;
     Bounded limit(threshold, UNIT * threshold), M[9];
     if (call.problem == ESSENTIAL)
-        limit = limit / Bounded(halfFocal(K1) + halfFocal(K2));
+        limit = limit * (halfPixel(K1) + halfPixel(K2));
     for (int i = 0; i < 9; ++i)
         M[i] = Bounded(model.val[i]);
     const std::vector<BoundedPoint> points1 = imagePoints(call.points1, K1, call.d1);

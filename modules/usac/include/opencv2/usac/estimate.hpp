@@ -104,10 +104,12 @@ multiple of such a matrix; skew is allowed. A transposed matrix raises cv::Excep
 @param distCoeffs1 4, 5, 8, 12 or 14 coefficients of the distortion of camera 1, as in
 cv::undistortPoints; empty: none.
 @param distCoeffs2 distortion of camera 2; empty: none.
-@param params options; `threshold` is the maximum Sampson distance in pixels; internally it is
-divided by the mean of the four focal lengths (fx and fy of both cameras).
+@param params options; `threshold` is the maximum Sampson distance in pixels. On the normalized
+image planes, a pixel is the mean of 1 / f over both cameras, with f = (fx + fy) / 2. If the cameras
+differ, it is thus smaller than a pixel of the camera with the shorter focal length and larger than
+that of the other.
 @param mask output, Nx1, CV_8U: 1 exactly where the Sampson distance of the normalized points under
-the returned E is at most threshold / mean focal length, else 0.
+the returned E is at most threshold times the mean of 1 / f, else 0.
 @param report output, statistics of the run.
 @return 3x3, CV_64F, singular values (1, 1, 0)/sqrt(2); empty if there is none, and `report` says
 why.

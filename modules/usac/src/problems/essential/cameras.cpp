@@ -28,7 +28,9 @@ void normalize(const Matx33d& K, const Distortion& distortion, double* x, double
 
 double meanFocalLength(const Matx33d& K1, const Matx33d& K2)
 {
-    return (std::abs(K1(0, 0)) + std::abs(K1(1, 1)) + std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 4;
+    const double f1 = (std::abs(K1(0, 0)) + std::abs(K1(1, 1))) / 2,
+                 f2 = (std::abs(K2(0, 0)) + std::abs(K2(1, 1))) / 2;
+    return 2 * f1 / (1 + f1 / f2);
 }
 
 Cameras::Cameras(InputArray cameraMatrix1, InputArray cameraMatrix2, InputArray distCoeffs1,

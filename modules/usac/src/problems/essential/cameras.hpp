@@ -10,8 +10,9 @@
 namespace cv {
 namespace usacv20 {
 
-//! Mean focal length of two cameras in pixels. The focal lengths in camera matrices can be negative
-//! (an axis of the image has the opposite direction); their absolute values are averaged.
+//! Harmonic mean of the focal lengths of two cameras in pixels: its inverse is the mean size of a
+//! pixel on the normalized image planes. The focal length of a camera is the mean of the absolute
+//! values of fx and fy, which are negative if an axis of the image has the opposite direction.
 double meanFocalLength(const Matx33d& K1, const Matx33d& K2);
 
 //! The cameras of two views, with distortion.
@@ -27,8 +28,7 @@ public:
             InputArray distCoeffs2);
 
     //! Converts pixels of both images to undistorted points of the normalized image planes, in
-    //! place. A pixel at which the lens images no point becomes NaN. @return mean focal length in
-    //! pixels
+    //! place. A pixel at which the lens images no point becomes NaN. @return meanFocalLength()
     double toImagePlane(double* const* columns, int count) const;
 
 private:

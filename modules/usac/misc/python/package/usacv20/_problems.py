@@ -107,8 +107,9 @@ def estimateEssential(points1: npt.ArrayLike, points2: npt.ArrayLike, cameraMatr
     cameraMatrix1, cameraMatrix2 -- 3x3 camera matrices of image 1 and image 2; cameraMatrix2 None: the same as cameraMatrix1
     distCoeffs1, distCoeffs2 -- 4, 5, 8, 12 or 14 distortion coefficients of camera 1 and camera 2, as in cv2.undistortPoints;
         None: no distortion
-    params -- Params; None: the default. params.threshold is the maximum Sampson distance in pixels; internally it is divided
-        by the mean of the four focal lengths (fx and fy of both cameras)
+    params -- Params; None: the default. params.threshold is the maximum Sampson distance in pixels. On the normalized image
+        planes, a pixel is the mean of 1 / f over both cameras, with f = (fx + fy) / 2. If the cameras differ, it is thus
+        smaller than a pixel of the camera with the shorter focal length and larger than that of the other
     mask -- Nx1 array of uint8 or bool that receives the mask, or None
 
     Returns (model, mask, report):
