@@ -7,6 +7,7 @@
 #include "numeric/unit_norm.hpp"
 #include "control/batch_tasks.hpp"
 #include "input/read_arrays.hpp"
+#include "two_view/essential_motion.hpp"
 #include "two_view/pair_models.hpp"
 
 namespace cv {
@@ -184,6 +185,8 @@ void PairModels::search()
     if (isCalibrated && F && (!E || explainsMore()))
         improveEssential();
     searchHomography();
+    if (E && H && mostlyOnPlane(E))
+        chooseMotion();
 }
 
 Ptr<Usac> PairModels::essential(const Params& given) const
@@ -290,6 +293,26 @@ void PairModels::homographyOfInliers(const PairModel& explained)
     model.matrix = map(2, 2) != 0 ? map * (1 / map(2, 2)) : map;
     if (model.inliers >= rules.minInliers)
         H = model;
+}
+
+void PairModels::chooseMotion()
+{
+    const EssentialMotions motions(essential(options(params.maxIterations)));
+    EssentialMotion best, other;
+    best.essential = Mat(E.matrix);
+    best.report = E.report;
+    motions.read(best, params.threshold);
+    const Matx33d map = camera2.inv() * H.matrix * camera1;
+    const int onPlane = (int)(std::find(H.mask.begin<uchar>(), H.mask.end<uchar>(), 1) -
+                              H.mask.begin<uchar>());
+    motions.otherOfPlane(best, map, motions.x1[onPlane], other);
+    preferCheaper(best, other);
+    E.matrix = best.essential;
+    E.mask = best.mask;
+    E.inliers = best.inliers;
+    E.report = best.report;
+    if (!(E.report.sigma > 0))  // as in take()
+        E.report.sigma = sigma;
 }
 
 void PairModels::account(const Report& report)

@@ -95,6 +95,8 @@ private:
     void searchHomography();
     //! Searches for H among the inliers of E or F.
     void homographyOfInliers(const PairModel& explained);
+    //! Of the two motions that explain the plane of H, makes E the one with the lower cost.
+    void chooseMotion();
     Ptr<Usac> essential(const Params& options) const;
     Params options(int iterations) const;
     int samples(int sampleSize) const;

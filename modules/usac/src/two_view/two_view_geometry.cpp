@@ -5,7 +5,7 @@
 #include "precomp.hpp"
 #include "control/batch_tasks.hpp"
 #include "problems/essential/cameras.hpp"
-#include "problems/essential/motions.hpp"
+#include "two_view/essential_motion.hpp"
 #include "two_view/pair_models.hpp"
 #include "two_view/watermark.hpp"
 
@@ -16,30 +16,12 @@ namespace usacv20 {
 
 namespace {
 
-//! Maximum number of matches for which inFront() is evaluated to choose a motion.
-constexpr int MOST_FOR_SIDES = 500;
-
-//! Selects, from the four motions of an essential matrix, the motion with the largest number of
-//! inliers in front of both cameras.
 Motion motionOf(const Matx33d& E, const PairModels& models, const Mat& mask)
 {
     std::vector<Vec3d> first, second;
     models.directions(mask, first, second);
     const double focal = meanFocalLength(models.camera1, models.camera2);
-    const size_t step = (first.size() + MOST_FOR_SIDES - 1) / MOST_FOR_SIDES;
-    Motion motions[4];
-    motionsOf(E, motions);
-    int best = 0, most = -1;
-    for (int k = 0; k < 4; ++k)
-    {
-        int count = 0;
-        for (size_t i = 0; i < first.size(); i += step)
-            count += inFront(motions[k], first[i], second[i], models.pixels() / focal);
-        if (count > most)
-            best = k;
-        most = std::max(most, count);
-    }
-    return motions[best];
+    return motionInFront(E, first, second, models.pixels() / focal);
 }
 
 void addRotation(const Matx33d& R, Mat& rotations) { rotations.push_back(Mat(R)); }

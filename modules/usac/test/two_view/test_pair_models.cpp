@@ -181,5 +181,44 @@ TEST(Usac_PairModels, onlyH)
     EXPECT_GT(only[1], 0);
 }
 
+//! Of the two motions that explain a plane, the one with the lower cost must be returned, as by
+//! estimateRelativePose.
+TEST(Usac_PairModels, motion_of_a_plane)
+{
+    int right = 0, expected = 0;
+    for (uint64 seed = 1; seed <= 40; ++seed)
+    {
+        const Scene scene = twoViewScene(seed, 1, 60);
+        Mat R, t, mask;
+        RelativePose pose;
+        ASSERT_TRUE(estimateRelativePose(scene.points1, scene.points2, scene.K, noArray(),
+                                         noArray(), noArray(), twoPixels(), R, t, mask, pose));
+        expected += angleBetween(R, scene.R) < 3 * DEGREE;
+        const TwoViewGeometry found = estimateTwoViewGeometry(pairOf(scene), twoPixels());
+        right += !found.R.empty() && angleBetween(found.R, scene.R) < 3 * DEGREE;
+        EXPECT_EQ(found.inliers, found.report.inliers) << seed;
+    }
+    EXPECT_GE(right, expected - 1);
+}
+
+//! The camera of image 2 has three times the focal length, and the noise is the same in pixels of
+//! both images: E must not be less accurate than F.
+TEST(Usac_PairModels, two_focal_lengths)
+{
+    for (uint64 seed = 1; seed <= 20; ++seed)
+    {
+        Scene scene = twoViewScene(seed, 0, 60);
+        RNG rng(seed);
+        for (int i = 0; i < scene.size(); ++i)
+            scene.points2[i] = scene.clean2[i] * 3. + gaussianPoint(rng, 0.5);
+        TwoViewPair pair = pairOf(scene);
+        pair.cameraMatrix2.rowRange(0, 2) *= 3;
+        Params params = twoPixels();
+        params.threshold = 1;
+        EXPECT_EQ((int)TWO_VIEW_CALIBRATED, estimateTwoViewGeometry(pair, params).configuration)
+            << seed;
+    }
+}
+
 }  // namespace
 }  // namespace opencv_test

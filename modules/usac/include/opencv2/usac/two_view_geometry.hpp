@@ -143,8 +143,8 @@ struct CV_EXPORTS_W_SIMPLE TwoViewGeometry
     //! 3x3, maps pixels of image 1 to image 2, h33 = 1; set if H has at least `minInliers` inliers
     //! (among the inliers of E or F if one of them was accepted).
     CV_PROP_RW Mat H;
-    //! 3x3, X2 = R X1 + t; set if `E` is set (planar pair: one of the two motions compatible with
-    //! the plane, unless matches off the plane decide), or if the camera only rotates
+    //! 3x3, X2 = R X1 + t; set if `E` is set (planar pair: of the two motions compatible with the
+    //! plane the one that #estimateRelativePose prefers), or if the camera only rotates
     //! (#TWO_VIEW_PANORAMIC).
     CV_PROP_RW Mat R;
     //! 3x1, unit length; 0 for a pure rotation.

@@ -128,8 +128,8 @@ class TwoViewGeometry(typing.NamedTuple):
     # 3x3, maps pixels of image 1 to image 2, h33 = 1; set if at least minInliers of the inliers in
     # `mask` are inliers of H.
     H: _Double
-    # 3x3, X2 = R X1 + t; set if E is set (planar pair: one of the two motions compatible with the
-    # plane, unless matches off the plane decide), or if the camera only rotates
+    # 3x3, X2 = R X1 + t; set if E is set (planar pair: of the two motions compatible with the plane
+    # the one that estimateRelativePose prefers), or if the camera only rotates
     # (TWO_VIEW_PANORAMIC). None for a planar pair of which only H was accepted, see `rotations`.
     R: _Double
     t: _Double  # the translation that belongs to R, 3x1, unit length; 0 for a pure rotation
