@@ -136,6 +136,8 @@ public:
     void createDegeneracies(int flags, std::vector<Ptr<Degeneracy>>& degeneracies) const CV_OVERRIDE
     {
         createChecksOfMaps(flags, name(), degeneracies);
+        if (flags & DEGENERACY_DEGENSAC)
+            degeneracies.push_back(createSecondPose(camera.matrix));
     }
 
 private:

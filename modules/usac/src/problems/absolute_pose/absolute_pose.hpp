@@ -17,6 +17,8 @@ Ptr<Problem> createAbsolutePoseProblem(InputArray cameraMatrix, InputArray distC
 Ptr<MinimalSolver> createP3PSolver(const Matx33d& camera = Matx33d::eye());
 //! Creates the least-squares fit of a pose; models are `camera` [R t].
 Ptr<NonMinimalSolver> createPoseFit(const Ptr<Residual>& residual, const Matx33d& camera);
+//! Creates the check for the second pose of a plane, see SecondPose; models are `camera` [R t].
+Ptr<Degeneracy> createSecondPose(const Matx33d& camera);
 
 }  // namespace usacv20
 }  // namespace cv
