@@ -163,8 +163,8 @@ class DegeneracyFlags(enum.IntFlag):
     """Checks for degenerate configurations, a set of bits."""
 
     DEGENERACY_ORIENTATION = 1  # H: orientation of the sample; F, E: oriented epipolar constraint
-    # F: if a plane dominates a sample, F is computed by plane and parallax. E: with TERMINATION_EXACT, twice as many samples
-    # if most inliers are on a plane. Pose: tries the second pose of a plane
+    # F of a sample on a plane: plane and parallax. E with TERMINATION_EXACT: twice as many samples if most inliers are on a
+    # plane. Pose: the second pose of a plane
     DEGENERACY_DEGENSAC = 2
     # rejects samples in which two matches have the same point in an array (nearly the same, if there are many such matches);
     # many matches to one point, or many copies of one match, count as a single inlier
