@@ -24,6 +24,9 @@ constexpr int FEW = 100;
 //! The second pose is compared with the first one over all inliers unless its sum of squared errors
 //! over these few inliers is so many times as large.
 constexpr double WORSE = 2;
+//! Maximum number of steps of a fit. With ten, some fits stop between the minima, where the sum of
+//! squared errors is nearly constant; more than 20 change nothing.
+constexpr int STEPS = 20;
 
 /** @brief Replaces the pose of a plane with the second pose of the plane if that fits better.
 
@@ -67,7 +70,8 @@ public:
 private:
     static bool fit(const Context& context, const int* indices, int count, Model& model)
     {
-        return context.components.nonMinimalSolver->fit(context.points, indices, count, 0, model);
+        return context.components.nonMinimalSolver->fit(context.points, indices, count, 0, model,
+                                                        STEPS);
     }
 
     //! Finds inliers until there are at least `wanted`. @return their number
