@@ -64,12 +64,13 @@ counts as in front
 @param pose output: the report, the essential matrix, and for a dominant plane the other motion
 @return true if there is a model.
 
-Of the four motions that are compatible with an essential matrix, the function returns the one with
-the most inliers in front of both cameras (@cite nister2004efficient); unlike in cv::recoverPose,
-points at any distance count. A plane is compatible with two motions (@cite ma2004invitation). If
-there is a dominant plane, the motion with the smaller sum of truncated squared errors over all
-points is returned, so that the points off the plane decide; the other motion is in `pose`. If there
-are no points off the plane, the two motions have about the same number of inliers. */
+Of the four motions that are compatible with an essential matrix, the function returns the one
+with the most inliers in front of both cameras (@cite nister2004efficient), of at most 500
+inliers; unlike in cv::recoverPose, points at any distance count. A plane is compatible with two
+motions (@cite ma2004invitation). If there is a dominant plane, the motion with the smaller sum of
+truncated squared errors over all points is returned, so that the points off the plane decide; the
+other motion is in `pose`. If there are no points off the plane, the two motions have about the
+same number of inliers. */
 CV_EXPORTS_W bool estimateRelativePose(InputArray points1, InputArray points2,
                                        InputArray cameraMatrix1, InputArray distCoeffs1,
                                        InputArray cameraMatrix2, InputArray distCoeffs2,
