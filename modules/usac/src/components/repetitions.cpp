@@ -13,14 +13,17 @@ namespace {
 template <int DIMENSIONS>
 uint64 hashOf(const Vec<double, DIMENSIONS>& cell)
 {
-    uint64 bits[DIMENSIONS];
+    const uint64 factor = 0x9e3779b97f4a7c15ULL;
+    uint64 bits[DIMENSIONS], h = 0;
     std::memcpy(bits, cell.val, sizeof(bits));
-    // a small integer stored as double has only high bits set; the product below moves bits only
-    // upward, so the high half is mixed into the low half first
-    uint64 h = bits[0];
-    for (int k = 1; k < DIMENSIONS; ++k)
-        h ^= bits[k] << k | bits[k] >> (64 - k);
-    return ((h ^ h >> 32) * 0x9e3779b97f4a7c15ULL) >> 40;
+    // a small integer stored as double has only high bits set, and a product moves bits only
+    // upward; the high half is therefore mixed into the low half
+    for (int k = 0; k < DIMENSIONS; ++k)
+    {
+        h = (h ^ bits[k]) * factor;
+        h ^= h >> 32;
+    }
+    return h * factor >> 32;
 }
 
 /** Marks the inliers whose cell contains an earlier inlier, with a hash table and linear probing.
@@ -51,7 +54,7 @@ void markInCells(const double* const* columns, const int* order, const uchar* ma
     std::fill(slots, slots + size, -1);  // -1 marks a free slot
     for (int i = 0; i < marked; ++i)
     {
-        int at = (int)hashOf<DIMENSIONS>(cells[i]) & (size - 1);
+        int at = (int)(hashOf<DIMENSIONS>(cells[i]) & (uint64)(size - 1));
         while (slots[at] >= 0 && cells[slots[at]] != cells[i])
             at = (at + 1) & (size - 1);
         repeated[rows[i]] |= slots[at] >= 0;
