@@ -189,7 +189,9 @@ void Ransac::account(const Hypotheses& h)
 paper compares the model with the optimized best model instead; but a good model of a noisy sample
 is often worse than an optimized bad model, and would then never be optimized. (If `literal` is
 true, it is compared as in the paper.) `before` is the value of State::sampleQuality before this
-model. This value is restored if a check rejects the model or makes it no better than `before`. */
+model. If a check rejects the model or makes it no better than `before`, this value is restored, and
+the model is not optimized: if inliers depend on each other, this can happen in every second sample.
+*/
 void Ransac::improve(const Candidate& candidate, const Quality& before)
 {
     Model model = candidate.model;
@@ -198,7 +200,8 @@ void Ransac::improve(const Candidate& candidate, const Quality& before)
     const bool valid = checks.recover(candidate.sample.val, model, quality);  // 14
     if (!valid || candidate.quality.betterThan(quality))
         state.sampleQuality = valid && quality.betterThan(before) ? quality : before;
-    if (!valid)
+    // a runner-up is optimized although it was never better than `before`
+    if (!valid || (candidate.quality.betterThan(before) && !quality.betterThan(before)))
         return;  // 15, 16
     if (parts.localOptimizer && !stopping.interrupted())
         optimize(&candidate.sample, model, quality);  // 19 - 24
