@@ -34,7 +34,7 @@ struct Declaration
 std::vector<Declaration> declarationsOf(const std::string& header)
 {
     std::istringstream lines(header.substr(header.find("struct CV_EXPORTS_W_SIMPLE Params")));
-    const std::regex field("^ *(?:CV_PROP_RW )?([a-z][a-zA-Z0-9:<>]*) ([a-zA-Z]+);$"),
+    const std::regex field("^ *(?:CV_PROP_RW )?([a-zA-Z][a-zA-Z0-9:<>]*) ([a-zA-Z]+);$"),
         marks("^ *(//!|/\\*\\*)? *");
     std::vector<Declaration> result;
     std::string line, comment;

@@ -403,7 +403,7 @@ class UsacTest(NewcomerCase):
         self.refused(AttributeError, ("threshold", "replace"), setattr, usac_.params, "threshold", 3)
         for copied in (copy.copy(usac_.params), pickle.loads(pickle.dumps(usac_.params)), usac_.params.replace()):
             copied.threshold = 3
-        usac_.params = usac_.params.replace(threshold=1.0, scores=PLANE.inliers, scoreOrder="higher_is_better")
+        usac_.params = usac_.params.replace(threshold=1.0, scores=PLANE.inliers.astype(float), scoreOrder="higher_is_better")
         self.refused(ValueError, ("read-only",), usac_.params.scores.__setitem__, 0, 1)
         self.assertEqual(bits(usac_.run()[:2]), bits(estimate("Homography", PLANE, usac_.params)[:2]))
         self.refused(ERRORS, ("threshold",), setattr, usac_, "params", usac.Params(threshold=-1))
