@@ -63,11 +63,9 @@ double volumeOf(double square, int degrees)
 //! assumed to be uniformly distributed over the length, area or volume of the bin.
 //! @param members number of points in each bin
 //! @param within number of points in the bins up to `last`
-//! @param exact number of smallest errors that do not count for the median, see `exactSample` of
-//! SignificantScale::estimate()
-double medianOf(const int* members, int last, int within, int degrees, int exact)
+double medianOf(const int* members, int last, int within, int degrees)
 {
-    const double half = 0.5 * (within + exact);
+    const double half = 0.5 * within;
     int bin = 0, before = 0;
     while (bin < last && before + members[bin] < half)
         before += members[bin++];
@@ -83,7 +81,7 @@ double medianOf(const int* members, int last, int within, int degrees, int exact
 SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, int count,
                                                    const float* wrongErrors, int wrongCount,
                                                    double threshold, double chance, int degrees,
-                                                   int sampleSize, double widest, bool exactSample)
+                                                   int sampleSize, double widest)
 {
     const int size = std::min<int>(count, MOST);
     int members[BINS] = {0}, wrong[BINS] = {0};
@@ -110,8 +108,7 @@ SignificantScale::Found SignificantScale::estimate(const float* squaredErrors, i
             foundWithin = within;
         }
     }
-    const int exact = exactSample ? std::min(sampleSize, foundWithin - 1) : 0;
-    const double median = found < 0 ? 0 : medianOf(members, found, foundWithin, degrees, exact);
+    const double median = found < 0 ? 0 : medianOf(members, found, foundWithin, degrees);
     const Found result = {median / MEDIANS[degrees - 1] * threshold, foundWithin};
     return result;
 }

@@ -50,13 +50,10 @@ public:
     @param chance probability that a point is within the threshold of a wrong model
     @param degrees degrees of freedom of the error, 1 to 3
     @param sampleSize number m of points in a minimal sample
-    @param widest largest radius that is tried, in thresholds
-    @param exactSample true: the model was computed from a minimal sample, whose points therefore
-    have hardly any errors and do not count for the median; with few inliers, sigma would otherwise
-    be far too small */
+    @param widest largest radius that is tried, in thresholds */
     static Found estimate(const float* squaredErrors, int count, const float* wrongErrors,
                           int wrongCount, double threshold, double chance, int degrees,
-                          int sampleSize, double widest = DBL_MAX, bool exactSample = false);
+                          int sampleSize, double widest = DBL_MAX);
 };
 
 }  // namespace usacv20

@@ -95,7 +95,7 @@ private:
     void find()
     {
         found = SignificantScale::estimate(squared, size, wrong, wrongCount, unit, chance, degrees,
-                                           sampleSize, FINEST / 4, true);
+                                           sampleSize, FINEST / 4);
     }
 
     //! Of the inliers in the same cell of a grid over one of the arrays, removes all but one,
