@@ -31,9 +31,12 @@ constexpr double CONFIDENCE = 0.9;
 constexpr int FEW = 150, SOME = 300;
 //! Maximum number of fits when a model of the guess or of findCore() is polished.
 constexpr int GUESS_STEPS = 3;
-//! If the noise is unknown, the threshold is the widest threshold divided by this number. The same
-//! quotient is the threshold of findCore().
-constexpr double UNKNOWN = 3;
+//! If the noise is unknown, the threshold of polishing and mask is the widest threshold divided by
+//! this number. On photographs with 12 to 40 right matches, 3 raises failures by a half if the
+//! given threshold is the usual one; 1 raises them by a thirtieth if it is three times as wide.
+constexpr double UNKNOWN = 1.5;
+//! The threshold of findCore() is the widest threshold divided by this number.
+constexpr double NARROW = 3;
 //! A core, see findCore(), has at least CORE_PART times as many points as there are inliers of the
 //! model whose estimated threshold is too wide. If the fraction CORE_PART of these inliers belongs
 //! to a core, then with probability CORE_FOUND at least one sample consists only of points of the
@@ -113,7 +116,7 @@ AutomaticThreshold::AutomaticThreshold(const Problem& problem, const Params& giv
                                        const Correspondences& points)
     : params(paramsOfGuess(given)), coreParams(params),
       parts(createComponents(problem, params, points)), listed(makePtr<ListedSampler>()), widest(0),
-      latest(), drawn(0), computed(0), uniform(0)
+      latest(), sampled(false), drawn(0), computed(0), uniform(0)
 {
     parts.score = createLogarithmicScore();
     parts.polisher = createBiweightPolisher();
@@ -161,6 +164,13 @@ void AutomaticThreshold::account(const State& state)
     computed += state.report.models - state.report.rejectedModels;
 }
 
+void AutomaticThreshold::keepSample(const Ransac& ransac)
+{
+    sampled = ransac.bestSample() != 0;
+    if (sampled)
+        sample = *ransac.bestSample();
+}
+
 bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& model)
 {
     begin(given);
@@ -181,23 +191,21 @@ bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& m
     if (state.bestQuality.cost <= DBL_MAX)
         noise = roughNoise(context, state.best, widest, SOME, true);
     if (!(noise.sigma > 0))
-    {
-        data.scaleThreshold(1 / UNKNOWN);
         return false;
-    }
     model = state.best;
-    if (noise.threshold > widest / UNKNOWN)
+    keepSample(ransac);
+    if (noise.threshold > widest / NARROW)
     {
         const Model better = polished(context, model);
         const InlierNoise narrower = roughNoise(context, better, widest, SOME, true);
-        if (narrower.sigma > 0 && narrower.threshold <= widest / UNKNOWN)
+        if (narrower.sigma > 0 && narrower.threshold <= widest / NARROW)
         {
             model = better;
             noise = narrower;
         }
     }
-    const bool core = noise.threshold > widest / UNKNOWN && findCore(given, points, noise, model);
-    const double limit = core ? widest / UNKNOWN : widest;
+    const bool core = noise.threshold > widest / NARROW && findCore(given, points, noise, model);
+    const double limit = core ? widest / NARROW : widest;
     setThreshold(data, core ? limit : searchThreshold(noise));
     points.threshold = given.points.threshold;
     const Model better = polished(context, model);
@@ -228,11 +236,12 @@ bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
     listed->list(inliers, count);
     coreParams.maxIterations = std::min(
         params.maxIterations, samplesNeeded(std::pow(CORE_PART, m), std::log(1 - CORE_FOUND)));
-    const double narrow = widest / UNKNOWN;
+    const double narrow = widest / NARROW;
     points.threshold = narrow * params.reach;
     const Context context(points, coreParts, coreParams, given.arena, given.watch);
     State state;
-    Ransac(context, state).run();
+    Ransac ransac(context, state);
+    ransac.run();
     account(state);
     if (!(state.bestQuality.cost <= DBL_MAX))
         return false;
@@ -244,6 +253,7 @@ bool AutomaticThreshold::findCore(const Context& given, Correspondences& points,
     if (within < CORE_PART * count || errorsGoOn(context, core, narrow, SAME))
         return false;
     model = core;
+    keepSample(ransac);
     return true;
 }
 
@@ -262,7 +272,7 @@ void AutomaticThreshold::adapt(const Context& context, ProblemData& data, const 
             latest = preciseNoise(context, fitted, std::min(SAME * now, widest));
             return;
         }
-        const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest / UNKNOWN,
+        const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest,
                      ratio = wanted / now;
         if (std::max(ratio, 1 / ratio) <= SAME || round == ROUNDS ||
             (context.watch && context.watch->stopped()))

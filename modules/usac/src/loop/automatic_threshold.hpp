@@ -20,7 +20,7 @@ The threshold that the caller has given is the widest threshold that is consider
 
 1. guess(): the models of some uniform samples are compared by LogarithmicScore, which prefers no
    scale of the noise. The best model is polished, and its errors give the first threshold. If no
-   model is better than chance, the first threshold is a third of the widest threshold.
+   model is better than chance, the first threshold is the widest one.
 2. findCore(): a model between two motions, or between two planes, explains the inliers of both with
    wide noise. Therefore, if the threshold is more than a third of the widest one even after
    polishing, samples of the inliers are drawn to find a model of a core, that is, a model that has
@@ -34,12 +34,12 @@ The threshold that the caller has given is the widest threshold that is consider
    than the estimated threshold of the mask by two standard deviations of the estimate, because with
    few inliers, models that fit some of the inliers by chance would make the threshold too narrow.
 4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
-   model. If the new threshold differs by more than a factor of 1.4, the search continues with the
-   new threshold, and the samples drawn so far no longer count. The threshold becomes wider by more
-   than this factor only if the errors continue beyond the present threshold (errorsGoOn()), because
-   a second motion is not noise.
-5. settle(): polishing and the mask use the threshold that was estimated last, or a third of the
-   widest threshold if the noise is unknown. */
+   model; it is the widest one if the noise is unknown. If the new threshold differs by more than a
+   factor of 1.4, the search continues with the new threshold, and the samples drawn so far no
+   longer count. The threshold becomes wider by more than this factor only if the errors continue
+   beyond the present threshold (errorsGoOn()), because a second motion is not noise.
+5. settle(): polishing and the mask use the threshold that was estimated last, or two thirds of
+   the widest threshold if the noise is unknown. */
 class AutomaticThreshold
 {
 public:
@@ -63,6 +63,8 @@ public:
     //! Numbers of samples and of valid models of guess(), including those of findCore().
     int samples() const { return drawn; }
     int models() const { return computed; }
+    //! The sample that led to the initial model of guess(); null: the model came from the caller.
+    const Sample* bestSample() const { return sampled ? &sample : 0; }
     //! Number of samples of guess() that were drawn uniformly from all of its points.
     int uniformSamples() const { return uniform; }
 
@@ -81,12 +83,15 @@ private:
     bool findCore(const Context& given, Correspondences& points, const InlierNoise& noise,
                   Model& model);
     void account(const State& state);
+    void keepSample(const Ransac& ransac);
 
-    Params params, coreParams;     //!< options of guess() and of findCore()
-    Components parts, coreParts;   //!< components of guess() and of findCore()
-    Ptr<ListedSampler> listed;     //!< sampler of findCore()
-    double widest;                 //!< the widest threshold, in the coordinates of the points
-    InlierNoise latest;            //!< latest estimate of the noise of the best model
+    Params params, coreParams;    //!< options of guess() and of findCore()
+    Components parts, coreParts;  //!< components of guess() and of findCore()
+    Ptr<ListedSampler> listed;    //!< sampler of findCore()
+    double widest;                //!< the widest threshold, in the coordinates of the points
+    InlierNoise latest;           //!< latest estimate of the noise of the best model
+    Sample sample;                //!< result of bestSample(), if `sampled` is true
+    bool sampled;
     int drawn, computed, uniform;  //!< results of samples(), models() and uniformSamples()
 };
 

@@ -32,9 +32,14 @@ public:
     Ransac(const Context& context, State& state, bool checkSamples = false);
 
     //! To be called before run(): scores and optimizes an initial model.
+    //! @param sample the sample that led to `initial`; null: there is none
     //! @param drawn number of uniform samples whose best model is `initial`; these samples count
     //! for the confidence if most points are inliers of the best model, see Stopping
-    void begin(const Model& initial, int drawn = 0);
+    void begin(const Model& initial, const Sample* sample = 0, int drawn = 0);
+    /** The same for a model that might only be near the right one, such as that of the previous
+    frame of a video: it is also optimized with a wider threshold, and the result is another initial
+    model. This is not done if nearly all points within the wider threshold are inliers already. */
+    void beginNear(const Model& initial);
     /** Searches until a criterion ends the search, or until at least `pause` samples have been
     drawn. The result is State::best; the cost of State::bestQuality stays infinite if no model is
     found. @return false if the search was paused; another call then continues the search. */
@@ -48,7 +53,7 @@ public:
     //! verifier and the criteria are started again.
     void forgetSamples();
     //! The sample that led to State::best; null if State::best did not come from a sample.
-    const int* bestSample() const { return sampled ? sampleOfBest.val : 0; }
+    const Sample* bestSample() const { return sampled ? &sampleOfBest : 0; }
 
 private:
     //! Calls Stopping::adapt, and optimizes the runners-up if a criterion asks for other samples.

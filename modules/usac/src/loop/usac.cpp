@@ -193,7 +193,7 @@ private:
         if (!params.initialModel.empty())
             begin(context, ransac);
         if (guess)
-            ransac.begin(*guess, automatic->uniformSamples());
+            ransac.begin(*guess, automatic->bestSample(), automatic->uniformSamples());
         if (params.widestReach > params.reach && !automatic)
             searchWithReach(context, state, data, ransac);
         else
@@ -203,8 +203,7 @@ private:
         state.report.iterations = state.iteration;
         sampled = ransac.bestSample() != 0;
         if (sampled)
-            std::copy(ransac.bestSample(), ransac.bestSample() + parts.minimalSolver->sampleSize(),
-                      sample);
+            sample = *ransac.bestSample();
     }
 
     void begin(const Context& context, Ransac& ransac)
@@ -216,7 +215,7 @@ private:
                        (int)params.initialModel.size(), problem->name().c_str()));
         if (!params.initialCovariance.empty())
             ModelCovariance::checkPrior(priorCovariance());
-        ransac.begin(model);
+        ransac.beginNear(model);
     }
 
     //! Tests whether a model with as many inliers could have been found in random matches, and sets
@@ -454,7 +453,7 @@ private:
     Ptr<NonMinimalSolver> imageFit;     //!< the least-squares solver for imageResidual
     Components imageParts;              //!< components for polishing with original image points
     bool keepsImage;                    //!< the original image points are stored, too
-    int sample[MAX_SAMPLE_SIZE];        //!< the sample that led to the best model of the run
+    Sample sample;                      //!< the sample that led to the best model of the run
     bool sampled;                       //!< false if the best model did not come from a sample
 };
 

@@ -74,6 +74,8 @@ TEST_P(UsacAutomaticThreshold, noiseOfScenes)
                 EXPECT_LE(report.threshold, given * (1 + 1e-9)) << seed;
                 EXPECT_GE(report.threshold, std::min(1.7 * report.sigma, given)) << seed;
                 EXPECT_LE(report.threshold, 6 * report.sigma) << seed;
+                EXPECT_GE(report.searchMs, 0) << seed;
+                EXPECT_FALSE(report.sample.empty()) << seed;
             }
             EXPECT_NEAR(1, median(ratios), 0.1);
         }
@@ -182,7 +184,7 @@ TEST_P(UsacAutomaticThreshold, randomMatches)
     EXPECT_LE(models, 2) << "of " << 2 * REPEATS;
 }
 
-//! If the noise cannot be estimated, the threshold must be a third of the given one.
+//! If the noise cannot be estimated, the threshold must be two thirds of the given one.
 TEST_P(UsacAutomaticThreshold, tooFewPoints)
 {
     Scene scene = sceneOf(GetParam(), 0.5, 1, 8, 1);
@@ -193,13 +195,13 @@ TEST_P(UsacAutomaticThreshold, tooFewPoints)
     Mat mask;
     const Mat model = estimate(scene, params, mask, &report);
     EXPECT_EQ(0, report.sigma);
-    EXPECT_NEAR(2, report.threshold, 1e-9);
+    EXPECT_NEAR(4, report.threshold, 1e-9);
     if (!model.empty())
-        checkResult(scene, 2, model, mask, report);
+        checkResult(scene, 4, model, mask, report);
     const Ptr<Usac> usac = createUsac(scene, params);
     usac->refine(usac->fit(), noArray(), mask, &report);
     EXPECT_EQ(0, report.sigma);
-    EXPECT_NEAR(2, report.threshold, 1e-9);
+    EXPECT_NEAR(4, report.threshold, 1e-9);
 }
 
 //! Without noise, the threshold must be at most 1/200 of the given one, and at least 1/1024 of it
@@ -233,6 +235,25 @@ TEST_P(UsacAutomaticThreshold, givenModels)
     checkResult(scene, report.threshold, refined, mask, report);
     usac->run(mask, &other);
     EXPECT_NEAR(1, other.threshold / report.threshold, 0.3);
+}
+
+//! With few inliers, the errors under a fit are much smaller than the noise.
+TEST_P(UsacAutomaticThreshold, noiseOfFewInliers)
+{
+    const double images = mapsPoints((ProblemType)GetParam()) ? 1 : 2;
+    for (int inliers : {20, 30, 45})
+    {
+        std::vector<double> ratios;
+        for (int seed = 1; seed <= 101; ++seed)
+        {
+            const Scene scene = sceneOf(GetParam(), 0.5, seed, 2 * inliers, 0.5);
+            Report report;
+            estimate(scene, widest(5), noArray(), &report);
+            if (report.sigma > 0)
+                ratios.push_back(report.sigma / 0.5);
+        }
+        printf("%d: %d %.3f %g\n", inliers, (int)ratios.size(), median(ratios), images);
+    }
 }
 
 //! Copies of an outlier have no noise, so that the noise must be estimated only from different

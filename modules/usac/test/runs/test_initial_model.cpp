@@ -3,6 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
+#include "problems/absolute_pose/pose_scenes.hpp"
 #include "support/contracts.hpp"
 
 // Tests of Params::initialModel.
@@ -44,6 +45,59 @@ TEST_P(UsacInitialModel, is_found_without_samples)
     tracking.maxIterations = params.maxIterations;
     runWith(scene, tracking, again, trackingReport);
     EXPECT_GE(trackingReport.inliers, 0.98 * report.inliers);
+}
+
+//! The points moved by ten pixels, as from one frame of a video to the next.
+std::vector<Point2d> moved(std::vector<Point2d> points)
+{
+    for (Point2d& point : points)
+        point += Point2d(8, 6);
+    return points;
+}
+
+//! The right model must be found although no right match is within the threshold of the initial
+//! model, and eight samples hardly ever contain an all-inlier one. The threshold is 1.5 pixels.
+TEST_P(UsacInitialModel, of_the_previous_frame)
+{
+    int lost = 0;
+    for (uint64 seed = 1; seed <= 30; ++seed)
+    {
+        SceneOptions options;
+        options.setSize(150, mapsPoints(problem()) ? 0.2 : 0.4);
+        options.seed = seed;
+        const Scene scene = makeScene(problem(), options);
+        Scene before = scene;
+        before.points2 = moved(scene.points2);
+        Params params;
+        params.threshold = 1.5;
+        params.setInitialModel(createUsac(before, params)->fit(noArray(), scene.truth));
+        params.maxIterations = 8;
+        lost += !(modelError(scene, estimate(scene, params)) < 1.5);
+    }
+    EXPECT_LE(lost, 1);
+}
+
+TEST(Usac_InitialModel, pose_of_the_previous_frame)
+{
+    int lost = 0;
+    for (uint64 seed = 1; seed <= 30; ++seed)
+    {
+        PoseSceneOptions options;
+        options.size = 60;
+        options.inlierRatio = 0.2;
+        options.seed = seed;
+        const PoseScene scene = makePoseScene(options);
+        Params params;
+        params.threshold = 1.5;
+        params.setInitialModel(
+            Usac::create(ABSOLUTE_POSE, scene.object, moved(scene.image), params, scene.K)
+                ->fit(noArray(), scene.truth));
+        params.maxIterations = 8;
+        const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, noArray(),
+                                              params);
+        lost += pose.empty() || !(rotationError(scene, Matx34d(pose)) < 1);
+    }
+    EXPECT_LE(lost, 1);
 }
 
 //! A wrong initial model must not prevent the correct model from being found.

@@ -94,7 +94,7 @@ enum ThresholdType: int {
     1000 uniform samples (at most Params::maxIterations) are drawn, which Report does not count. The
     built-in checks for orientation and repeated matches apply to them, even if a program has
     replaced these checks. If no model is better than chance, or if the best model has fewer than
-    ten inliers outside its sample, the inlier threshold is a third of `threshold`. Usac::fit, and
+    ten inliers outside its sample, the inlier threshold is `threshold` / 1.5. Usac::fit, and
     Usac::refine with a mask, use `threshold` itself. Params::widestReach has no effect. */
     THRESHOLD_ESTIMATED = 1
 };
