@@ -8,22 +8,36 @@
 namespace cv {
 namespace usacv20 {
 
-void countOnce(const Context& context, int kept, PointSubset& subset, const Model& model,
-               Quality& quality)
+//! A custom residual, which has no kernels, may depend on the Correspondences of the run; therefore
+//! it gets columns.
+Quality DependentPoints::rate(const Context& context, const Model& model) const
 {
-    const int count = subset.size();
-    const double* const errors = subset.squaredErrors(*context.components.residual, model);
+    const Residual& residual = *context.components.residual;
+    if (residual.kernels())
+    {
+        Correspondences view = copies;
+        view.threshold = context.points.threshold;
+        return Context(view, context.components, context.params, context.arena).rate(model);
+    }
     Arena::Scope scope(context.arena);
-    float* const floats = scope.take<float>(count);
-    std::copy(errors, errors + count, floats);
+    double* const errors = scope.take<double>(copies.size);
+    float* const floats = scope.take<float>(copies.size);
+    residual.squaredErrors(model, copies.exact, copies.size, errors);
+    std::copy(errors, errors + copies.size, floats);
     Quality sum(0, 0);
     context.components.score->accumulate(
-        floats, count, (float)(context.points.threshold * context.points.threshold), sum);
-    const int lost = sum.inliers - kept;
-    if (kept > 0 && lost <= 0)
+        floats, copies.size, (float)(context.points.threshold * context.points.threshold), sum);
+    return sum;
+}
+
+void DependentPoints::countOnce(const Context& context, const Model& model, Quality& quality) const
+{
+    const Quality sum = rate(context, model);
+    const int lost = sum.inliers - 1;
+    if (lost <= 0)
         return;
-    quality.cost += kept > 0 ? (count - sum.cost) * lost / sum.inliers : count - sum.cost;
-    quality.inliers = std::max(quality.inliers - lost, kept);
+    quality.cost += (copies.size - sum.cost) * lost / sum.inliers;
+    quality.inliers = std::max(quality.inliers - lost, 1);
 }
 
 }  // namespace usacv20

@@ -45,18 +45,48 @@ private:
     double *columns[MAX_COLUMNS], *const errors;
 };
 
-/** @brief Lowers the number of inliers and raises the cost of a model as if a subset of the points
-had at most `kept` inliers, because the points of the subset are not independent evidence for the
-model: they are repetitions of a match, or matches at nearly the same position.
+/** @brief Points that are not independent evidence for a model, for example matches to nearly the
+same position: all their inliers together count as one inlier.
 
-@param kept 1: the inliers of the subset count as one inlier; 0: these inliers do not count, because
-a point outside the subset represents them
-@param subset the points that depend on each other
-@param model the model that was scored
-@param quality input and output: inliers and cost of all points. The score must be a sum over the
-points, see Score::wholeModel() */
-void countOnce(const Context& context, int kept, PointSubset& subset, const Model& model,
-               Quality& quality);
+The points are copied, because models are scored on them often. */
+class DependentPoints
+{
+public:
+    //! @param memory an Arena or a scope of it
+    template <class Memory>
+    DependentPoints(const Correspondences& points_, int capacity, Memory& memory)
+        : points(points_), copies(points_)
+    {
+        copies.size = 0;
+        for (int k = 0; k < points.numbers(); ++k)
+        {
+            copies.column[k] = single[k] = memory.template take<float>(capacity);
+            copies.exact[k] = exact[k] = memory.template take<double>(capacity);
+        }
+    }
+
+    void add(int index)
+    {
+        for (int k = 0; k < points.numbers(); ++k)
+        {
+            single[k][copies.size] = points.column[k][index];
+            exact[k][copies.size] = points.exact[k][index];
+        }
+        ++copies.size;
+    }
+
+    //! Lowers the number of inliers and raises the cost of a model, which were computed from all
+    //! points. The score must be a sum over the points, see Score::wholeModel().
+    void countOnce(const Context& context, const Model& model, Quality& quality) const;
+
+private:
+    Quality rate(const Context& context, const Model& model) const;
+
+    const Correspondences& points;
+    Correspondences copies;
+    float* single[MAX_COLUMNS];
+    double* exact[MAX_COLUMNS];
+};
 
 }  // namespace usacv20
 }  // namespace cv

@@ -87,6 +87,11 @@ void shuffleRows(int* rows, int size)
         std::swap(rows[i], rows[i + rng.uniform(size - i)]);
 }
 
+//! A match is frequent if at least OFTEN of its occurrences are among the first FIRST_ROWS rows, a
+//! random subset, and if all its occurrences make up more than 1 / COMMON of all rows. See
+//! doc/constants.md.
+constexpr int FIRST_ROWS = 64, OFTEN = 3, COMMON = 10;
+
 //! Number of rows whose errors are computed together for the mask. The value has no effect on the
 //! result.
 constexpr int ERROR_BLOCK = 1024;
@@ -117,7 +122,7 @@ size_t runMemory(int points, const Params& params)
 ProblemData::ProblemData()
     : view(), part(), givenThreshold(), givenReach(1), currentReach(1), inputThreshold(0),
       pixelThreshold(0), pixels(1), input(), doubles(), floats(), seen(), seenDoubles(),
-      seenFloats(), described(0)
+      seenFloats(), usable(0), different(0), described(0)
 {}
 
 void ProblemData::read(const Problem& problem, InputArray points1, InputArray points2,
@@ -251,9 +256,9 @@ void ProblemData::shuffleImage(Arena& arena)
     {
         const bool point = k < view.coordinates[1];
         const double center = point ? frame.center[k] : 0, factor = point ? frame.scale : 1;
-        double* const exact = arena.take<double>(view.size);
-        float* const single = arena.take<float>(view.size);
-        for (int i = 0; i < view.size; ++i)
+        double* const exact = arena.take<double>(usable);
+        float* const single = arena.take<float>(usable);
+        for (int i = 0; i < usable; ++i)
         {
             exact[i] = (seen[k][view.inputIndex[i]] - center) * factor;
             single[i] = (float)exact[i];
@@ -285,6 +290,51 @@ bool ProblemData::usableRow(int row) const
     return all && (view.noise < 2 || (input[root][row] > 0 && input[root + 2][row] > 0));
 }
 
+//! Lists the usable rows in ascending order. @return their number
+int ProblemData::usableRows(int* rows) const
+{
+    bool all = view.noise < 2;
+    for (int k = 0; k < view.columns(); ++k)
+        all = all && allFinite(input[k], view.inputSize);
+    int size = 0;
+    for (int i = 0; i < view.inputSize; ++i)
+        if (all || usableRow(i))
+            rows[size++] = i;
+    return size;
+}
+
+bool ProblemData::sameMatch(int row, int other) const
+{
+    bool same = true;
+    for (int k = 0; same && k < view.numbers(); ++k)
+        same = input[k][row] == input[k][other];
+    return same;
+}
+
+/** Finds the frequent matches among the first #SEARCHED of the `usable` rows, which are in random
+order.
+@param frequent output: a row of each frequent match, less than #COMMON rows
+@return number of frequent matches */
+int ProblemData::frequentMatches(const int* rows, int* frequent) const
+{
+    const int size = std::min<int>(usable, SEARCHED), looked = std::min(size, FIRST_ROWS);
+    double first[FIRST_ROWS];
+    for (int i = 0; i < looked; ++i)
+        first[i] = input[0][rows[i]];
+    int count = 0;
+    for (int i = 0; i < looked; ++i)
+    {
+        int equal = 0;
+        for (int k = 0; k <= i; ++k)  // fast preliminary test, without branches
+            equal += first[k] == first[i];
+        const auto same = [this, rows, i](int row) { return sameMatch(row, rows[i]); };
+        if (equal >= OFTEN && std::count_if(rows, rows + i + 1, same) == OFTEN &&
+            std::count_if(rows, rows + size, same) * COMMON > size)
+            frequent[count++] = rows[i];
+    }
+    return count;
+}
+
 /** Copies the usable rows (usableRow()), as doubles, in a fixed pseudo-random order, see
 shuffleRows(). The search, polishing and significance rely on this order: they use the first points
 as a random sample of all points. */
@@ -292,21 +342,29 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
     int* const indices = arena.take<int>(count);
-    for (int i = 0; i < count; ++i)
-        indices[i] = i;
-    int size = count;
-    const int columns = view.columns();
-    bool all = view.noise < 2;
-    for (int k = 0; k < columns; ++k)
-        all = all && allFinite(input[k], count);
-    if (!all)
-    {
-        size = 0;
-        for (int i = 0; i < count; ++i)
-            if (usableRow(i))
-                indices[size++] = i;
-    }
+    const int size = usable = different = usableRows(indices);
     shuffleRows(indices, size);
+    int frequent[COMMON];
+    const int repeated = params.degeneracy & DEGENERACY_REPEATED
+                             ? frequentMatches(indices, frequent)
+                             : 0;
+    if (repeated > 0)
+    {
+        // All occurrences of a match are inliers of every model fitted to it, so that they are no
+        // independent evidence. Repetitions of frequent matches are moved behind all other rows.
+        usableRows(indices);
+        different = (int)(std::partition(indices, indices + size,
+                                         [&](int row) {
+                                             for (int k = 0; k < repeated; ++k)
+                                                 if (row != frequent[k] &&
+                                                     sameMatch(row, frequent[k]))
+                                                     return false;
+                                             return true;
+                                         }) -
+                          indices);
+        shuffleRows(indices, different);
+    }
+    view.size = different;
     const int padded = alignSize(std::max(size, 1), 16);
     for (int k = 0; k < view.numbers(); ++k)
     {
@@ -328,7 +386,6 @@ void ProblemData::shuffle(const Params& params, Arena& arena)
             scores[i] = score == score ? score : FLT_MAX;
         }
     }
-    view.size = size;
     view.inputIndex = indices;
     view.scores = scores;
 }
@@ -383,7 +440,7 @@ void ProblemData::scaleColumn(int k, double shift, double factor)
 {
     double* const values = doubles[k];
     float* const single = floats[k];
-    for (int i = 0; i < view.size; ++i)
+    for (int i = 0; i < usable; ++i)
     {
         values[i] = (values[i] - shift) * factor;
         single[i] = (float)values[i];

@@ -35,7 +35,11 @@ public:
     void read(const Problem& problem, InputArray points1, InputArray points2, const Params& params,
               Arena& arena, bool image);
 
+    //! The usable points, see useRepetitions().
     const Correspondences& points() const { return view; }
+    //! True: points() contains all usable points. False, as after read(): unless Params::degeneracy
+    //! lacks #DEGENERACY_REPEATED, it contains each frequent match only once.
+    void useRepetitions(bool use) { view.size = use ? usable : different; }
     /** The points of the search: the first #SEARCHED of points(), which are in random order. They
     are enough to find the best model; polishing then uses all points to make this model accurate.
     */
@@ -93,6 +97,9 @@ private:
     //! The same as the public errors() for `count` rows, beginning with the row `first`.
     void errors(const Residual& residual, const Model& model, bool image, int first, int count,
                 double* distances) const;
+    int usableRows(int* rows) const;
+    int frequentMatches(const int* rows, int* frequent) const;
+    bool sameMatch(int row, int other) const;
     void shuffle(const Params& params, Arena& arena);
     void keepImage(const Params& params, Arena& arena);
     void shuffleImage(Arena& arena);
@@ -111,6 +118,7 @@ private:
     const double* seenDoubles[MAX_COLUMNS];  //!< `seen`, shuffled and normalized, for imagePoints()
     const float* seenFloats[MAX_COLUMNS];
     String doubt;   //!< of Problem::doubt
+    int usable, different;  //!< numbers of points with and without repetitions of frequent matches
     int described;  //!< number of matches in the arrays read last, which Params::sigmas, if there
                     //!< are any, describe; 0: no points were read
 

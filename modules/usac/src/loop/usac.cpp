@@ -108,6 +108,7 @@ public:
     {
         Watch watch(params.maxTime, spent());
         prepare();
+        data.useRepetitions(true);
         const Context context(data.points(), parts, params, arena, watch.isActive() ? &watch : 0);
         start(context);
         return given(context).fit(weights, chosen, mask, report);
@@ -117,6 +118,7 @@ public:
     {
         Watch watch(params.maxTime, spent());
         prepare();
+        data.useRepetitions(true);
         const Context context(data.points(), parts, params, arena, watch.isActive() ? &watch : 0);
         start(context);
         GivenModels models = given(context);
@@ -161,6 +163,7 @@ private:
     void prepare()
     {
         data.restoreThreshold();
+        data.useRepetitions(false);
         checkComponents(parts);
         checkNoise(*parts.residual, data.points());
         if (parts.residual != fitted && parts.nonMinimalSolver == made.nonMinimalSolver)

@@ -8,8 +8,8 @@
 namespace opencv_test {
 namespace {
 
-//! countOnce() must count all inliers of a subset of the points together as one inlier (`kept` 1)
-//! or as none (`kept` 0). The expected number of inliers and cost are computed from the errors of
+//! DependentPoints must count all inliers of a subset of the points together as one inlier. The
+//! expected number of inliers and cost are computed from the errors of
 //! the points outside and inside the subset.
 TEST(Usac_CountedOnce, asIfOthersWereNotThere)
 {
@@ -26,28 +26,25 @@ TEST(Usac_CountedOnce, asIfOthersWereNotThere)
     std::vector<float> errors(p.size);
     context.components.residual->squaredErrors(p, model, 0, p.size, errors.data());
     const float limit = (float)(p.threshold * p.threshold);
-    for (int kept = 0; kept <= 1; ++kept)
-        for (int size = 0; size <= 60; size += 20)
+    for (int size = 0; size <= 60; size += 20)
+    {
+        Quality rest(0, 0), inside(0, 0);
+        for (int i = 0; i < p.size; ++i)
         {
-            Quality rest(0, 0), inside(0, 0);
-            for (int i = 0; i < p.size; ++i)
-            {
-                float error = errors[i];
-                context.components.score->accumulate(&error, 1, limit, i < size ? inside : rest);
-            }
-            Arena::Scope scope(arena);
-            PointSubset subset(p, std::max(size, 1), scope);
-            for (int i = 0; i < size; ++i)
-                subset.add(i);
-            Quality quality = context.rate(model);
-            countOnce(context, kept, subset, model, quality);
-            const bool one = kept == 1 && inside.inliers > 0;
-            const double gain = one         ? (size - inside.cost) / inside.inliers
-                                : kept == 1 ? size - inside.cost
-                                            : 0;
-            EXPECT_EQ(rest.inliers + one, quality.inliers) << kept << " of " << size;
-            EXPECT_NEAR(rest.cost + size - gain, quality.cost, 1e-3) << kept << " of " << size;
+            float error = errors[i];
+            context.components.score->accumulate(&error, 1, limit, i < size ? inside : rest);
         }
+        Arena::Scope scope(arena);
+        DependentPoints subset(p, std::max(size, 1), scope);
+        for (int i = 0; i < size; ++i)
+            subset.add(i);
+        Quality quality = context.rate(model);
+        subset.countOnce(context, model, quality);
+        const bool any = inside.inliers > 0;
+        const double gain = any ? (size - inside.cost) / inside.inliers : size - inside.cost;
+        EXPECT_EQ(rest.inliers + any, quality.inliers) << size;
+        EXPECT_NEAR(rest.cost + size - gain, quality.cost, 1e-3) << size;
+    }
 }
 
 }  // namespace

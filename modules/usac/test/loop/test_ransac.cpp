@@ -271,7 +271,7 @@ TEST(Usac_Ransac_Stop, withoutAModel)
     scene.points1.assign(50, Point2d(5, 7));
     scene.points2.assign(50, Point2d(3, 4));
     const Answer equal = answer(scene, Params());
-    EXPECT_EQ((int)STOP_NO_MODEL, equal.report.stop);
+    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, equal.report.stop);
     EXPECT_TRUE(equal.model.empty());
     EXPECT_EQ(0, countNonZero(equal.mask));
 }

@@ -99,7 +99,7 @@ points. */
 class CrowdedPlaces : public Degeneracy
 {
 public:
-    CrowdedPlaces() : places(0), farApart(0), placeOf(0), members(0) { ends[0] = 0; }
+    CrowdedPlaces() : places(0), farApart(0), placeOf(0) {}
 
     void start(const Context& context) CV_OVERRIDE
     {
@@ -125,9 +125,9 @@ public:
                        seen[most = (int)(std::max_element(seen, seen + count) - seen)] >= SEEN;)
         {
             addPlace(context, most, limits.near[1]);
-            seen[most] = 0;
-            for (int i = 0; i < count && places > 0; ++i)
-                seen[i] = placeOf[i] ? 0 : seen[i];
+            for (int i = 0; i < count; ++i)
+                if ((places > 0 && placeOf[i]) || squaredDistance(p, 1, i, most) == 0)
+                    seen[i] = 0;
         }
     }
 
@@ -148,13 +148,7 @@ public:
         if (context.components.score->wholeModel())
             return;
         for (int k = 0; k < places; ++k)
-        {
-            Arena::Scope scope(context.arena);
-            PointSubset place(context.points, ends[k + 1] - ends[k], scope);
-            for (int i = ends[k]; i < ends[k + 1]; ++i)
-                place.add(members[i]);
-            countOnce(context, 1, place, model, quality);
-        }
+            pointsOf[k]->countOnce(context, model, quality);
     }
 
 private:
@@ -223,26 +217,30 @@ private:
         if (places == 0)
         {
             placeOf = context.arena.take<uchar>(p.size);
-            members = context.arena.take<int>(p.size);
             std::fill(placeOf, placeOf + p.size, (uchar)0);
         }
-        int end = ends[places];
+        Arena::Scope scope(context.arena);
+        int* const members = scope.take<int>(p.size);
+        int count = 0;
         for (int i = 0; i < p.size; ++i)
             if (!placeOf[i] && squaredDistance(p, 1, i, center) <= near)
-                members[end++] = i;
-        const int count = end - ends[places];
-        if (count * TENTH < p.size || isObject(p, members + ends[places], count))
+                members[count++] = i;
+        if (count * TENTH < p.size || isObject(p, members, count))
             return;
-        for (int i = ends[places]; i < end; ++i)
+        pointsOf[places] = new (context.arena.take<DependentPoints>(1))
+            DependentPoints(p, count, context.arena);
+        for (int i = 0; i < count; ++i)
+        {
+            pointsOf[places]->add(members[i]);
             placeOf[members[i]] = (uchar)(places + 1);
-        ends[++places] = end;
+        }
+        ++places;
     }
 
     int places;
-    float farApart;             //!< points of array 1 at a larger squared distance are far apart
-    uchar* placeOf;             //!< number of the place of each point, from 1 on; 0: no place
-    int* members;               //!< indices of the points of all places, one place after the other
-    int ends[MOST_PLACES + 1];  //!< place k + 1 is ends[k] .. ends[k + 1] - 1 of `members`
+    float farApart;  //!< points of array 1 at a larger squared distance are far apart
+    uchar* placeOf;  //!< number of the place of each point, from 1 on; 0: no place
+    DependentPoints* pointsOf[MOST_PLACES];
 };
 
 }  // namespace

@@ -148,12 +148,12 @@ public:
         if (seen < FEW)
             return;
         Arena::Scope scope(context.arena);
-        PointSubset silent(p, p.size, scope);
+        DependentPoints silent(p, p.size, scope);
         for (int i = 0; i < p.size; ++i)
             if (insensitive.holds(p.column[X1][i], p.column[Y1][i], p.column[X2][i],
                                   p.column[Y2][i]))
                 silent.add(i);
-        countOnce(context, 1, silent, model, quality);
+        silent.countOnce(context, model, quality);
     }
 
 private:
