@@ -10,6 +10,19 @@ namespace usacv20 {
 
 namespace {
 
+//! A match is frequent if at least OFTEN of its occurrences are among the first FIRST_POINTS
+//! matches, a random subset, and if all its occurrences make up more than 1 / COMMON of all
+//! matches. See doc/constants.md.
+constexpr int FIRST_POINTS = 64, OFTEN = 3, COMMON = MOST_FREQUENT + 1;
+
+bool sameMatch(const double* const* columns, int numbers, int row, int other)
+{
+    bool same = true;
+    for (int k = 0; same && k < numbers; ++k)
+        same = columns[k][row] == columns[k][other];
+    return same;
+}
+
 template <int DIMENSIONS>
 uint64 hashOf(const Vec<double, DIMENSIONS>& cell)
 {
@@ -112,6 +125,35 @@ int markRepeated(const Correspondences& p, const int* order, const uchar* mask, 
     markRepeated(p.exact, p.coordinates[0], order, mask, count, threshold1, repeated, arena);
     return markRepeated(p.exact + p.coordinates[0], p.coordinates[1], order, mask, count, threshold,
                         repeated, arena);
+}
+
+int frequentMatches(const double* const* columns, int numbers, const int* rows, int count,
+                    int* frequent)
+{
+    const int looked = std::min(count, FIRST_POINTS);
+    double first[FIRST_POINTS];
+    for (int i = 0; i < looked; ++i)
+        first[i] = columns[0][rows[i]];
+    int found = 0;
+    for (int i = 0; i < looked; ++i)
+    {
+        int equal = 0;
+        for (int k = 0; k <= i; ++k)  // fast preliminary test, without branches
+            equal += first[k] == first[i];
+        const auto same = [=](int row) { return sameMatch(columns, numbers, row, rows[i]); };
+        if (equal >= OFTEN && std::count_if(rows, rows + i + 1, same) == OFTEN &&
+            std::count_if(rows, rows + count, same) * COMMON > count)
+            frequent[found++] = rows[i];
+    }
+    return found;
+}
+
+bool repeatsAny(const double* const* columns, int numbers, int row, const int* frequent, int count)
+{
+    bool repeats = false;
+    for (int k = 0; k < count && !repeats; ++k)
+        repeats = row != frequent[k] && sameMatch(columns, numbers, row, frequent[k]);
+    return repeats;
 }
 
 }  // namespace usacv20

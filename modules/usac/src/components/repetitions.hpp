@@ -48,6 +48,21 @@ bool inliersAreNearAPoint(const Problem& problem);
 int markRepeated(const Correspondences& points, const int* order, const uchar* mask, int count,
                  double threshold, uchar* repeated, Arena& arena);
 
+//! Maximum number of frequent matches, see frequentMatches().
+constexpr int MOST_FREQUENT = 9;
+
+/** Finds frequent matches. All occurrences of a match are inliers of every model fitted to it, so
+that repetitions of such a match would be much evidence for wrong models.
+@param columns, numbers columns of the matches, and their number
+@param rows, count rows of the matches, in random order
+@param frequent output: a row of each frequent match
+@return number of frequent matches */
+int frequentMatches(const double* const* columns, int numbers, const int* rows, int count,
+                    int* frequent);
+
+//! True if the match in a row equals one of the frequent matches in other rows.
+bool repeatsAny(const double* const* columns, int numbers, int row, const int* frequent, int count);
+
 }  // namespace usacv20
 }  // namespace cv
 

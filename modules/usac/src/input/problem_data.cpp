@@ -87,11 +87,6 @@ void shuffleRows(int* rows, int size)
         std::swap(rows[i], rows[i + rng.uniform(size - i)]);
 }
 
-//! A match is frequent if at least OFTEN of its occurrences are among the first FIRST_ROWS rows, a
-//! random subset, and if all its occurrences make up more than 1 / COMMON of all rows. See
-//! doc/constants.md.
-constexpr int FIRST_ROWS = 64, OFTEN = 3, COMMON = 10;
-
 //! Number of rows whose errors are computed together for the mask. The value has no effect on the
 //! result.
 constexpr int ERROR_BLOCK = 1024;
@@ -303,65 +298,27 @@ int ProblemData::usableRows(int* rows) const
     return size;
 }
 
-bool ProblemData::sameMatch(int row, int other) const
-{
-    bool same = true;
-    for (int k = 0; same && k < view.numbers(); ++k)
-        same = input[k][row] == input[k][other];
-    return same;
-}
-
-/** Finds the frequent matches among the first #SEARCHED of the `usable` rows, which are in random
-order.
-@param frequent output: a row of each frequent match, less than #COMMON rows
-@return number of frequent matches */
-int ProblemData::frequentMatches(const int* rows, int* frequent) const
-{
-    const int size = std::min<int>(usable, SEARCHED), looked = std::min(size, FIRST_ROWS);
-    double first[FIRST_ROWS];
-    for (int i = 0; i < looked; ++i)
-        first[i] = input[0][rows[i]];
-    int count = 0;
-    for (int i = 0; i < looked; ++i)
-    {
-        int equal = 0;
-        for (int k = 0; k <= i; ++k)  // fast preliminary test, without branches
-            equal += first[k] == first[i];
-        const auto same = [this, rows, i](int row) { return sameMatch(row, rows[i]); };
-        if (equal >= OFTEN && std::count_if(rows, rows + i + 1, same) == OFTEN &&
-            std::count_if(rows, rows + size, same) * COMMON > size)
-            frequent[count++] = rows[i];
-    }
-    return count;
-}
-
 /** Copies the usable rows (usableRow()), as doubles, in a fixed pseudo-random order, see
 shuffleRows(). The search, polishing and significance rely on this order: they use the first points
-as a random sample of all points. */
+as a random sample of all points. Repetitions of frequent matches come last. */
 void ProblemData::shuffle(const Params& params, Arena& arena)
 {
     const int count = view.inputSize;
     int* const indices = arena.take<int>(count);
     const int size = usable = different = usableRows(indices);
     shuffleRows(indices, size);
-    int frequent[COMMON];
+    int frequent[MOST_FREQUENT];
     const int repeated = params.degeneracy & DEGENERACY_REPEATED
-                             ? frequentMatches(indices, frequent)
+                             ? frequentMatches(input, view.numbers(), indices,
+                                               std::min<int>(size, SEARCHED), frequent)
                              : 0;
     if (repeated > 0)
     {
-        // All occurrences of a match are inliers of every model fitted to it, so that they are no
-        // independent evidence. Repetitions of frequent matches are moved behind all other rows.
+        const auto notRepeated = [&](int row) {
+            return !repeatsAny(input, view.numbers(), row, frequent, repeated);
+        };
         usableRows(indices);
-        different = (int)(std::partition(indices, indices + size,
-                                         [&](int row) {
-                                             for (int k = 0; k < repeated; ++k)
-                                                 if (row != frequent[k] &&
-                                                     sameMatch(row, frequent[k]))
-                                                     return false;
-                                             return true;
-                                         }) -
-                          indices);
+        different = (int)(std::partition(indices, indices + size, notRepeated) - indices);
         shuffleRows(indices, different);
     }
     view.size = different;

@@ -98,8 +98,6 @@ private:
     void errors(const Residual& residual, const Model& model, bool image, int first, int count,
                 double* distances) const;
     int usableRows(int* rows) const;
-    int frequentMatches(const int* rows, int* frequent) const;
-    bool sameMatch(int row, int other) const;
     void shuffle(const Params& params, Arena& arena);
     void keepImage(const Params& params, Arena& arena);
     void shuffleImage(Arena& arena);

@@ -57,6 +57,26 @@ TEST(Usac_StopLate, a_million_points)
         }
 }
 
+//! A table of the cells of a million points on an integer grid must not have long clusters, since
+//! counting the independent inliers is not interrupted.
+TEST(Usac_StopLate, a_million_points_on_a_grid)
+{
+    std::vector<Point2d> points1, points2;
+    for (int i = 0; i < 1000000; ++i)
+    {
+        points1.push_back(Point2d(i % 1000, i / 1000));
+        points2.push_back(points1.back() + Point2d(20, 30));
+    }
+    Params params;
+    params.maxTime = 400;
+    const Ptr<Usac> usac = Usac::create(TRANSLATION_2D, points1, points2, params);
+    const double start = processorTime();
+    Report report;
+    usac->run(noArray(), &report);
+    EXPECT_LE(processorTime() - start, params.maxTime + LATE) << report.describe();
+    EXPECT_EQ(1000000, report.inliers);
+}
+
 class CountingOrder : public Ordering
 {
 public:

@@ -325,5 +325,21 @@ TEST(Usac_GivenModels, errorsStartTheResidual)
     EXPECT_EQ(70, residual->size);
 }
 
+//! A run uses a frequent match once, but a fit must use each of its repetitions. The least-squares
+//! translation is the mean of all shifts.
+TEST(Usac_GivenModels, fitCountsRepetitions)
+{
+    std::vector<Point2d> points1(10, Point2d(5, 7)), points2 = points1;
+    for (int i = 0; i < 10; ++i)
+    {
+        points1.push_back(Point2d(20 * i, i * i));
+        points2.push_back(points1.back() + Point2d(1, 0));
+    }
+    const Ptr<Usac> usac = Usac::create(TRANSLATION_2D, points1, points2, Params());
+    EXPECT_NEAR(0.5, usac->fit().at<double>(0, 2), 1e-9);
+    usac->run();
+    EXPECT_NEAR(0.5, usac->fit().at<double>(0, 2), 1e-9);
+}
+
 }  // namespace
 }  // namespace opencv_test

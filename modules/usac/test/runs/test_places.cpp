@@ -176,4 +176,29 @@ TEST(Usac_Places_Objects, small_ones_are_found)
 }
 
 }
+//! Wrong matches between two small places of each image, or copies of five of them: every model has
+//! many inliers that depend on each other. Nevertheless only few models may be optimized, and few
+//! samples of five different matches suffice.
+TEST(Usac_FewPlaces, little_work)
+{
+    for (ProblemType problem : {AFFINITY, SIMILARITY})
+        for (bool copies : {false, true})
+        {
+            RNG rng(1);
+            std::vector<Point2d> points[2];
+            for (int i = 0; i < 2000; ++i)
+                for (std::vector<Point2d>& to : points)
+                {
+                    const int place = rng.uniform(0, 2);
+                    const Point2d point(150 + 350 * place + rng.gaussian(2),
+                                        120 + 230 * place + rng.gaussian(2));
+                    to.push_back(copies && i >= 5 ? to[i % 5] : point);
+                }
+            Report report;
+            estimateModel(problem, points[0], points[1], Params(), noArray(), report);
+            EXPECT_LE(report.localOptimizations, 60) << problem << report.describe();
+            EXPECT_TRUE(!copies || report.iterations <= 500) << problem << report.describe();
+        }
+}
+
 }  // namespace
