@@ -68,7 +68,7 @@ TEST(Usac_StopLate, a_million_points_on_a_grid)
         points2.push_back(points1.back() + Point2d(20, 30));
     }
     Params params;
-    params.maxTime = 400;
+    params.maxTime = 1000;
     const Ptr<Usac> usac = Usac::create(TRANSLATION_2D, points1, points2, params);
     const double start = processorTime();
     Report report;

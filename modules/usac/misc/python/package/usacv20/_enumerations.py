@@ -186,7 +186,7 @@ class StopReason(enum.IntEnum):
     """Why an estimation ended."""
 
     STOP_NOT_RUN = 0  # no estimation has been run
-    STOP_TOO_FEW_POINTS = 1  # fewer finite correspondences than a minimal sample: no model
+    STOP_TOO_FEW_POINTS = 1  # fewer different, finite correspondences than a minimal sample: no model
     STOP_NO_MODEL = 2  # no sample yielded a model with enough inliers (degenerate data)
     STOP_MAX_ITERATIONS = 3  # Params.maxIterations was reached
     STOP_STANDARD = 4  # TERMINATION_STANDARD fired, or practically all possible samples have been drawn
