@@ -115,7 +115,7 @@ private:
                                 //!< noise of the matches; null: not stored
     const double* seenDoubles[MAX_COLUMNS];  //!< `seen`, shuffled and normalized, for imagePoints()
     const float* seenFloats[MAX_COLUMNS];
-    String doubt;   //!< of Problem::doubt
+    String doubt;           //!< of Problem::doubt
     int usable, different;  //!< numbers of points with and without repetitions of frequent matches
     int described;  //!< number of matches in the arrays read last, which Params::sigmas, if there
                     //!< are any, describe; 0: no points were read
