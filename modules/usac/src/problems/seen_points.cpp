@@ -14,15 +14,14 @@ namespace {
 constexpr double ASIDE_SQUARED = 32.16;
 /** Distance of the principal point from a corner of the box, as a fraction of the sides. With 0.1,
 no camera of 120 pairs of photographs is at the same corner in both images, also with few matches;
-if only the matches of a window with 0.1 to 0.6 of the sides of image 1 are used, 0.6 % are. With the
-camera matrix of images twice as large, 84 % are. With 0.2, these are 3.6 % and 90 %. */
+if only the matches of a window with 0.1 to 0.6 of the sides of image 1 are used, 0.6 % are. With
+the camera matrix of images twice as large, 84 % are. With 0.2, these are 3.6 % and 90 %. */
 constexpr double AT_CORNER = 0.1;
 
 }  // namespace
 
-const char* const SeenPoints::ASIDE =
-    "most points are more than 80 degrees off the axis of the camera: is the camera matrix in "
-    "pixels?";
+const char* const SeenPoints::ASIDE = "most points are more than 80 degrees off the axis of the "
+                                      "camera: is the camera matrix in pixels?";
 
 SeenPoints::SeenPoints(const double* x, const double* y, int count)
 {
