@@ -274,7 +274,7 @@ private:
 TEST(Usac_Polishing, nothingButThePolisherPolishes)
 {
     for (int problem : {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL})
-        for (int polishing :
+        for (PolishingType polishing :
              {POLISHING_NONE, POLISHING_LEAST_SQUARES, POLISHING_REWEIGHTED, POLISHING_ROBUST})
         {
             Params params;

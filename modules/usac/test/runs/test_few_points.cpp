@@ -14,7 +14,7 @@ namespace {
 const UsacV20Method ALL_FLAGS[] = {USACV20,        USACV20_FAST,     USACV20_ACCURATE,
                                    USACV20_PROSAC, USACV20_PARALLEL, USACV20_MAGSAC,
                                    USACV20_AUTO};
-enum { FLAGS = 7 };
+enum { FLAG_COUNT = 7 };
 
 //! Points without outliers, and the true model.
 struct FewPoints
@@ -135,7 +135,7 @@ Model modelOf(const Usac& usac, const std::vector<double>& output)
 
 //! With each of the first `flags` of ALL_FLAGS, the error must be at most 1.1 times that of least
 //! squares started at the true model.
-void expectLeastSquares(const FewPoints& points, const String& name, int flags = FLAGS)
+void expectLeastSquares(const FewPoints& points, const String& name, int flags = FLAG_COUNT)
 {
     for (int k = 0; k < flags; ++k)
     {
@@ -164,7 +164,7 @@ TEST(Usac_FewPoints, horizonNearOrBetweenThePoints)
             expectLeastSquares(
                 planePoints(counts[k], horizon, 1e-3, rng),
                 format("%d points, horizon at %.0f, seed %d", counts[k], horizon, seed),
-                horizon < 100 ? FLAGS - 2 : FLAGS);
+                horizon < 100 ? FLAG_COUNT - 2 : FLAG_COUNT);
         }
 }
 
