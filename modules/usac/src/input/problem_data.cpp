@@ -124,6 +124,7 @@ void ProblemData::read(const Problem& problem, InputArray points1, InputArray po
                        const Params& params, Arena& arena, bool image)
 {
     view = Correspondences();  // no points if an exception is thrown below
+    usable = different = 0;
     view.problem = &problem;
     for (int array = 0; array < 2; ++array)
         view.coordinates[array] = problem.coordinates(array);

@@ -18,6 +18,7 @@ std::vector<int> commonOf(const std::vector<Point2d>& points1, const std::vector
 {
     Params params;
     params.threshold = threshold;
+    params.degeneracy = 0;  // all points are kept, also copies
     const Ptr<Usac> usac = Usac::create(FUNDAMENTAL, points1, points2, params);
     const Correspondences& points = usac->points();
     std::vector<uchar> common(points.size + 1, 77);
