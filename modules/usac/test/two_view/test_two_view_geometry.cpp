@@ -373,7 +373,8 @@ TEST(Usac_TwoViewGeometry, reasons)
         pair.points1.at<Point2d>(i).x = NAN;
     EXPECT_EQ("F: too few points", estimateTwoViewGeometry(pair, twoPixels()).reason);
     const Mat same(30, 2, CV_64F, Scalar(100));
-    EXPECT_EQ("F: too few points", estimateTwoViewGeometry(same, same, noArray(), noArray()).reason);
+    EXPECT_EQ("F: too few points",
+              estimateTwoViewGeometry(same, same, noArray(), noArray()).reason);
     pair = pairOf(scene, false);
     RNG rng(1);
     rng.fill(pair.points2, RNG::UNIFORM, 0, 480);
