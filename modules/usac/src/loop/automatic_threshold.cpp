@@ -31,9 +31,9 @@ constexpr double CONFIDENCE = 0.9;
 constexpr int FEW = 150, SOME = 300;
 //! Maximum number of fits when a model of the guess or of findCore() is polished.
 constexpr int GUESS_STEPS = 3;
-//! If the noise is unknown, the threshold of polishing and mask is the widest threshold divided by
-//! this number. On photographs with 12 to 40 right matches, 3 raises failures by a half if the
-//! given threshold is the usual one; 1 raises them by a thirtieth if it is three times as wide.
+//! If the noise is unknown, the threshold is the widest threshold divided by this number. Given the
+//! usual threshold, H of photographs with 12 to 40 right matches fail in 29 % with 3, in 20 % with
+//! 1.5, in 16 % with 1; but with 1, a second motion hides an E in 32 of 100 scenes instead of 7.
 constexpr double UNKNOWN = 1.5;
 //! The threshold of findCore() is the widest threshold divided by this number.
 constexpr double NARROW = 3;
@@ -191,7 +191,10 @@ bool AutomaticThreshold::guess(const Context& given, ProblemData& data, Model& m
     if (state.bestQuality.cost <= DBL_MAX)
         noise = roughNoise(context, state.best, widest, SOME, true);
     if (!(noise.sigma > 0))
+    {
+        data.scaleThreshold(1 / UNKNOWN);
         return false;
+    }
     model = state.best;
     keepSample(ransac);
     if (noise.threshold > widest / NARROW)
@@ -272,7 +275,7 @@ void AutomaticThreshold::adapt(const Context& context, ProblemData& data, const 
             latest = preciseNoise(context, fitted, std::min(SAME * now, widest));
             return;
         }
-        const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest,
+        const double wanted = latest.sigma > 0 ? searchThreshold(latest) : widest / UNKNOWN,
                      ratio = wanted / now;
         if (std::max(ratio, 1 / ratio) <= SAME || round == ROUNDS ||
             (context.watch && context.watch->stopped()))

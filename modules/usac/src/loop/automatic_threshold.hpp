@@ -20,7 +20,7 @@ The threshold that the caller has given is the widest threshold that is consider
 
 1. guess(): the models of some uniform samples are compared by LogarithmicScore, which prefers no
    scale of the noise. The best model is polished, and its errors give the first threshold. If no
-   model is better than chance, the first threshold is the widest one.
+   model is better than chance, the first threshold is two thirds of the widest one.
 2. findCore(): a model between two motions, or between two planes, explains the inliers of both with
    wide noise. Therefore, if the threshold is more than a third of the widest one even after
    polishing, samples of the inliers are drawn to find a model of a core, that is, a model that has
@@ -34,10 +34,10 @@ The threshold that the caller has given is the widest threshold that is consider
    than the estimated threshold of the mask by two standard deviations of the estimate, because with
    few inliers, models that fit some of the inliers by chance would make the threshold too narrow.
 4. adapt(): when the search has ended, the threshold is estimated again from the errors of the best
-   model; it is the widest one if the noise is unknown. If the new threshold differs by more than a
-   factor of 1.4, the search continues with the new threshold, and the samples drawn so far no
-   longer count. The threshold becomes wider by more than this factor only if the errors continue
-   beyond the present threshold (errorsGoOn()), because a second motion is not noise.
+   model; it is two thirds of the widest one if the noise is unknown. If the new threshold differs
+   by more than a factor of 1.4, the search continues with the new threshold, and the samples drawn
+   so far no longer count. The threshold becomes wider by more than this factor only if the errors
+   continue beyond the present threshold (errorsGoOn()), because a second motion is not noise.
 5. settle(): polishing and the mask use the threshold that was estimated last, or two thirds of
    the widest threshold if the noise is unknown. */
 class AutomaticThreshold
