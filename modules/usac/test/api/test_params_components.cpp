@@ -360,8 +360,8 @@ TEST_P(UsacComponents, polishingSteps)
             usac->components().nonMinimalSolver = recorder;
             EXPECT_FALSE(usac->run().empty());
             const int fits = (int)recorder->sizes.size();
-            EXPECT_LE(fits, steps) << types[i];
-            EXPECT_GE(fits, types[i] == POLISHING_ROBUST ? std::min(steps, 2) : 1) << types[i];
+            EXPECT_LE(fits, steps) << (int)types[i];
+            EXPECT_GE(fits, types[i] == POLISHING_ROBUST ? std::min(steps, 2) : 1) << (int)types[i];
             if (types[i] == POLISHING_ROBUST)
             {
                 EXPECT_LT(fits, 30) << "the model no longer changes";

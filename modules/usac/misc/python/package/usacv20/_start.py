@@ -14,7 +14,7 @@ from typing import List
 def _isTool() -> bool:
     given: List[str] = getattr(sys, "orig_argv", None) or getattr(sys, "argv", [])  # argv does not tell the module after -m
     module = given[given.index("-m") + 1:][:1] if "-m" in given else []
-    return module == [__name__.rpartition(".")[0] + ".collection"] or "usacv20-collection" in map(os.path.basename, given[:2])
+    return module == [__name__.rpartition(".")[0] + ".collection"] or any(os.path.basename(word) == "usacv20-collection" for word in given[:2])
 
 
 _silent = _isTool() and signal.getsignal(signal.SIGINT) is signal.default_int_handler
