@@ -413,7 +413,7 @@ TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
             Mat mask;
             const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
                                   ->run(mask);
-            ASSERT_FALSE(plane.empty()) << neighborhood << " " << ordering;
+            ASSERT_FALSE(plane.empty()) << (int)neighborhood << " " << (int)ordering;
             EXPECT_LE(errorOf(plane), 0.03);
             EXPECT_EQ(0, mask.at<uchar>(7) + mask.at<uchar>(150));
         }

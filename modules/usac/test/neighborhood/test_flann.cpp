@@ -306,7 +306,7 @@ TEST(Usac_NeighborhoodFlann, rightModels)
                 Params params;
                 params.neighborhood = kind;
                 EXPECT_LT(modelError(scene, estimate(scene, params)), 1)
-                    << problem << " " << kind << " " << seed;
+                    << problem << " " << (int)kind << " " << seed;
                 params.spatialWeight = 0.3;
                 params.sampler = SAMPLER_UNIFORM;
                 EXPECT_LT(modelError(scene, estimate(scene, params)), 1)

@@ -210,7 +210,7 @@ TEST_P(Usac_Magsac_Problem, estimates)
             params.polishing = POLISHING_REWEIGHTED;
             Report report;
             EXPECT_LT(modelError(scene, estimate(scene, params, noArray(), &report)), 0.35)
-                << quality << " " << wide;
+                << (int)quality << " " << wide;
             EXPECT_GT(report.cost, 0.25);
             EXPECT_LT(report.cost, 0.75);
         }

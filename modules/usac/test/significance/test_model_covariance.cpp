@@ -48,10 +48,10 @@ TEST_P(Usac_ModelCovariance, calibrated)
         // and E are a third too large
         const bool singular = polishing == POLISHING_REWEIGHTED &&
                               (GetParam() == FUNDAMENTAL || GetParam() == ESSENTIAL);
-        EXPECT_LE(sum / scenes, 1.19) << polishing;
-        EXPECT_GE(sum / scenes, singular ? 0.65 : 0.85) << polishing;
-        EXPECT_GE(within, scenes * 0.9) << polishing;  // 3.2 standard deviations below 95 %
-        EXPECT_NEAR(1, noise / scenes, 0.04) << polishing;
+        EXPECT_LE(sum / scenes, 1.19) << (int)polishing;
+        EXPECT_GE(sum / scenes, singular ? 0.65 : 0.85) << (int)polishing;
+        EXPECT_GE(within, scenes * 0.9) << (int)polishing;  // 3.2 standard deviations below 95 %
+        EXPECT_NEAR(1, noise / scenes, 0.04) << (int)polishing;
     }
 }
 

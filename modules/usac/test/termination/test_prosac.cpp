@@ -261,7 +261,8 @@ TEST(Usac_TerminationProsac, endsARun)
                 const Params params = sortedParams(scene, sampler);
                 Report report;
                 const Mat model = estimate(scene, params, noArray(), &report);
-                EXPECT_LT(modelError(scene, model), 2) << problem << " " << sampler << " " << seed;
+                EXPECT_LT(modelError(scene, model), 2)
+                    << problem << " " << (int)sampler << " " << seed;
                 EXPECT_EQ((int)STOP_PROSAC, report.stop);
                 EXPECT_LT(report.iterations, 1000) << problem << " " << sampler << " " << seed;
                 Params standard = params;

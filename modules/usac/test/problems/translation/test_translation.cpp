@@ -176,7 +176,7 @@ TEST(Usac_Translation, everyPreset)
                 // the true matches come first: where all samples follow this order (orderedEvery is
                 // 1), PROSAC's criterion can end the search early, and a larger error is allowed
                 EXPECT_LE(matches.error(model), params.orderedEvery == 1 ? 0.6 : 0.3)
-                    << preset.name << ", " << residual;
+                    << preset.name << ", " << (int)residual;
                 EXPECT_LE(report.chance, 1e-6);
             }
 }
