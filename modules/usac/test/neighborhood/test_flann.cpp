@@ -310,7 +310,7 @@ TEST(Usac_NeighborhoodFlann, rightModels)
                 params.spatialWeight = 0.3;
                 params.sampler = SAMPLER_UNIFORM;
                 EXPECT_LT(modelError(scene, estimate(scene, params)), 1)
-                    << problem << " " << kind << " " << seed;
+                    << problem << " " << (int)kind << " " << seed;
             }
 }
 

@@ -318,7 +318,7 @@ TEST_P(UsacAutomaticThreshold, otherScores)
         const Mat model = estimate(scene, params, mask, &report);
         ASSERT_FALSE(model.empty());
         EXPECT_NEAR(1, report.sigma / sigmaOf(scene), 0.25) << (int)params.quality;
-        EXPECT_LE(report.threshold, 4) << params.quality;
+        EXPECT_LE(report.threshold, 4) << (int)params.quality;
         checkResult(scene, report.threshold, model, mask, report, params.widestReach);
     }
 }

@@ -197,7 +197,7 @@ TEST(Usac_FewPlaces, little_work)
             Report report;
             estimateModel(problem, points[0], points[1], Params(), noArray(), report);
             EXPECT_LE(report.localOptimizations, 60) << (int)problem << report.describe();
-            EXPECT_TRUE(!copies || report.iterations <= 500) << problem << report.describe();
+            EXPECT_TRUE(!copies || report.iterations <= 500) << (int)problem << report.describe();
         }
 }
 

@@ -264,7 +264,7 @@ TEST(Usac_TerminationProsac, endsARun)
                 EXPECT_LT(modelError(scene, model), 2)
                     << problem << " " << (int)sampler << " " << seed;
                 EXPECT_EQ((int)STOP_PROSAC, report.stop);
-                EXPECT_LT(report.iterations, 1000) << problem << " " << sampler << " " << seed;
+                EXPECT_LT(report.iterations, 1000) << problem << " " << (int)sampler << " " << seed;
                 Params standard = params;
                 standard.termination = TERMINATION_STANDARD;
                 Report standardReport;
