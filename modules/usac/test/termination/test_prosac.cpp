@@ -270,7 +270,7 @@ TEST(Usac_TerminationProsac, endsARun)
                 Report standardReport;
                 estimate(scene, standard, noArray(), &standardReport);
                 EXPECT_LE(report.iterations, standardReport.iterations + 50)
-                    << problem << " " << sampler;
+                    << problem << " " << (int)sampler;
             }
 }
 
