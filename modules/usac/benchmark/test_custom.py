@@ -177,7 +177,7 @@ class CustomTest(FolderTest):
                                    ("neighborhood", "NeighborhoodType"), ("thresholdType", "ThresholdType"), ("residual", "ResidualType"), ("quality", "QualityType"),
                                    ("verification", "VerificationType"), ("localOptimization", "LocalOptimizationType"),
                                    ("termination", "TerminationFlags"), ("degeneracy", "DegeneracyFlags"), ("polishing", "PolishingType")):
-            body = re.search(r"enum %s \{(.*?)\}" % enumeration, header, re.DOTALL).group(1)
+            body = re.search(r"enum %s(?:: int)? \{(.*?)\}" % enumeration, header, re.DOTALL).group(1)
             found = re.findall(r"(\w+)\s*=\s*(\d+)", body)
             prefix = os.path.commonprefix([name for name, _ in found]).rpartition("_")[0] + "_"
             flags = enumeration.endswith("Flags")
