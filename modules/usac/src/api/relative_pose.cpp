@@ -13,11 +13,9 @@ namespace usacv20 {
 namespace {
 
 /** A plane with more than this fraction of the inliers is dominant, as in PlanarMotion. If there is
-a dominant plane, the second motion that explains it is reported, too.
-doc/measurements/constants_tables.md shows the effects of other values. */
+a dominant plane, the second motion that explains it is reported, too. */
 constexpr double DOMINANT = 0.8;
 //! A match is on a plane if its error under the plane's homography is at most this many thresholds.
-//! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr double ON_PLANE = 2;
 
 //! A search for the motion of two calibrated views.

@@ -12,8 +12,7 @@ namespace usacv20 {
 
 namespace {
 
-// Limits for extreme input; doc/measurements/constants_tables.md lists the effects of halving and
-// doubling these constants.
+// Limits for extreme input.
 
 //! The median deviation of the first SAMPLE values is compared with the mean deviation of all
 //! values.

@@ -13,8 +13,7 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant. The
-// gain of a model is defined in Alternative.
+// The gain of a model is defined in Alternative.
 
 //! The gain of an alternative is at least this fraction of the largest gain of all models: NEAR if
 //! the ranking is a known order of the points, NEAR_COMMON if it is by common neighbors.

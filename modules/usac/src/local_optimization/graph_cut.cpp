@@ -12,8 +12,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! Maximum number of points of a fit to the inliers (MAX_INNER_FIT), and of a fit to the points
 //! within one of the shrinking thresholds (MAX_SHRINK). While the inliers still change, fits to
 //! more points are slower but not better.

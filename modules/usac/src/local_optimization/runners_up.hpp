@@ -75,7 +75,7 @@ class RunnersUp
 public:
     /** The best model explains the points whose errors are at most EXPLAINED times
     Context::inlierThreshold. The factor is above 1 because some correct matches lie beyond the
-    threshold if the noise is wide. See doc/measurements/constants_tables.md. */
+    threshold if the noise is wide. */
     static constexpr double EXPLAINED = 1.5;
 
     //! @param most maximum number of models that are stored, at least 0
@@ -119,7 +119,7 @@ public:
 private:
     //! A model can become a runner-up if its gain is more than this fraction of the gain of the
     //! best model that any sample has given so far. The gain is the number of points, which is the
-    //! cost without any model, minus the cost. See doc/measurements/constants_tables.md.
+    //! cost without any model, minus the cost.
     static constexpr double PROMISING = 0.6;
 
     void insert(const RunnerUp& item);

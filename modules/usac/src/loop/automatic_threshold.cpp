@@ -16,8 +16,7 @@ namespace usacv20 {
 namespace {
 
 // The comment of the class AutomaticThreshold describes the steps in which these constants are
-// used; "the guess" is guess(). doc/measurements/constants_tables.md lists the effects of halving
-// and doubling each constant.
+// used; "the guess" is guess().
 
 //! Maximum number of points that the guess uses.
 constexpr int POINTS = 512;

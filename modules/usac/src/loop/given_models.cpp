@@ -14,8 +14,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! START_SAMPLES: number of samples whose models are compared by their errors. START_MODELS: a
 //! least-squares fit starts from each of the best of these models, at most this many.
 constexpr int START_SAMPLES = 64, START_MODELS = 4;

@@ -14,8 +14,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! A runner-up is optimized only if more than this fraction of its inliers are points that the best
 //! model does not explain, or if the problem is ambiguous.
 constexpr double DIFFERENT = 0.1;

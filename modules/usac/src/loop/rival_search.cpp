@@ -13,8 +13,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! Without evidence of a rival, the number of samples of unexplained points for one best model is
 //! at most 1 / FIRST_PART of the number of all samples drawn so far, or LEAST_SAMPLES if this is
 //! more.

@@ -14,8 +14,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! Number of samples in the largest batch: enough work for several threads.
 constexpr int LARGEST_BATCH = 256;
 /** Number of samples in the first batch; half as many if samples are expensive, as for E. The batch

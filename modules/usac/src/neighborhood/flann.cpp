@@ -11,9 +11,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md shows the effects of other values of LAYERS, WIDEST and
-// TREE_LINKS.
-
 //! LAYERS: number of layers; each is twice as wide as the previous one. WIDEST: maximum number of
 //! neighbors stored per point, unless the caller asks for more.
 constexpr int LAYERS = 4, WIDEST = 512;

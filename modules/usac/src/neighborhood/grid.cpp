@@ -19,7 +19,6 @@ constexpr int CODE_BITS = 16, MOST_BITS = 8;
 constexpr int BLOCK = 256;
 //! In the list of points sorted by code, a point is linked to those of the next CELL_LINKS points
 //! that are in the same cell of the second layer.
-//! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr int CELL_LINKS = 3;
 
 //! The first points of a run, sorted by the codes of their cells.

@@ -11,8 +11,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving and doubling each constant.
-
 //! The noise of inliers in the tail has TAIL times the standard deviation of the noise of the other
 //! inliers. At most the fraction LARGEST_TAIL of all inliers are in the tail.
 constexpr double TAIL = 3, LARGEST_TAIL = 0.5;

@@ -138,8 +138,6 @@ private:
         return step.allFinite();
     }
 
-    // doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
     //! Number of unsuccessful steps (the cost does not decrease) that are allowed in addition to
     //! the requested iterations.
     enum { RETRIES = 2 };

@@ -12,8 +12,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! The EM algorithm starts with this variance (in squared thresholds) and this inlier ratio, and
 //! takes STEPS steps. Halving any one of the three constants raises the errors of estimated H by 3
 //! to 8 % on the scenes of doc/structured.md, and changes them by at most 1 % on real image pairs.

@@ -13,8 +13,7 @@ namespace {
 
 //! BUCKETS: number of ranks that are distinguished. ORDERING_OTHERS: number that is added to the
 //! number of points that share only one of the two cells of a match, so that a few points do not
-//! give a high fraction (see DensityOrdering). doc/measurements/constants_tables.md shows the
-//! effects of other values.
+//! give a high fraction (see DensityOrdering).
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
 
 /** @brief Orders matches by their local density in the joint space (x1, y1, x2, y2), relative to

@@ -16,8 +16,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! Fraction of the inliers that the first fit uses: the inliers with the lowest leverage.
 constexpr double BULK = 0.85;
 //! If no inlier has at least this leverage, the model is not changed. The leverage of a point is at

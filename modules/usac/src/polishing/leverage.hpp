@@ -52,7 +52,6 @@ public:
     void improve(Model& model);
 
 private:
-    //! doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
     enum {
         MOST = 200,  //!< maximum number of inliers in the first fit
         STARTS = 4   //!< number of samples; the best of their models is another start of a fit

@@ -12,8 +12,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling each constant.
-
 //! Number of samples of inliers from which fits start.
 constexpr int RESTARTS = 16;
 //! The loss (see lossOf()) of another minimum must be below this fraction of the model's loss.

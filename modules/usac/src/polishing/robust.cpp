@@ -15,8 +15,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
-
 /** Support of the biweight in standard deviations of the noise: larger errors have a weight of 0.
 With 5.3, the standard errors of fits are 1.6 % (F, E) or 2.3 % (H) larger than those of least
 squares if the noise is Gaussian. */

@@ -11,9 +11,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md shows the effects of halving and doubling these constants,
-// except SMALL.
-
 //! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
 constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
 //! If Params::maxIterations is lower, a search for a homography begins with samples that follow the

@@ -38,7 +38,7 @@ inline bool isOrdered(const Context& context, State& state, int m, int* sample)
 //! Number of samples at the start of a search that are uniform even if later samples follow a known
 //! order of the points (unless Params::orderedEvery is 1). PNapsacSampler also uses this number for
 //! a guessed order. Many searches end with these samples, and then need neither the order nor
-//! neighborhoods. doc/measurements/constants_tables.md shows the effects of other values.
+//! neighborhoods.
 constexpr int BEFORE_ORDER = 8;
 
 //! The same as isOrdered() for a known order of the points, see orderIsKnown(). Depending on

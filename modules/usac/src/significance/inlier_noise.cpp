@@ -17,8 +17,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving and doubling most constants.
-
 //! The smallest threshold that can be estimated is the upper bound `widest` divided by FINEST; data
 //! without noise give this threshold.
 constexpr int FINEST = 1024;

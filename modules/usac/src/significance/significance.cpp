@@ -13,8 +13,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
-
 //! The first test has so many points that FIRST_INLIERS inliers outside the sample are expected
 //! among them. As long as no test decides, each test has MORE times as many points as the one
 //! before. The final tests, of all points, make about PAIRS wrong matches or more, unless there are

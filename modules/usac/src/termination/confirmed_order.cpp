@@ -14,7 +14,6 @@ namespace usacv20 {
 
 //! Among the first FIRST_ORDERED samples, every second one follows the order of the points, except
 //! for the first few samples (see isOrderedByKnowledge() in samplers/samplers.hpp).
-//! doc/measurements/constants_tables.md shows the effects of other values of all constants.
 constexpr int FIRST_ORDERED = 480;
 //! Minimum evidence for the order (orderEvidence()), in standard deviations of the rank sum. One
 //! random order in 1000 reaches this value.
@@ -166,8 +165,7 @@ private:
 
     //! Computes `orderedNeeded` for a new best model, if its inliers confirm the order. A model
     //! that was the best one before any sample followed the order is not considered: otherwise
-    //! runs would be faster, but more wrong models would be returned (see "Choices between
-    //! variants" in doc/measurements/constants_tables.md).
+    //! runs would be faster, but more wrong models would be returned.
     void look(const Context& context, const State& state)
     {
         const Correspondences& p = context.points;

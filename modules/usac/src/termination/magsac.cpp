@@ -11,7 +11,6 @@ namespace usacv20 {
 namespace {
 
 //! Number of noise scales, the same as in the program of the authors of @cite barath2019magsac.
-//! doc/measurements/constants_tables.md shows the effects of other values.
 constexpr int PARTITIONS = 5;
 
 /** MAGSAC @cite barath2019magsac: the number of samples that the standard criterion asks for,

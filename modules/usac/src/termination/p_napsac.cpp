@@ -11,7 +11,7 @@ namespace usacv20 {
 namespace {
 
 /** Number of distinct inliers outside the sample at which r (see PNapsacTermination) is half of
-Params::relaxation. doc/measurements/constants_tables.md shows the effects of other values. */
+Params::relaxation. */
 constexpr int HALF = 30;
 
 }  // namespace

@@ -10,8 +10,6 @@ namespace usacv20 {
 
 namespace {
 
-// doc/measurements/constants_tables.md shows the effects of halving and doubling most constants.
-
 //! Points per block: FIRST_BLOCK until FIRST_BLOCKS_END points have been tested, then SECOND_BLOCK
 //! until SECOND_BLOCKS_END points have been tested, then BLOCK.
 constexpr int FIRST_BLOCK = 32, FIRST_BLOCKS_END = 64, SECOND_BLOCK = 64, SECOND_BLOCKS_END = 256,

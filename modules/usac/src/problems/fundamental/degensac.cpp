@@ -18,7 +18,6 @@ namespace {
 
 // In this file, a homography maps a match, and the match is on its plane, if the transfer error is
 // at most three inlier thresholds, see planeLimit(), unless another limit is given.
-// doc/measurements/constants_tables.md lists the effects of halving or doubling most constants.
 
 //! Least-squares fits of the homography of a plane: maximum numbers of points in a fit (MAX_FIT),
 //! of fits (MAX_FITS) and of steps per fit (FIT_STEPS). A plane with fewer than LEAST_POINTS points

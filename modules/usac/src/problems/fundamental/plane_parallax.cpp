@@ -20,9 +20,6 @@ namespace {
 //! that the match is no evidence for these epipoles.
 constexpr int NEAR = 2;
 
-/* doc/measurements/constants_tables.md lists the effects of halving or doubling the following
- * constants. */
-
 //! Assumed fraction of the correct matches whose lines lead to the epipole despite noise.
 constexpr double GOOD_LINES = 0.5;
 //! An epipole is fitted only if the number of its votes is at least this fraction of the number of

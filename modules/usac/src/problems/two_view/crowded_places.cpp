@@ -15,8 +15,7 @@ namespace {
 
 // In this file, a place is a small region of array 2, at most a few thresholds wide, to which many
 // different points of array 1 are matched. Arrays 1 and 2 are the caller's two arrays of points; in
-// the code, they have the indices 0 and 1. doc/measurements/constants_tables.md lists the effects
-// of halving and doubling these constants.
+// the code, they have the indices 0 and 1.
 
 //! The first FIRST_SEEN points, a random subset, are compared with each other. One of these points
 //! can be the center of a place if at least SEEN of the other points are near it in array 2 and far

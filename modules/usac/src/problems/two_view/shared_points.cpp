@@ -15,7 +15,6 @@ namespace usacv20 {
 namespace {
 
 // In this file, the two ends of a match are its point in image 1 and its point in image 2.
-// doc/measurements/constants_tables.md lists the effects of halving and doubling these constants.
 
 //! The quality is lowered only if at least FEW of the first LOOKED_AT matches would be inliers for
 //! every position of one of their ends.
