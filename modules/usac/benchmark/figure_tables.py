@@ -9,7 +9,7 @@ import csv
 import math
 
 CAPTION = ("Median error in pixels (geometric mean over the lists on which no method of the table fails in half of the runs) / failures in % (mean) / "
-           "process CPU milliseconds of a call (geometric mean over lists of the median){auc}")
+           "process CPU milliseconds of a call (geometric mean over lists of the median) / for E the AUC of the pose error at 10 degrees")
 
 
 def read_tables(*files):

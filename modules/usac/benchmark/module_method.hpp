@@ -30,9 +30,6 @@ public:
     void run(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
     void tell(const ImagePair& pair, Estimate& estimate) CV_OVERRIDE;
 
-    //! The parameters of the prepared run.
-    const cv::usacv20::Params& parameters() const { return params; }
-
     //! Sets Params::initialModel of the prepared run.
     void beginWith(const cv::Mat& model);
 

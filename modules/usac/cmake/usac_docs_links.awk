@@ -9,8 +9,6 @@
 #   [text](folder/name.hpp)                    the page of the source
 #   [text](folder/name.markdown)               the page whose label is in the first line of that file
 #   [text](folder/name.png), .cff, LICENSE     the file next to the page, see HTML_EXTRA_FILES
-# The comments that mark generated numbers (<!-- figures: ... -->) are removed, because doxygen also removes the space after a
-# comment.
 
 function name_of(path) # doc/file.md: file
 {
@@ -60,7 +58,6 @@ function target_of(link, at, base)
 
 FNR == 1 { file = name_of(FILENAME); code = 0 }
 /^ *```/ { code = !code }
-!code { gsub(/<!-- figures: [^ ]+ -->/, "") }
 !code && /^#+ / { gsub(/`/, "") }  # doxygen would show them as tags
 !code && /^##+ / {
     id = $0

@@ -105,7 +105,6 @@ run() # name, pattern of passed, pattern of failed, command
     echo "== $name"
     from=$(date +%s)
     times > "$work/$name.before"
-    git -C "$project" rev-parse --short HEAD > "$work/$name.commit" 2> /dev/null || true  # for modules/usac/benchmark/measure.py --logs
     { "$@" && rc=0 || rc=$?; echo $rc > "$work/rc"; } 2>&1 | tee "$work/$name.log"
     p=$(sed -n "s/$p/\1/p" "$work/$name.log" | tail -n 1)
     f=$(sed -n "s/$f/\1/p" "$work/$name.log" | tail -n 1)

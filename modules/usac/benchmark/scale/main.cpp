@@ -3,19 +3,14 @@
 // of this distribution and at http://opencv.org/license.html.
 
 // Measures how the time of robust estimators grows with the number of matches and with the fraction
-// of outliers on synthetic scenes. For the module's methods it also compares the time of the search
-// with a lower bound: the time that the minimal solver and the kernel (the computation of errors)
-// take alone.
+// of outliers on synthetic scenes.
 //
-//     usac_scale --csv=scale.csv --boundCsv=bound.csv > scale.md
+//     usac_scale --csv=scale.csv > scale.md
 //     python3 modules/usac/benchmark/plot_scale.py scale.csv --out=pictures
 
 #include <iostream>
-#include "module_method.hpp"
 #include "program.hpp"
 #include "scale_options.hpp"
-#include "scene_pair.hpp"
-#include "search_bound.hpp"
 #include "sweep.hpp"
 
 using namespace benchmark;
@@ -51,41 +46,10 @@ void runSweeps(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& 
     }
 }
 
-//! Measures the lower bounds of the module's methods. OpenCV's methods are left out, because they
-//! do not report the numbers of samples and models.
-void runBounds(const ScaleOptions& options, const std::vector<cv::Ptr<Method>>& methods,
-               std::ofstream& csv)
-{
-    SearchBound::markdownHeader(std::cout);
-    if (csv.is_open())
-        SearchBound::csvHeader(csv);
-    for (size_t p = 0; p < options.problems.size(); ++p)
-        for (size_t m = 0; m < methods.size(); ++m)
-        {
-            ModuleMethod* const method = dynamic_cast<ModuleMethod*>(methods[m].get());
-            for (size_t i = 0; method && i < options.boundInliers.size(); ++i)
-            {
-                const ProblemType problem = options.problems[p];
-                method->prepare(
-                    toImagePair(options.scene(problem, options.size, options.boundInliers[i], 0)),
-                    options.settings(problem));
-                SearchBound bound(options.methods[m], problem, options.boundInliers[i], options);
-                bound.run(method->parameters());
-                bound.markdown(std::cout);
-                std::cout.flush();
-                if (csv.is_open())
-                    bound.csv(csv);
-            }
-        }
-}
-
 void run(const ScaleOptions& options)
 {
-    std::ofstream csv, boundCsv;
-    if (options.sweepSizes || options.sweepInliers)
-        openOutput(csv, options.csv);
-    if (options.bound)
-        openOutput(boundCsv, options.boundCsv);
+    std::ofstream csv;
+    openOutput(csv, options.csv);
     std::vector<cv::Ptr<Method>> methods;
     for (size_t i = 0; i < options.methods.size(); ++i)
         methods.push_back(createMethod(options.methods[i]));
@@ -97,10 +61,7 @@ void run(const ScaleOptions& options)
         << ".\n\nEntries of tables of times: median CPU time of a call, ms / median error, px / "
            "failures, %; -: not run, because the median call on easier scenes took more than "
         << options.limit << " ms.\n";
-    if (options.sweepSizes || options.sweepInliers)
-        runSweeps(options, methods, csv);
-    if (options.bound)
-        runBounds(options, methods, boundCsv);
+    runSweeps(options, methods, csv);
 }
 
 int program(int argc, char** argv)

@@ -12,22 +12,19 @@ namespace benchmark {
 namespace {
 
 const char KEYS[] = "{help h usage ? | | print this }"
-                    "{measure        |size,inliers,bound| what to measure. size: time as a "
+                    "{measure        |size,inliers| what to measure. size: time as a "
                     "function of the number of matches; inliers: time as a function of the "
-                    "fraction of right matches; bound: ratio of the time of the search to its "
-                    "lower bound }"
+                    "fraction of right matches }"
                     "{problems       |H,F,E| H homography, F fundamental matrix, E essential "
                     "matrix }"
                     "{methods        |USACV20,USACV20_FAST,cv:USAC_FAST,cv:USAC_MAGSAC| names "
-                    "separated by commas, as for usac_benchmark; with --measure=bound, only those "
-                    "of the module are run }"
+                    "separated by commas, as for usac_benchmark }"
                     "{sizes          "
                     "|50,100,200,500,1000,2000,5000,10000,20000,50000,100000,200000,500000,1000000|"
                     " size: numbers of matches }"
                     "{parts          |0.9,0.8,0.7,0.6,0.5,0.4,0.3,0.25,0.2,0.15,0.1,0.07,0.05| "
                     "inliers: fractions of right matches }"
-                    "{boundParts     |0.1,0.2,0.3| bound: fractions of right matches }"
-                    "{size           |2000| inliers, bound: number of matches }"
+                    "{size           |2000| inliers: number of matches }"
                     "{part           |0.5| size: fraction of right matches }"
                     "{noise          |0.5| standard deviation of the noise of each coordinate of "
                     "the right matches, pixels }"
@@ -37,8 +34,7 @@ const char KEYS[] = "{help h usage ? | | print this }"
                     "{maxIters       | | limit of iterations (default: H 10000, F and E 1000) }"
                     "{seed           |1| seed of the first scene; each further scene adds 1 }"
                     "{threads        |1| argument of cv::setNumThreads; -1: all processors }"
-                    "{csv            | | CSV file for the times }"
-                    "{boundCsv       | | CSV file for the lower bounds }";
+                    "{csv            | | CSV file for the times }";
 
 bool isPart(double value) { return value > 0 && value <= 1; }
 
@@ -86,9 +82,8 @@ void ScaleOptions::parseKinds(const cv::CommandLineParser& parser, const Argumen
     const std::vector<std::string> what = namesOf(parser, arguments, "measure");
     sweepSizes = has(what, "size");
     sweepInliers = has(what, "inliers");
-    bound = has(what, "bound");
-    require(what.size() == (size_t)(sweepSizes + sweepInliers + bound),
-            "--measure: expected size, inliers, bound");
+    require(what.size() == (size_t)(sweepSizes + sweepInliers),
+            "--measure: expected size, inliers");
     const std::vector<std::string> letters = namesOf(parser, arguments, "problems");
     for (size_t i = 0; i < letters.size(); ++i)
     {
@@ -108,7 +103,6 @@ void ScaleOptions::parseScenes(const cv::CommandLineParser& parser, const Argume
         sizes.push_back(toInteger(counts[i], "sizes"));
     std::sort(sizes.begin(), sizes.end());
     inliers = partsOf(namesOf(parser, arguments, "parts"), "parts");
-    boundInliers = partsOf(namesOf(parser, arguments, "boundParts"), "boundParts");
     size = integerOf(parser, "size");
     part = numberOf(parser, "part");
     noise = numberOf(parser, "noise");
@@ -116,8 +110,7 @@ void ScaleOptions::parseScenes(const cv::CommandLineParser& parser, const Argume
     require(isPart(part), "--part: expected a number above 0 up to 1");
     require(noise >= 0, "--noise: expected 0 or more");
     require(seed >= 0, "--seed: expected 0 or more");
-    require(size * inliers.back() >= 1 && size * boundInliers.back() >= 1 &&
-                sizes.front() * part >= 1,
+    require(size * inliers.back() >= 1 && sizes.front() * part >= 1,
             "--size, --sizes: there is no right match");
 }
 
@@ -127,7 +120,7 @@ bool ScaleOptions::parse(int argc, char** argv)
     const Arguments arguments(argc, argv, parser);
     parser.about(
         "Measures time as a function of the number of matches and of the fraction of right matches "
-        "in synthetic scenes, and the ratio of the time of the search to its lower bound.\n"
+        "in synthetic scenes.\n"
         "Methods: " +
         knownMethods() + ".");
     if (parser.has("help") || argc == 1)
@@ -142,7 +135,6 @@ bool ScaleOptions::parse(int argc, char** argv)
     maxIterations = parser.has("maxIters") ? integerOf(parser, "maxIters") : 0;
     threads = integerOf(parser, "threads");
     csv = parser.get<cv::String>("csv");
-    boundCsv = parser.get<cv::String>("boundCsv");
     require(repeats > 0 && limit > 0, "--repeats, --limit: expected numbers above 0");
     require(maxIterations > 0 || !parser.has("maxIters"), "--maxIters: expected a number above 0");
     return true;

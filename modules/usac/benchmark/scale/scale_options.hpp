@@ -18,16 +18,15 @@ struct ScaleOptions
 {
     std::vector<ProblemType> problems;
     std::vector<std::string> methods;
-    std::vector<int> sizes;            //!< numbers of matches of the sweep over sizes, ascending
-    std::vector<double> inliers;       //!< inlier ratios of the sweep over inliers, descending
-    std::vector<double> boundInliers;  //!< inlier ratios for which the lower bound is measured
-    int size;                          //!< number of matches, except in the sweep over sizes
-    double part;                       //!< inlier ratio in the sweep over sizes
+    std::vector<int> sizes;       //!< numbers of matches of the sweep over sizes, ascending
+    std::vector<double> inliers;  //!< inlier ratios of the sweep over inliers, descending
+    int size;                     //!< number of matches, except in the sweep over sizes
+    double part;                  //!< inlier ratio in the sweep over sizes
     double noise;
     int repeats, seed, threads;
     double limit;  //!< milliseconds; methods with a longer median time do not run on harder scenes
-    bool sweepSizes, sweepInliers, bound;
-    std::string csv, boundCsv;  //!< output files; empty: none
+    bool sweepSizes, sweepInliers;
+    std::string csv;  //!< output file; empty: none
 
     //! The scene with the number `repeat`, from 0; all methods get the same scene.
     opencv_test::Scene scene(ProblemType problem, int size, double part, int repeat) const;

@@ -158,7 +158,7 @@ void AccuracyTable::row(const Cell& cell, double noise, std::ostream& out, std::
             continue;
         const std::vector<double> ratios = quotients(all[m].errors, all[m].far, reference.errors);
         out << (noise < LITTLE_NOISE ? cv::format(" %.2e", medianOf(all[m].errors))
-                                     : cv::format(" %.3f / %.3f", medianOf(ratios), meanOf(ratios)))
+                                     : cv::format(" %.3f", medianOf(ratios)))
             << poseText(all[m].poses, all[m].wrong);
         if (csv)
             csvRow(cell, noise, options.methods[m], all[m], reference, *csv);

@@ -126,7 +126,7 @@ void SearchGrid::measure(const Cell& cell, const opencv_test::SceneOptions& scen
     {
         if (!methodOf(m, cell))
             continue;
-        tallyOf(groupOf(cell), m).add(tallies[m], cell.name());
+        tallyOf(groupOf(cell), m).add(tallies[m]);
         if (csv)
             *csv << letterOf(cell.problem) << ',' << cell.motion << ',' << cell.kind << ','
                  << cell.size << ',' << cell.value("ratio") << ',' << cell.order << ",\""

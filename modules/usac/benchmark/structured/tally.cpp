@@ -44,13 +44,12 @@ Proportion::Proportion(int count, int of_) : of(of_), value(0), low(0), high(1)
 
 std::string Proportion::text() const
 {
-    return of ? cv::format("%.2f [%.2f, %.2f]", 100 * value, 100 * low, 100 * high)
-              : std::string("-");
+    return of ? cv::format("%.2f", 100 * value) : std::string("-");
 }
 
 Tally::Tally()
     : calls(0), limited(0), failed(0), limitedFailed(0), worse(0), wrong(0), none(0), iterations(0),
-      tells(true), worstRate(0)
+      tells(true)
 {}
 
 void Tally::add(const Call& call, const Verdict& verdict)
@@ -67,7 +66,7 @@ void Tally::add(const Call& call, const Verdict& verdict)
     times.push_back((float)call.cpuUs);
 }
 
-void Tally::add(const Tally& cell, const std::string& name)
+void Tally::add(const Tally& cell)
 {
     calls += cell.calls;
     limited += cell.limited;
@@ -79,30 +78,21 @@ void Tally::add(const Tally& cell, const std::string& name)
     iterations += cell.iterations;
     tells = tells && cell.tells;
     times.insert(times.end(), cell.times.begin(), cell.times.end());
-    if (cell.failures().value <= worstRate)
-        return;
-    worstRate = cell.failures().value;
-    worstCell = name;
 }
 
 double Tally::meanIterations() const { return tells && calls > 0 ? iterations / calls : -1; }
 
 std::string Tally::markdownHeader()
 {
-    return "calls | search failures, % | worst cell, % | ended by the limit, % | of these failed, "
-           "% | higher cost, % | "
-           "wrong, % | no model, % | mean iterations | median CPU, us |";
+    return "calls | search failures, % | higher cost, % | wrong, % | mean iterations | "
+           "median CPU, us |";
 }
 
 std::string Tally::markdown() const
 {
-    const std::string worst = worstCell.empty() ? "-"
-                                                : cv::format("%.1f: ", 100 * worstRate) + worstCell;
     const std::string loops = meanIterations() < 0 ? "-" : cv::format("%.0f", meanIterations());
-    return cv::format("%d | ", calls) + failures().text() + " | " + worst + " | " +
-           percent(limited, calls) + " | " + percent(limitedFailed, limited) + " | " +
-           percent(worse, calls) + " | " + percent(wrong, calls) + " | " + percent(none, calls) +
-           " | " + loops + cv::format(" | %.0f |", median(times));
+    return cv::format("%d | ", calls) + brief() + " | " + percent(worse, calls) + " | " +
+           percent(wrong, calls) + " | " + loops + cv::format(" | %.0f |", median(times));
 }
 
 std::string Tally::brief() const

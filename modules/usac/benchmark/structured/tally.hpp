@@ -17,7 +17,7 @@ namespace benchmark {
 struct Proportion
 {
     Proportion(int count, int of);
-    //! In percent, as "1.20 [0.40, 3.50]"; "-" if `of` is 0.
+    //! In percent, as "1.20"; "-" if `of` is 0.
     std::string text() const;
 
     int of;                   //!< number of cases
@@ -31,8 +31,8 @@ public:
     Tally();
 
     void add(const Call& call, const Verdict& verdict);
-    //! Adds the counts of a whole cell with this name.
-    void add(const Tally& cell, const std::string& name);
+    //! Adds the counts of a whole cell.
+    void add(const Tally& cell);
 
     //! Proportion of search failures among the calls that did not reach the limit of iterations.
     Proportion failures() const { return Proportion(failed - limitedFailed, calls - limited); }
@@ -40,7 +40,7 @@ public:
     int size() const { return calls; }
     bool empty() const { return calls == 0; }
 
-    enum { COLUMNS = 10 };  //!< number of columns in a Markdown table
+    enum { COLUMNS = 6 };  //!< number of columns in a Markdown table
     static std::string markdownHeader();
     std::string markdown() const;
     //! A table entry: failures() and, after a plus sign, the percentage of calls that reached the
@@ -57,8 +57,6 @@ private:
     double iterations;  //!< sum over the calls
     bool tells;         //!< true if all calls have reported their iterations
     std::vector<float> times;
-    std::string worstCell;
-    double worstRate;
 };
 
 }  // namespace benchmark
