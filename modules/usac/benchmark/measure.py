@@ -186,7 +186,7 @@ class Run:
 
 def measure_lists(run):
     methods = OWN + (AUTO, "USACV20_ACCURATE+scores", "cv:RANSAC", "cv:RHO") + RIVALS + ("cv:USAC_PROSAC+scores",)
-    found, files = run.two_views(methods, run.times(5), "--baseline=" + FAST)
+    found, files = run.two_views(methods, run.times(5))
     shown = [m for m in OWN + (AUTO, "cv:RANSAC") + RIVALS]
     body = "%d problems in %d lists, %d repeats.\n" % (sum(t["USACV20"]["pairs"] for t in found.values()), len(found), run.repeats)
     body += "\n## Averages\n\n%s\n\n" % tables.CAPTION + tables.averages(found, shown, NAMES)
@@ -225,7 +225,7 @@ def measure_automatic(run):
 def measure_pose(run):
     methods = ("USACV20", "USACV20_FAST", "USACV20+scores", "USACV20_MAGSAC", FAST, "cv:USAC_MAGSAC", "cv:PNP_P3P", "cv:PNP_ITERATIVE",
                "cv:PNP_EPNP")
-    found, _ = run.benchmark("pose", *["--list=" + path for path in run.lists("P")], run.times(7), "--baseline=" + FAST,
+    found, _ = run.benchmark("pose", *["--list=" + path for path in run.lists("P")], run.times(7),
                                 "--methods=" + ",".join(methods))
     return "\n".join("%d views. Error: angle between the rotations in degrees, median; center error: percent of the depth of "
                      "the scene, median.\n\n%s" % (
@@ -238,7 +238,7 @@ def measure_affine(run):
     for letter, scene, flag in (("A", "affinity", "cv:RANSAC"), ("S", "similarity", "cv:RANSAC")):
         for part in ("0.5", "0.2"):
             run.scenes(scene, "%s_%s" % (scene, part), "--inliers=" + part, "--pairs=20")
-        found, _ = run.benchmark(letter, "--data=" + run.scratch, "--problem=" + letter, run.times(3), "--baseline=" + flag,
+        found, _ = run.benchmark(letter, "--data=" + run.scratch, "--problem=" + letter, run.times(3),
                                     "--methods=USACV20,USACV20_FAST," + flag)
         body += "\n%s\n" % tables.against(found, ["USACV20", "USACV20_FAST"], flag)
     return body
@@ -252,7 +252,7 @@ def measure_rigid(run):
         for size in (200, 1000, 10000):
             for part in ("0.1", "0.2", "0.5", "0.8"):
                 run.scenes(scene, "%s_%d_%s" % (scene, size, part), "--inliers=" + part, "--size=%d" % size, "--pairs=20")
-        found, _ = run.benchmark(letter, "--data=" + run.scratch, "--problem=" + letter, run.times(3), "--baseline=cv:AFFINE3D",
+        found, _ = run.benchmark(letter, "--data=" + run.scratch, "--problem=" + letter, run.times(3),
                                     "--methods=USACV20,USACV20_FAST,cv:AFFINE3D,cv:AFFINE3D_REFIT")
         body += "\n%s\n" % tables.against(found, ["USACV20", "USACV20_FAST", "cv:AFFINE3D_REFIT"], "cv:AFFINE3D")
     return body
@@ -275,7 +275,7 @@ def measure_scale(run):
 
 
 def measure_threads(run):
-    found, _ = run.two_views(("USACV20", "USACV20_PARALLEL"), run.times(3), "--threads=2", "--baseline=USACV20")
+    found, _ = run.two_views(("USACV20", "USACV20_PARALLEL"), run.times(3), "--threads=2")
     rows = [["%s %s" % key, "%.2f" % (t["USACV20"]["mean_wall_ms"] / t["USACV20_PARALLEL"]["mean_wall_ms"])] for key, t in found.items()]
     return ("Mean wall time of `USACV20`, divided by that of `USACV20_PARALLEL`; meaningless if other programs use the "
             "processors.\n\n" + tables.markdown(["list", "times faster"], rows, True))

@@ -23,8 +23,6 @@ const char KEYS
          "{methods        "
          "|USACV20,USACV20_FAST,USACV20_ACCURATE,cv:USAC_DEFAULT,cv:USAC_MAGSAC,cv:RANSAC"
          "| names separated by commas; may be repeated; see below }"
-         "{baseline       | | method by whose times and errors those of all methods are divided "
-         "(default: the first cv: method or, without one, the first method) }"
          "{threshold      | | inlier threshold in pixels; R and M: in the unit of the points of "
          "space 2 (default: H 2; F and E 1; A, S and T 3; P 4; R and M 3) }"
          "{maxIters       | | limit of iterations (default: H, R and M 10000; F, E and P 1000; "
@@ -35,14 +33,6 @@ const char KEYS
          "{threads        |1| argument of cv::setNumThreads; -1: all processors }"
          "{csv            | | CSV file for the tables }"
          "{runs           | | CSV file for the individual runs }";
-
-std::string defaultBaseline(const std::vector<std::string>& methods)
-{
-    for (size_t i = 0; i < methods.size(); ++i)
-        if (methods[i].compare(0, 3, "cv:") == 0)
-            return methods[i];
-    return methods.empty() ? std::string() : methods[0];
-}
 
 }  // namespace
 
@@ -96,8 +86,6 @@ bool Options::parse(int argc, char** argv)
     methods = arguments.all("methods");
     if (methods.empty())
         methods = splitNames(parser.get<cv::String>("methods"));
-    baseline = parser.has("baseline") ? std::string(parser.get<cv::String>("baseline"))
-                                      : defaultBaseline(methods);
     csv = parser.get<cv::String>("csv");
     runsCsv = parser.get<cv::String>("runs");
 
@@ -111,10 +99,6 @@ bool Options::parse(int argc, char** argv)
     require(maxIterations > 0 || !parser.has("maxIters"), "--maxIters: expected a number above 0");
     require(confidence > 0 && confidence < 1, "--confidence: expected a number between 0 and 1");
     require(repeats > 0, "--repeats: expected a number above 0");
-    bool known = false;
-    for (size_t i = 0; i < methods.size(); ++i)
-        known = known || methods[i] == baseline;
-    require(known, "--baseline: '" + baseline + "' is not one of the methods");
     return true;
 }
 

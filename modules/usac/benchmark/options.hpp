@@ -15,7 +15,6 @@ namespace benchmark {
 struct Options
 {
     std::vector<std::string> lists, methods;
-    std::string baseline;      //!< the method that ratios in the tables refer to
     std::string csv, runsCsv;  //!< output files; empty: none
     char problem;              //!< a letter; '\0': taken from the name of each list
     int repeats, seed, threads;

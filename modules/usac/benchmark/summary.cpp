@@ -22,10 +22,6 @@ double Summary::*const MEANS[] = {&Summary::failures, &Summary::medianCpu,
                                   &Summary::auc5,     &Summary::auc10,
                                   &Summary::auc20,    &Summary::medianIterations};
 
-double Summary::*const RATIOS[] = {&Summary::errorRatio, &Summary::medianCpuRatio,
-                                   &Summary::meanCpuRatio, &Summary::medianWallRatio,
-                                   &Summary::meanWallRatio};
-
 double median(std::vector<double> values)
 {
     if (values.empty())
@@ -119,13 +115,6 @@ Summary summarizeRuns(const std::vector<Run>& runs, ProblemType problem)
     return summary;
 }
 
-//! value / reference; NaN if one of the two is infinite or NaN, or if the reference is 0.
-double ratio(double value, double reference)
-{
-    return std::isfinite(value) && std::isfinite(reference) && reference > 0 ? value / reference
-                                                                             : NOT_KNOWN;
-}
-
 //! True if every method that ran has a finite median error.
 bool allSucceed(const std::vector<Summary>& summaries)
 {
@@ -135,38 +124,19 @@ bool allSucceed(const std::vector<Summary>& summaries)
     return true;
 }
 
-double geometricMean(std::vector<double> values)
-{
-    for (size_t i = 0; i < values.size(); ++i)
-        values[i] = std::log(std::max(values[i], std::numeric_limits<double>::min()));
-    return std::exp(mean(values));
-}
-
 }  // namespace
 
 Summary::Summary() : lists(0), errorLists(0), medianError(NOT_KNOWN), medianCenter(NOT_KNOWN)
 {
     for (double Summary::*figure : MEANS)
         this->*figure = NOT_KNOWN;
-    for (double Summary::*figure : RATIOS)
-        this->*figure = NOT_KNOWN;
 }
 
-std::vector<Summary> summarize(const ListResult& result, int baseline)
+std::vector<Summary> summarize(const ListResult& result)
 {
     std::vector<Summary> summaries;
     for (size_t m = 0; m < result.runs.size(); ++m)
         summaries.push_back(summarizeRuns(result.runs[m], result.problem));
-    const Summary reference = summaries[baseline];
-    for (size_t m = 0; m < summaries.size(); ++m)
-    {
-        Summary& own = summaries[m];
-        own.errorRatio = ratio(own.medianError, reference.medianError);
-        own.medianCpuRatio = ratio(own.medianCpu, reference.medianCpu);
-        own.meanCpuRatio = ratio(own.meanCpu, reference.meanCpu);
-        own.medianWallRatio = ratio(own.medianWall, reference.medianWall);
-        own.meanWallRatio = ratio(own.meanWall, reference.meanWall);
-    }
     return summaries;
 }
 
@@ -188,8 +158,6 @@ std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists)
         result[m].medianCenter = mean(collect(solved, m, &Summary::medianCenter));
         for (double Summary::*figure : MEANS)
             result[m].*figure = mean(collect(lists, m, figure));
-        for (double Summary::*figure : RATIOS)
-            result[m].*figure = geometricMean(collect(lists, m, figure));
     }
     return result;
 }

@@ -32,19 +32,15 @@ struct Summary
     number in the name is the limit in degrees. */
     double auc1, auc5, auc10, auc20;
     double medianIterations;
-    double errorRatio, medianCpuRatio, meanCpuRatio, medianWallRatio,
-        meanWallRatio;  //!< the figures divided by those of the baseline
 };
 
-//! Summaries of all methods on one list. @param baseline index of the method whose figures are the
-//! denominators of the ratios
-std::vector<Summary> summarize(const ListResult& result, int baseline);
+//! Summaries of all methods on one list.
+std::vector<Summary> summarize(const ListResult& result);
 
 /** Averages over lists for all methods, as in Table 2 of the USACv20 paper.
 
 The errors (also of the center) are averaged over the lists on which every method that was run
-succeeds in more than half of the runs. The average of ratios is the geometric mean, that of all
-other figures the arithmetic mean.
+succeeds in more than half of the runs.
 @param lists for each list, the summaries of all methods */
 std::vector<Summary> average(const std::vector<std::vector<Summary>>& lists);
 

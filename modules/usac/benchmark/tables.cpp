@@ -36,11 +36,6 @@ const Column COLUMNS[] = {
     {"AUC@10", "auc10", "%.1f", &Summary::auc10, true},
     {"AUC@20", "auc20", "%.1f", &Summary::auc20, true},
     {"iterations", "median_iterations", "%.0f", &Summary::medianIterations, true},
-    {"error ratio", "error_ratio", "%.3f", &Summary::errorRatio, true},
-    {"CPU median ratio", "median_cpu_ratio", "%.3f", &Summary::medianCpuRatio, true},
-    {"CPU mean ratio", "mean_cpu_ratio", "%.3f", &Summary::meanCpuRatio, true},
-    {"wall median ratio", "median_wall_ratio", "%.3f", &Summary::medianWallRatio, true},
-    {0, "mean_wall_ratio", "%.3f", &Summary::meanWallRatio, true},
 };
 
 //! A number as text; `unknown` if it is NaN.
@@ -73,12 +68,10 @@ bool isShown(const std::vector<Summary>& rows, const Column& column)
 }  // namespace
 
 Tables::Tables(const Options& options_, const std::vector<ListResult>& results_)
-    : options(options_), results(results_), baseline(0), inPixels(false), inDegrees(false)
+    : options(options_), results(results_), inPixels(false), inDegrees(false)
 {
     for (const ListResult& result : results)
         (kindOf(result.problem).inPixels() ? inPixels : inDegrees) = true;
-    const std::vector<std::string>& methods = options.methods;
-    baseline = (int)(std::find(methods.begin(), methods.end(), options.baseline) - methods.begin());
     for (size_t i = 0; i < results.size(); ++i)
         addList(results[i]);
     addAverages("");
@@ -93,7 +86,7 @@ void Tables::addList(const ListResult& result)
     table.name = result.name;
     table.problem = letterOf(result.problem);
     table.pairs = (int)result.pairs.size();
-    table.rows = summarize(result, baseline);
+    table.rows = summarize(result);
     std::ostringstream title;
     title << table.name << " (" << table.problem << ", " << table.pairs << " pairs, threshold "
           << settings.threshold << ", " << settings.maxIterations << " iterations, confidence "
@@ -137,11 +130,8 @@ void Tables::markdown(std::ostream& out) const
            "Times: milliseconds of the call alone; a pair's time is the median over its repeats, "
            "median and mean are over the pairs; CPU: processor time of the process, the sum over "
            "all threads. AUC@5 and so on: area under the cumulative distribution of the pose error "
-           "up to this number of degrees, in percent. Iterations: median. Ratios: divided by the "
-           "figures of "
-        << options.baseline
-        << "; below 1 is better.\n\n"
-           "Averages: arithmetic means over lists, for ratios geometric means. The error is "
+           "up to this number of degrees, in percent. Iterations: median.\n\n"
+           "Averages: arithmetic means over lists. The error is "
            "averaged only over lists on which every method succeeded in more than half of the "
            "runs; the number of these lists is in brackets.\n";
     if (inDegrees)

@@ -41,7 +41,6 @@ private:
 
     const Options& options;
     const std::vector<ListResult>& results;
-    int baseline;              //!< index of the method that ratios refer to
     bool inPixels, inDegrees;  //!< true if the results have errors in this unit
     std::vector<Table> tables;
 };

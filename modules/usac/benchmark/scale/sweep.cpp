@@ -67,7 +67,7 @@ void Sweep::measure(Point& point, const std::vector<cv::Ptr<Method>>& methods,
                 result.runs[m].back().pair = repeat;
             }
     }
-    point.rows = summarize(result, 0);
+    point.rows = summarize(result);
     for (size_t m = 0; m < methods.size(); ++m)
         active[m] = active[m] && point.rows[m].medianCpu <= options.limit;
 }
