@@ -267,7 +267,8 @@ def measure_tracking(run):
 
 
 def measure_scale(run):
-    text = run.call("usac_scale", run.times(5), "--limit=1500", "--csv=" + run.path("scale.csv"))
+    text = run.call("scale.py", "--program=" + os.path.join(run.build, "bin", "usac_benchmark"), run.times(5), "--limit=1500",
+                    "--csv=" + run.path("scale.csv"))
     run.call("plot_scale.py", run.path("scale.csv"), "--out=" + run.scratch, shown=False)
     for picture in ("scale_time", "scale_error"):
         shutil.copy(run.path(picture + ".png"), os.path.join(ROOT, FOLDER, picture + ".png"))
@@ -324,7 +325,7 @@ KINDS = collections.OrderedDict((
     ("sigmas", Kind("The noise of each match", measure_sigmas)),
     ("threads", Kind("Two threads", measure_threads))))
 STRUCTURED = "structured_tables"  # its tables are the output of the commands that the file itself has
-PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_scale", "usac_structured", "usac_synthetic", "usac_tracking")
+PROGRAMS = ("usac_benchmark", "usac_covariance", "usac_structured", "usac_synthetic", "usac_tracking")
 
 
 def state():

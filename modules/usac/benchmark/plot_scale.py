@@ -3,9 +3,9 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Draws the results that `usac_scale --csv=FILE` has written: time and error over the number of matches
+"""Draws the results that `scale.py --csv=FILE` has written: time and error over the number of matches
 and over the inlier ratio, with a column of diagrams for each problem. A cross marks a point at which at
-least half of the runs failed. A curve ends where the method exceeded the time limit of usac_scale."""
+least half of the runs failed. A curve ends where the method exceeded the time limit of scale.py."""
 
 import argparse
 import math
@@ -32,7 +32,7 @@ def read_scale(file, methods=()):
     of the file as {column: number}. `methods` selects methods and their order; an empty list selects
     all."""
     results = {}
-    read_rows(file, COLUMNS, "usac_scale --csv", lambda row: _add(results, row))
+    read_rows(file, COLUMNS, "scale.py --csv", lambda row: _add(results, row))
     results = plot.choose(results, methods)
     if not any(results.values()):
         raise ValueError(file + ": no results" + (" of the methods asked for" if methods else ""))
@@ -91,7 +91,7 @@ def draw_all(results, folder, form, time):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("csv", metavar="FILE", help="file that usac_scale --csv has written")
+    parser.add_argument("csv", metavar="FILE", help="file that scale.py --csv has written")
     plot.add_options(parser)
     args = parser.parse_args(arguments)
     return plot.run(lambda: draw_all(read_scale(args.csv, args.method or []), args.out, args.format, args.time))

@@ -3,20 +3,20 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of usac_scale, of its plots (plot_scale.py), and of threshold.py, which measures the
-sensitivity of errors to the threshold.
+"""Tests of scale.py, of its plots (plot_scale.py), and of threshold.py, which measures the sensitivity of
+errors to the threshold.
 
-The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_scale is taken
-from the same folder. Tests that need matplotlib are skipped if it is missing."""
+The environment variable USAC_BENCHMARK is the path of the program usac_benchmark; usac_synthetic is
+taken from the same folder. Tests that need matplotlib are skipped if it is missing."""
 
 import contextlib
 import io
 import math
 import os
-import subprocess
 import sys
 import unittest
 
+import scale
 from test_benchmark import FolderTest
 import threshold
 
@@ -25,7 +25,7 @@ try:
 except ImportError:
     plot_scale = None
 
-SCALE = os.path.join(os.path.dirname(os.environ.get("USAC_BENCHMARK", "")), "usac_scale")
+BENCHMARK = os.environ.get("USAC_BENCHMARK", "")
 HEAD = "sweep,problem,size,inliers,method,runs,median_cpu_ms,median_wall_ms,median_error,failures_percent,median_iterations\n"
 
 # A program that replaces usac_benchmark in the tests of threshold.py. The errors that it writes are
@@ -102,13 +102,14 @@ class ScaleTest(FolderTest):
             self.assertIn(complaint, err.getvalue())
         self.assertFalse(os.path.exists(self.path("none")))
 
-    @unittest.skipUnless(os.path.isfile(SCALE), "there is no usac_scale beside USAC_BENCHMARK")
+    @unittest.skipUnless(os.path.isfile(BENCHMARK), "USAC_BENCHMARK is not set")
     def test_program_writes_what_is_read(self):
         table = self.path("scale.csv")
-        done = subprocess.run([SCALE, "--problems=H,F", "--methods=USACV20,cv:RANSAC", "--sizes=50,200", "--parts=0.5,0.9",
-                               "--size=200", "--repeats=2", "--csv=" + table],
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
-        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        arguments = ["--program=" + BENCHMARK, "--problems=HF", "--methods", "USACV20", "cv:RANSAC", "--sizes", "50", "200", "--parts", "0.5",
+                     "0.9", "--size=200", "--repeats=2", "--csv=" + table]
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.assertEqual(scale.main(arguments), 0)
+        self.assertRegex(out.getvalue(), r"\n\| 200 \| [\d.e-]+ / [\d.]+ / 0 \| [\d.e-]+ / [\d.]+ / 0 \|\n")
         results = plot_scale.read_scale(table)
         self.assertEqual(list(results), [("size", "H"), ("inliers", "H"), ("size", "F"), ("inliers", "F")])
         for (sweep, _), runs in results.items():
@@ -116,6 +117,31 @@ class ScaleTest(FolderTest):
             for points in runs.values():
                 self.assertEqual([p[sweep] for p in points], [50, 200] if sweep == "size" else [0.9, 0.5])
             self.assertTrue(all(0 < p["median_error"] < 1.5 for p in runs["USACV20"]), runs)
+
+
+class LimitTest(FolderTest):
+
+    def test_slow_methods_are_left_out(self):
+        """A method whose median call takes longer than the limit must not run on harder scenes."""
+        calls = []
+
+        def measured(args, problem, size, part, methods):
+            calls.append((size, list(methods)))
+            return {m: dict({f: "1" for f in scale.FIGURES}, median_cpu_ms="%d" % (size * (2 if m == "b" else 1))) for m in methods}
+
+        self.addCleanup(setattr, scale, "measure", scale.measure)
+        scale.measure = measured
+        table = self.path("scale.csv")
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            self.assertEqual(scale.main(["--problems=H", "--methods", "a", "b", "--sizes", "300", "10", "100", "--parts=1", "--limit=150",
+                                         "--csv=" + table]), 0)
+        self.assertEqual(calls[:3], [(10, ["a", "b"]), (100, ["a", "b"]), (300, ["a"])])
+        self.assertIn("| 300 | 300 / 1 / 1 | - |\n", out.getvalue())
+        with open(table) as lines:
+            self.assertEqual(lines.read().count("\nsize,H,"), 5)
+        with contextlib.redirect_stderr(io.StringIO()) as err:
+            self.assertEqual(scale.main(["--parts", "1.5"]), 1)
+        self.assertIn("--parts", err.getvalue())
 
 
 class ThresholdTest(FolderTest):

@@ -15,11 +15,11 @@ usac_add_sample_library(usac_benchmark_lib ${_sources})
 target_include_directories(usac_benchmark_lib PUBLIC "${_benchmark}")
 
 # The synthetic scenes of the tests.
-usac_add_sample_library(usac_benchmark_scenes "${_benchmark}/scale/scene_pair.cpp" "${_benchmark}/scale/scene_pair.hpp"
+usac_add_sample_library(usac_benchmark_scenes
   "${USAC_MODULE_DIR}/test/support/scenes.cpp" "${USAC_MODULE_DIR}/test/support/scene_scores.cpp"
   "${USAC_MODULE_DIR}/test/support/scene_geometry.cpp" "${USAC_MODULE_DIR}/test/problems/absolute_pose/pose_scenes.cpp"
   "${USAC_MODULE_DIR}/test/problems/rigid_motion/rigid_scenes.cpp")
-target_include_directories(usac_benchmark_scenes PUBLIC "${_benchmark}/scale" "${USAC_MODULE_DIR}/test")
+target_include_directories(usac_benchmark_scenes PUBLIC "${USAC_MODULE_DIR}/test")
 target_link_libraries(usac_benchmark_scenes PUBLIC usac_benchmark_lib)
 
 # Adds a program of the benchmark: name, sources, and libraries after LIBRARIES.
@@ -30,9 +30,8 @@ function(usac_add_benchmark name)
 endfunction()
 
 usac_add_benchmark(usac_benchmark "${_benchmark}/main.cpp" LIBRARIES usac_benchmark_lib)
-foreach(_name synthetic scale structured tracking covariance)
+foreach(_name synthetic structured tracking covariance)
   file(GLOB _sources CONFIGURE_DEPENDS "${_benchmark}/${_name}/*.cpp" "${_benchmark}/${_name}/*.hpp")
-  list(REMOVE_ITEM _sources "${_benchmark}/scale/scene_pair.cpp")
   usac_add_benchmark(usac_${_name} ${_sources} LIBRARIES usac_benchmark_scenes)
 endforeach()
 

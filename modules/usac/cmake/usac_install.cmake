@@ -29,7 +29,7 @@ install(FILES "${PROJECT_BINARY_DIR}/opencv_usac.pc" DESTINATION "${CMAKE_INSTAL
 
 # The programs find the library in the same prefix, even if the prefix is moved; in /usr, the system finds the library.
 if(BUILD_SAMPLES)
-  set(programs usac_benchmark usac_synthetic usac_scale usac_structured usac_tracking)
+  set(programs usac_benchmark usac_synthetic usac_structured usac_tracking)
   if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
     file(RELATIVE_PATH to_library "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
     set_target_properties(${programs} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_library}")

@@ -291,7 +291,7 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "benchmark", names={"plot.py": "modules/usac/benchmark/plot.py", "[": "", "]": "", "--out=DIR": "--out=drawn"}, before=RUNS, leaves=("drawn",))),
     (BENCHMARK, "Measurements", "sh 1", Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
     (BENCHMARK, "Scale", "sh 1", Shell("benchmark", names={
-        "> scale.md": "--problems=H --sizes=100,1000 --parts=0.8,0.5 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},
+        "> scale.md": "--problems=H --sizes 100 1000 --parts 0.8 0.5 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},
         leaves=("scale",))),
     (BENCHMARK, "Sensitivity to the threshold", "sh 1", Shell("benchmark", leaves=("threshold.md",))),
     (BENCHMARK, "Performance tests", "sh 1", Shell("benchmark", elsewhere={
