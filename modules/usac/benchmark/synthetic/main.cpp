@@ -9,35 +9,21 @@
 //     --inliers=0.3
 //     usac_benchmark --data=<folder>
 
-#include "pair_writer.hpp"
 #include "program.hpp"
 #include "scene_command.hpp"
-#include "space_writer.hpp"
-#include "view_writer.hpp"
+#include "scene_writer.hpp"
 
 using namespace benchmark;
 
 namespace {
 
-void writePairs(SceneCommand& command)
+//! Writes `count` scenes. @param options options of the first scene; the seed of each further scene
+//! is greater by 1
+template <class Options, class Make>
+void writeAll(SceneWriter& writer, int count, Options options, const Make& make)
 {
-    PairWriter writer(command.folder, command.name, command.letters);
-    for (int i = 0; i < command.pairs; ++i, ++command.images.seed)
-        writer.write(opencv_test::makeScene(command.problem, command.images));
-}
-
-void writeViews(SceneCommand& command)
-{
-    ViewWriter writer(command.folder, command.name);
-    for (int i = 0; i < command.pairs; ++i, ++command.view.seed)
-        writer.write(makeViewScene(command.view));
-}
-
-void writeSpaces(SceneCommand& command)
-{
-    SpaceWriter writer(command.folder, command.name, command.letters);
-    for (int i = 0; i < command.pairs; ++i, ++command.space.seed)
-        writer.write(makeSpaceScene(command.space));
+    for (int i = 0; i < count; ++i, ++options.seed)
+        writer.write(make(options));
 }
 
 int run(int argc, char** argv)
@@ -45,12 +31,16 @@ int run(int argc, char** argv)
     SceneCommand command;
     if (!command.parse(argc, argv))
         return 0;
+    SceneWriter writer(command.folder, command.name, command.letters);
     if (command.isView())
-        writeViews(command);
+        writeAll(writer, command.pairs, command.view, makeViewScene);
     else if (command.isSpace())
-        writeSpaces(command);
+        writeAll(writer, command.pairs, command.space, makeSpaceScene);
     else
-        writePairs(command);
+        writeAll(writer, command.pairs, command.images,
+                 [&](const opencv_test::SceneOptions& options) {
+                     return opencv_test::makeScene(command.problem, options);
+                 });
     return 0;
 }
 
