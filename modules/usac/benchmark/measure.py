@@ -260,7 +260,7 @@ def measure_rigid(run):
 
 def measure_tracking(run):
     run.repeats = run.chosen or 5
-    run.call("usac_tracking", "--sequences=%d" % run.repeats, "--csv=" + run.path("tracking.csv"))
+    run.call("usac_tracking", "--sequences=%d" % run.repeats, "--limits=8,32", "--csv=" + run.path("tracking.csv"))
     return ("Median error (P degrees, H pixels) / failures in % of the frames / samples per frame / ratio of the CPU time to "
             "that with the default limit without a model / failed frames after the jump until the first success.\n\n" +
             tables.tracking(run.path("tracking.csv")))
@@ -285,7 +285,7 @@ def measure_threads(run):
 def measure_covariance(run):
     """Measures how well Report::covariance describes the errors on synthetic scenes."""
     run.repeats = 1
-    text = run.call("usac_covariance", "--scenes=%d" % (run.chosen or 10000))
+    text = run.call("usac_covariance", "--scenes=%d" % (run.chosen or 10000), "--by=problem,shape,size,noise")
     return ("Scenes of each problem, the same number for each combination of shape, number of matches (20 to 1000), fraction of "
             "right matches (10 to 95 %; F, E: 30 to 95 %) and noise (standard deviation of each component of 0.1, 0.3 and 1 "
             "thresholds). Wrong: models with a root mean square error of more than a threshold on the noise-free right matches. "
