@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <limits>
-#include "measures.hpp"
+#include "problems/problem_kind.hpp"
 #include "true_model.hpp"
 
 namespace benchmark {
@@ -55,7 +55,8 @@ void Judge::offer(const cv::Mat& model)
 
 double Judge::costOf(const cv::Mat& model) const
 {
-    return modelCost(pair, settings.problem, model, settings.threshold) * pair.points1.size();
+    return kindOf(settings.problem).modelCost(pair, model, settings.threshold) *
+           pair.points1.size();
 }
 
 double Judge::distance(const cv::Mat& model, int row) const
@@ -79,10 +80,10 @@ bool Judge::sameInliers(const cv::Mat& model) const
 Verdict Judge::judge(const Estimate& estimate) const
 {
     Verdict verdict;
-    verdict.error = modelError(pair, settings.problem, estimate.model);
-    verdict.poseError = settings.problem == cv::usacv20::ESSENTIAL
-                            ? poseError(pair, settings.problem, estimate)
-                            : -1;
+    const ProblemKind& kind = kindOf(settings.problem);
+    verdict.error = kind.modelError(pair, estimate.model);
+    verdict.poseError = settings.problem == cv::usacv20::ESSENTIAL ? kind.poseError(pair, estimate)
+                                                                   : -1;
     verdict.none = !(verdict.error < std::numeric_limits<double>::infinity());
     verdict.far = !(verdict.error <= farLimit);
     verdict.wrong = verdict.poseError < 0 ? verdict.far
