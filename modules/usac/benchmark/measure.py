@@ -146,7 +146,7 @@ class Run:
         if program.endswith(".py"):
             words = [sys.executable, os.path.join(ROOT, "modules", "usac", "benchmark", program)] + list(arguments)
         if shown:
-            kept = [a for a in arguments if not re.match(r"--(csv|boundCsv|runs|program)=", a)]
+            kept = [a for a in arguments if not re.match(r"--(csv|runs|program)=", a)]
             line = " ".join([program] + [shlex.quote(a) for a in kept])
             for folder, word in ((self.scratch, "SCENES"), (self.data, "DATA")):
                 line = line.replace(folder, word) if folder else line
