@@ -172,8 +172,6 @@ int Residual::linearize(const Model& model, const double* datum, double* error,
 }
 
 double Sampler::growingShare(const Context&) const { return 0; }
-int Sampler::prelude(const Context&) const { return 0; }
-
 FusedKernel Score::fused(const Residual&) const { return 0; }
 bool Score::wholeModel() const { return false; }
 bool Score::countsInliers() const { return false; }

@@ -58,8 +58,6 @@ bool Ransac::run(int pause)
         if (adaptTerminations())
             continue;
         const bool first = batch.begins() && !literal;
-        if (first)  // models of the prelude do not prevent that the best of this batch is optimized
-            state.sampleQuality = Quality();
         batch.draw();  // 3
         Candidate best;
         bool found = false;
@@ -95,8 +93,7 @@ bool Ransac::run(int pause)
         const int tests = state.tests.size();
         const bool repeated = state.repeatedSamples != repeatedBefore;
         repeatedBefore = state.repeatedSamples;
-        // adapted to models of the prelude, the verifier would reject the first models after it
-        if (parts.verifier && !batch.inPrelude())
+        if (parts.verifier)
             parts.verifier->adapt(context, state);
         if (state.tests.size() != tests || repeated)
             stopping.update();

@@ -43,19 +43,15 @@ SampleBatch::SampleBatch(const Context& context_, State& state_, const Checks& c
                             LARGEST_BATCH)),
       samples(context_.arena.take<Sample>(LARGEST_BATCH)),
       counted(context_.arena.take<uchar>(LARGEST_BATCH)), solved(0), errorRows(0), reserved(0),
-      drawn(0), first(0), prelude(context_.components.sampler->prelude(context_)), parallel(false)
+      drawn(0), first(0), parallel(false)
 {}
 
 void SampleBatch::draw()
 {
     const double cost = context.points.problem->sampleCost().time;
     const int before = drawn;
-    int wanted = begins() ? (cost > EXPENSIVE ? FIRST_BATCH / 2 : FIRST_BATCH)
-                          : std::min<int>(2 * drawn, LARGEST_BATCH);
-    if (state.iteration < prelude)
-        wanted = std::min(wanted, prelude - state.iteration);
-    else
-        prelude = 0;
+    const int wanted = begins() ? (cost > EXPENSIVE ? FIRST_BATCH / 2 : FIRST_BATCH)
+                                : std::min<int>(2 * drawn, LARGEST_BATCH);
     drawn = std::min(wanted, context.params.maxIterations - state.iteration);
     for (int i = before; i < drawn; ++i)
         new (samples + i) Sample();

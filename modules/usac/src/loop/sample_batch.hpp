@@ -45,10 +45,8 @@ public:
     SampleBatch(const Context& context, State& state, const Checks& checks,
                 const RunnersUp& runnersUp, bool checkSamples);
 
-    //! True if the search begins with the next batch, or begins anew after Sampler::prelude().
-    bool begins() const { return drawn == 0 || (inPrelude() && state.iteration >= prelude); }
-    //! True until the first batch after Sampler::prelude() is drawn.
-    bool inPrelude() const { return prelude > 0; }
+    //! True if no batch has been drawn yet.
+    bool begins() const { return drawn == 0; }
     //! Draws the samples of the next batch. Batches grow, so that easy problems draw few
     //! superfluous samples and hard problems use all threads.
     void draw();
@@ -92,7 +90,6 @@ private:
     int reserved;        //!< number of elements allocated for `solved`
     int drawn;           //!< number of samples
     int first;           //!< State::iteration of the first sample
-    int prelude;         //!< Sampler::prelude(); 0 after it
     bool parallel;       //!< draw() has computed and scored the models
 };
 

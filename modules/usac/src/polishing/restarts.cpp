@@ -12,7 +12,8 @@ namespace usacv20 {
 
 namespace {
 
-//! Number of samples of inliers from which fits start.
+//! Number of samples of inliers from which fits start, at most: if all fits of a SampleGroup lead
+//! to the known minimum, there are no more.
 constexpr int RESTARTS = 16;
 //! The loss (see lossOf()) of another minimum must be below this fraction of the model's loss.
 constexpr double CLEAR = 0.9;
@@ -93,14 +94,17 @@ void Restarts::restart(Model& model)
     }
     const int end = count > m ? RESTARTS : 1;
     SampleGroup group;
-    for (int first = 0; first < end; first += SampleGroup::SIZE)
+    bool others = true;
+    for (int first = 0; others && first < end; first += SampleGroup::SIZE)
     {
+        others = false;
         const int number = std::min<int>(end - first, SampleGroup::SIZE);
         for (int i = 0; i < number; ++i)
             draw(first + i, group.samples[i]);
         group.solve(*parts.minimalSolver, context.points, number);
         for (int i = 0; i < number && !context.stop(); ++i)
-            tryModels(group.samples[i], group.models[i], group.found[i], known, model);
+            others = tryModels(group.samples[i], group.models[i], group.found[i], known, model) ||
+                     others;
     }
 }
 
@@ -111,7 +115,7 @@ void Restarts::draw(int index, int* sample) const
         sample[k] = inliers[sample[k]];
 }
 
-void Restarts::tryModels(const int* sample, Model* models, int found, const double* known,
+bool Restarts::tryModels(const int* sample, Model* models, int found, const double* known,
                          Model& model)
 {
     int best[2] = {-1, -1};  // best model that the checks reject, and best model that the checks
@@ -129,9 +133,14 @@ void Restarts::tryModels(const int* sample, Model* models, int found, const doub
     }
     const double refused = std::min(CLEAR, std::pow(UNLIKELY, 2. / std::max(freedom(), 0)));
     const double before = loss;
+    bool other = false;
     for (int valid = 0; valid < 2; ++valid)
         if (best[valid] >= 0 && fitOther(known, models[best[valid]]))
+        {
+            other = true;
             accept(models[best[valid]], (valid ? CLEAR : refused) * before, model);
+        }
+    return other;
 }
 
 bool Restarts::fitOther(const double* known, Model& model) const

@@ -48,7 +48,8 @@ private:
     void draw(int index, int* sample) const;
     //! Least squares, starting from the best of the `found` models of a sample.
     //! @param known squared errors of the inliers at a minimum that is already known; may be null
-    void tryModels(const int* sample, Model* models, int found, const double* known, Model& model);
+    //! @return false if the fits lead to the known minimum
+    bool tryModels(const int* sample, Model* models, int found, const double* known, Model& model);
     //! Least squares, starting from `model`. False if the fit leads to the known minimum or fails,
     //! unless the inliers are only a sample.
     bool fitOther(const double* known, Model& model) const;

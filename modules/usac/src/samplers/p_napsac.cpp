@@ -11,14 +11,10 @@ namespace usacv20 {
 
 namespace {
 
-//! Numbers of samples at the start of a search to which special rules apply, see PNapsacSampler.
-constexpr int ORDERED = 16, BEFORE_ORDER_CHEAP = 32;
-//! If Params::maxIterations is lower, a search for a homography begins with samples that follow the
-//! order, because the uniform samples would take too many of them. 64 is more than twice
-//! BEFORE_ORDER + ORDERED.
-constexpr int LEAST_FOR_PRELUDE = 64;
-//! Sample size of a homography. An affinity or a similarity needs fewer points.
-constexpr int SMALL = 4;
+//! Number of samples after the first uniform ones that all follow a guessed order, if a sample has
+//! at most SMALL points. A search that is limited to fewer than LEAST samples has no uniform ones
+//! before them.
+constexpr int ORDERED = 16, SMALL = 4, LEAST = 64;
 //! Of the non-uniform samples, one in LOCAL_EVERY is local if the order of the points is known, and
 //! one in LOCAL_EVERY_GUESS if the order is a guess.
 constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
@@ -41,24 +37,20 @@ points. With more local samples, small groups of consistent outliers (repeated p
 for the inliers more often. If Params::orderedEvery is 1, all samples are local, as in the paper,
 unless #TERMINATION_PROSAC needs samples drawn as in PROSAC.
 
-The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, unless all samples follow the
-order. There are two more rules if the order is a guess. With #SMALL points per sample (H), all of
-the next #ORDERED samples follow the order, because four inliers are soon drawn from the few densest
-points, and the search begins anew with them (prelude()): if a surface is not quite a plane, their
-models lead to the best of several optima more often than those of uniform samples. Only then does
-PROSAC's set begin to grow; for other problems it also grows with uniform samples. If
-Params::maxIterations is below #LEAST_FOR_PRELUDE, H has no uniform samples before these. With fewer
-points per sample, the first #BEFORE_ORDER_CHEAP samples are uniform, because they take less time
-than computing the order. */
+The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, because an easy search ends with
+them and needs no order. If the order is a guess, the next #ORDERED samples of at most #SMALL points
+all follow it: so few inliers are soon drawn from the densest points. If Params::maxIterations is
+below #LEAST, the uniform samples would take too many of them, and there are none. */
 class PNapsacSampler : public Sampler
 {
 public:
-    PNapsacSampler() : m(0), first(0), centers(0) {}
+    PNapsacSampler() : m(0), uniform(0), centers(0) {}
 
     void start(const Context& context) CV_OVERRIDE
     {
         m = context.components.minimalSolver->sampleSize();
-        first = prelude(context);
+        const Params& params = context.params;
+        uniform = params.maxIterations < LEAST || params.orderedEvery == 1 ? 0 : BEFORE_ORDER;
         growth = GrowingSet(m, context.points.size);
         centers = 0;
     }
@@ -68,18 +60,13 @@ public:
         const bool guess = isGuess(context);
         if (!guess && !isOrderedByKnowledge(context, state, m, sample))
             return;
-        if (state.iteration < first)
-        {
-            drawUniform(context, state, m, sample);
-            return;
-        }
         growth.next();
-        const int n = growth.size();
         if (guess && !isOrderedGuess(context, state, sample))
             return;
+        const int n = growth.size();
         const int center = state.bestFirst(context)[growth.newest() ? n - 1 : state.rng.uniform(n)];
         sample[0] = center;
-        const int turn = guess ? (state.iteration - first) / context.params.orderedEvery
+        const int turn = guess ? state.iteration / context.params.orderedEvery
                                : state.orderedSamples - 1;
         const int every = localEvery(context);
         if (turn % every != every - 1 || !local(context, state, sample))
@@ -89,14 +76,6 @@ public:
     double growingShare(const Context& context) const CV_OVERRIDE
     {
         return (1 - 1. / localEvery(context)) / context.params.orderedEvery;
-    }
-
-    int prelude(const Context& context) const CV_OVERRIDE
-    {
-        const bool begins = context.components.minimalSolver->sampleSize() == SMALL &&
-                            isGuess(context) && context.params.orderedEvery > 1 &&
-                            context.params.maxIterations >= LEAST_FOR_PRELUDE;
-        return begins ? BEFORE_ORDER : 0;
     }
 
 private:
@@ -111,19 +90,15 @@ private:
     //! The same as isOrdered(), except for the first samples, see PNapsacSampler.
     bool isOrderedGuess(const Context& context, State& state, int* sample) const
     {
-        if (context.params.orderedEvery == 1)
-            return isOrdered(context, state, m, sample);
-        if (m == SMALL && state.iteration < first + ORDERED)
-        {
-            state.counts = false;
-            return true;
-        }
-        if (m != SMALL && state.iteration < (m < SMALL ? BEFORE_ORDER_CHEAP : BEFORE_ORDER))
+        if (state.iteration < uniform)
         {
             drawUniform(context, state, m, sample);
             return false;
         }
-        return isOrdered(context, state, m, sample);
+        if (m > SMALL || state.iteration >= uniform + ORDERED)
+            return isOrdered(context, state, m, sample);
+        state.counts = context.params.orderedEvery == 1;
+        return true;
     }
 
     //! Number of times that a point was chosen as the first point of a local sample, and the finest
@@ -165,8 +140,8 @@ private:
         drawOthers(state.rng, state.order, n, m, sample);
     }
 
-    int m;      //!< sample size
-    int first;  //!< prelude(): index of the first sample after it
+    int m;        //!< sample size
+    int uniform;  //!< number of uniform samples at the start if the order is a guess
     GrowingSet growth;
     Center* centers;  //!< one element per point; null before the first local sample
 };

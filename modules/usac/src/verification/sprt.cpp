@@ -38,9 +38,8 @@ time to compute the models of a sample, in units of the time to test a point, an
 of models per sample.
 
 Epsilon and delta are estimated during the run. Epsilon is the inlier ratio of the best model of a
-sample so far (after Sampler::prelude(), if there is one), before local optimization. Delta is the
-mean inlier ratio in the first blocks of all models; the first block is tested in any case. Before
-there is such a model, no model is rejected.
+sample so far, before local optimization. Delta is the mean inlier ratio in the first blocks of all
+models; the first block is tested in any case. Before there is such a model, no model is rejected.
 The test changes only between batches of samples, so that it does not depend on the number of
 threads. */
 class SprtVerifier : public Verifier

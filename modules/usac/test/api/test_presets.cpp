@@ -134,7 +134,6 @@ public:
     {
         return given->growingShare(context);
     }
-    int prelude(const Context& context) const CV_OVERRIDE { return given->prelude(context); }
 
     std::vector<std::vector<int>> samples;
 

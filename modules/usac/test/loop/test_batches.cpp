@@ -7,11 +7,11 @@
 namespace opencv_test {
 namespace {
 
-//! A uniform sampler with a prelude, which records the sizes of the batches.
+//! A uniform sampler that records the sizes of the batches.
 class BatchRecorder : public Sampler
 {
 public:
-    explicit BatchRecorder(int prelude_) : before(prelude_), models(-1) {}
+    BatchRecorder() : models(-1) {}
 
     void sample(const Context& context, State& state, int* out) CV_OVERRIDE
     {
@@ -22,38 +22,12 @@ public:
         models = state.report.models;
         ++sizes.back();
     }
-    int prelude(const Context&) const CV_OVERRIDE { return before; }
 
     std::vector<int> sizes;
 
 private:
-    const int before;
     int models;
 };
-
-//! After the prelude, batches must begin small again.
-TEST(Usac_Batches, begin_anew_after_a_prelude)
-{
-    const struct
-    {
-        int prelude, maxIterations;
-        std::vector<int> expected;
-    } cases[] = {{0, 60, {8, 16, 32, 4}},
-                 {5, 60, {5, 8, 16, 31}},
-                 {20, 60, {8, 12, 8, 16, 16}},
-                 {100, 20, {8, 12}}};
-    for (const auto& c : cases)
-    {
-        Params params;
-        params.termination = 0;
-        params.maxIterations = c.maxIterations;
-        const Ptr<Usac> usac = createUsac(makeScene(HOMOGRAPHY), params);
-        const Ptr<BatchRecorder> recorder = makePtr<BatchRecorder>(c.prelude);
-        usac->components().sampler = recorder;
-        EXPECT_FALSE(usac->run().empty());
-        EXPECT_EQ(c.expected, recorder->sizes) << "prelude " << c.prelude;
-    }
-}
 
 //! A verifier that accepts all models and records when it is adapted.
 class AdaptRecorder : public Verifier
@@ -67,18 +41,20 @@ public:
     std::vector<int> after;
 };
 
-//! The verifier must not be adapted to the models of the prelude.
-TEST(Usac_Batches, verifier_is_adapted_after_the_prelude)
+//! Batches must grow, and the verifier must be adapted between them.
+TEST(Usac_Batches, grow)
 {
     Params params;
     params.termination = 0;
     params.maxIterations = 60;
     const Ptr<Usac> usac = createUsac(makeScene(HOMOGRAPHY), params);
-    const Ptr<AdaptRecorder> recorder = makePtr<AdaptRecorder>();
-    usac->components().sampler = makePtr<BatchRecorder>(20);
-    usac->components().verifier = recorder;
+    const Ptr<BatchRecorder> recorder = makePtr<BatchRecorder>();
+    const Ptr<AdaptRecorder> verifier = makePtr<AdaptRecorder>();
+    usac->components().sampler = recorder;
+    usac->components().verifier = verifier;
     EXPECT_FALSE(usac->run().empty());
-    EXPECT_EQ(std::vector<int>({0, 28, 44, 60}), recorder->after);
+    EXPECT_EQ(std::vector<int>({8, 16, 32, 4}), recorder->sizes);
+    EXPECT_EQ(std::vector<int>({0, 8, 24, 56, 60}), verifier->after);
 }
 
 }  // namespace

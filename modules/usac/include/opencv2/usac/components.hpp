@@ -101,14 +101,6 @@ public:
     //! PROSAC's termination criterion counts only these samples. Default: 0, so that this criterion
     //! never ends the search.
     virtual double growingShare(const Context& context) const;
-    /** @brief Number of samples with which a search begins before it begins anew.
-
-    For a sampler whose first samples take less time than the others, for example because they need
-    no order of the points. If these samples do not end the search, batches are small again, and the
-    best model of the next batch is optimized even if it is worse than the models before, unless the
-    verifier, which is adapted only after this batch, rejects it. Therefore #TERMINATION_SPRT does
-    not end the search within these samples. Default: 0, the search does not begin anew. */
-    virtual int prelude(const Context& context) const;
 };
 
 //! Computes models from a minimal sample.
@@ -262,7 +254,7 @@ public:
     //! `tested` points, of which `inliers` were inliers, both summed over the models.
     virtual void sampleTested(State& state, int inliers, int tested) = 0;
     //! Adapts the test; called when a search begins or is continued, and after each batch of
-    //! samples, except the batches of Sampler::prelude().
+    //! samples.
     virtual void adapt(const Context& context, State& state) = 0;
 };
 

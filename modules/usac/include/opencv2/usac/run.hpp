@@ -83,8 +83,7 @@ struct CV_EXPORTS State
     const int* order;       //!< result of bestFirst(); null before its first call
     Model best;             //!< the best model so far
     Quality bestQuality;    //!< score of `best`
-    Quality sampleQuality;  //!< the best score of a model of a sample before optimization,
-                            //!< without those of Sampler::prelude() after it
+    Quality sampleQuality;  //!< the best score of a model of a sample before optimization
     ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last one is current
     bool degenerate;  //!< true if a sample or model was degenerate, for example dominated by a
                       //!< plane
