@@ -25,7 +25,7 @@ ordered by this fraction, largest first: it is s / (s + n + #ORDERING_OTHERS), w
 of other points that share both cells, and n is the number of points that share only one of them
 (the mean of the two images). The absolute density would put the most crowded regions of the images
 first, whether their matches are right or wrong. Counting and a bucket sort take O(N). Points of
-equal rank keep their pseudo-random order, and repeated matches come last. */
+equal rank keep their pseudo-random order. */
 class DensityOrdering : public Ordering
 {
 public:
@@ -62,7 +62,6 @@ public:
             start[b + 1] += start[b];
         for (int i = 0; i < p.size; ++i)
             order[start[bucket[i]]++] = i;
-        repeatedLast(context, order);
     }
 };
 

@@ -17,11 +17,6 @@ Ptr<Ordering> createScoreOrdering();
 //! Creates an ordering that keeps the order of the caller's arrays, see InputOrderOrdering.
 Ptr<Ordering> createInputOrderOrdering();
 
-/** Moves each match that equals an earlier match of the order to the end of the order. Such a copy
-adds no information, and no valid sample can be drawn from a growing set that contains only copies
-of one match. The other matches keep their order. Takes O(N) time, with a hash table. */
-void repeatedLast(const Context& context, int* order);
-
 }  // namespace usacv20
 }  // namespace cv
 

@@ -23,8 +23,8 @@ uint64 keyOf(float score, int point)
 }
 
 /** Orders points by Params::scores so that the best point comes first; in Correspondences::scores,
-lower is always better. Points of equal score keep their pseudo-random order, and repeated matches
-come last. Takes O(N log N) time. */
+lower is always better. Points of equal score keep their pseudo-random order. Takes O(N log N) time.
+*/
 class ScoreOrdering : public Ordering
 {
 public:
@@ -38,7 +38,6 @@ public:
         std::sort(keys, keys + size);
         for (int i = 0; i < size; ++i)
             order[i] = (int)(unsigned)keys[i];
-        repeatedLast(context, order);
     }
 };
 

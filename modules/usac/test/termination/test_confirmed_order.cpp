@@ -320,8 +320,7 @@ struct Decision
 };
 
 //! A scene for H in which the first `copied` true matches occur `times` times each. `copies` gets
-//! the indices of these matches and of their copies. The copies differ slightly, because equal
-//! matches come last in any order.
+//! the indices of these matches and of their copies.
 Scene withCopies(int size, double inlierRatio, int copied, int times, std::vector<int>& copies)
 {
     SceneOptions options;
@@ -335,8 +334,8 @@ Scene withCopies(int size, double inlierRatio, int copied, int times, std::vecto
             copies.push_back(k ? scene.size() : i);
             if (k == 0)
                 continue;
-            scene.points1.push_back(scene.points1[i] + Point2d(1e-3 * k, 0));
-            scene.points2.push_back(scene.points2[i] + Point2d(1e-3 * k, 0));
+            scene.points1.push_back(scene.points1[i]);
+            scene.points2.push_back(scene.points2[i]);
             scene.clean1.push_back(scene.clean1[i]);
             scene.clean2.push_back(scene.clean2[i]);
             scene.truth.push_back(1);
