@@ -4,33 +4,29 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """Tests the method flags of the module (USACV20, USACV20_FAST, ...) in all forms in which OpenCV's
-functions, for example findHomography, can be called.
+functions, for example findHomography, can be called, and the functions estimate... of the module.
 
 The file can be run alone (python3 test_usac.py) or together with OpenCV's Python tests. It tests
 either cv2.usacv20 or the package usacv20: see usac_common.py.
 """
 
+import inspect
 import unittest
 
 import numpy as np
 
-from usac_common import (DISTORTED, FINDER, FLAGS, GENERAL, LMEDS, MOVED, PLANE, RANSAC, RHO, THRESHOLD, USAC_DEFAULT,
-                         USAC_MAGSAC, bits, cv, estimate, forms, needsCv2, outcome, usac)
+from usac_common import (FINDER, FLAGS, GENERAL, LMEDS, MOVED, PLANE, RANSAC, RHO, THRESHOLD, USAC_DEFAULT,
+                         USAC_MAGSAC, bits, cv, estimate, forms, needsCv2, paramsForms, usac)
+from usac_pose import POSE
 
 
 class FlagTest(unittest.TestCase):
 
     def test_names_and_values(self):
-        self.assertLessEqual({"USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC", "USACV20_MAGSAC",
-                              "USACV20_PARALLEL", "USACV20_AUTO"}, set(FLAGS))
-        self.assertEqual(len(set(FLAGS.values())), len(FLAGS))
-        self.assertTrue(all(0x4000 <= value < 0x4100 for value in FLAGS.values()))
         self.assertEqual([FLAGS[name] - 0x4000 for name in ("USACV20", "USACV20_FAST", "USACV20_ACCURATE", "USACV20_PROSAC",
                                                             "USACV20_MAGSAC", "USACV20_PARALLEL",
-                                                            "USACV20_AUTO")], list(range(7)))
-        for name, value in FLAGS.items():
-            self.assertEqual(getattr(usac, name), value)
-            self.assertIsInstance(getattr(usac, name), usac.UsacV20Method)
+                                                            "USACV20_AUTO")], list(range(len(FLAGS))))
+        for value in FLAGS.values():
             self.assertTrue(usac.isUsacV20Method(value))
         for value in (-1, 0, LMEDS, RANSAC, RHO, USAC_DEFAULT, USAC_MAGSAC, 0x3fff, max(FLAGS.values()) + 1):
             self.assertFalse(usac.isUsacV20Method(value))
@@ -54,49 +50,41 @@ class FlagTest(unittest.TestCase):
         self.assertGreater(mask.ravel()[scene.inliers].mean(), 0.8, label)
         self.assertLess(scene.error(problem, model), 1.0, label)
 
-    def test_integers_of_numpy(self):
-        for kind in (np.int32, np.int64, np.uint16):
-            for method in (kind(usac.USACV20), kind(RANSAC)):
-                finder = FINDER if method == usac.USACV20 else usac
-                for (_, function, _, args, kwargs), (_, _, _, args2, kwargs2) in zip(forms(method), forms(int(method))):
-                    self.assertEqual(outcome(getattr(finder, function), args, kwargs),
-                                     outcome(getattr(finder, function), args2, kwargs2))
+    def test_params_in_the_place_of_a_flag(self):
+        params = usac.Params(threshold=THRESHOLD, maxIterations=500)
+        for problem, function, scene, args, kwargs in paramsForms(params):
+            for where in {usac, FINDER}:
+                result = getattr(where, function)(*args, **kwargs)
+                self.assertEqual(bits(result), bits(estimate(problem, scene, params)[:2]),
+                                 "{} {} {}".format(function, len(args), sorted(kwargs)))
 
     def test_defaults_are_those_of_opencv(self):
-        a, b, g = PLANE.points1, PLANE.points2, GENERAL
-        self.assertEqual(bits(FINDER.findHomography(a, b, usac.USACV20)),
-                         bits(FINDER.findHomography(a, b, usac.USACV20, 3, None, 2000, 0.995)))
-        self.assertEqual(bits(FINDER.findFundamentalMat(a, b, usac.USACV20)),
-                         bits(FINDER.findFundamentalMat(a, b, usac.USACV20, 3., 0.99, 1000)))
-        self.assertEqual(bits(FINDER.findEssentialMat(g.points1, g.points2, g.K1, usac.USACV20)),
-                         bits(FINDER.findEssentialMat(g.points1, g.points2, g.K1, usac.USACV20, 0.999, 1.0, 1000)))
-        self.assertEqual(bits(FINDER.findEssentialMat(g.points1, g.points2, g.K1, None, g.K1, None, usac.USACV20)),
-                         bits(FINDER.findEssentialMat(g.points1, g.points2, g.focal, g.pp, usac.USACV20, 0.999, 1.0)))
-
-    def test_defaults_of_the_maps_are_those_of_opencv(self):
-        a, b = MOVED.points1, MOVED.points2
-        for function in (FINDER.estimateAffine2D, FINDER.estimateAffinePartial2D):
-            self.assertEqual(bits(function(a, b, None, usac.USACV20)), bits(function(a, b, None, usac.USACV20, 3, 2000, 0.99, 10)))
-            self.assertEqual(bits(function(a, b, method=usac.USACV20)), bits(function(a, b, None, usac.USACV20)))
+        """The defaults must be those that the signature shows: a call with these values must give the same
+        result as a call without these arguments."""
+        m, K = MOVED, PLANE.K1
+        for name, args, values in (("findHomography", (), (3, 2000, 0.995)), ("findFundamentalMat", (), (3, 0.99, 1000)),
+                                   ("findEssentialMat", (K,), (0.999, 1, 1000)), ("estimateAffine2D", (), (3, 2000, 0.99, 10)),
+                                   ("estimateAffinePartial2D", (), (3, 2000, 0.99, 10))):
+            function, args = getattr(usac, name), (m.points1, m.points2) + args
+            bound = inspect.signature(function).bind(*args)
+            bound.apply_defaults()
+            del bound.arguments["params"]
+            shown = [bound.arguments[key] for key in bound.arguments if key in (
+                "ransacReprojThreshold", "threshold", "maxIters", "confidence", "prob", "refineIters")]
+            self.assertEqual(tuple(shown), values, name)
+            self.assertEqual(bits(function(**bound.arguments)), bits(function(*args)), name)
+            self.assertEqual(bits(getattr(FINDER, name)(*args, method=usac.USACV20)), bits(function(*args)), name)
 
     def test_steps_of_the_last_polish(self):
         a, b = MOVED.points1, MOVED.points2
         for function in (FINDER.estimateAffine2D, FINDER.estimateAffinePartial2D):
-            params = usac.Params()
-            params.polishing, params.threshold, params.maxIterations = usac.POLISHING_NONE, 3, 2000
+            params = usac.Params(polishing=usac.POLISHING_NONE, threshold=3, maxIterations=2000)
             plain = function(a, b, None, usac.USACV20, refineIters=0)
             self.assertEqual(bits(plain), bits(function(a, b, params)))
             self.assertNotEqual(bits(plain), bits(function(a, b, None, usac.USACV20)))
             for wrong in (dict(refineIters=2**40), dict(maxIters=2**40), dict(maxIters=0)):
-                with self.assertRaises(usac.error) as context:
+                with self.assertRaisesRegex(usac.error, list(wrong)[0]):
                     function(a, b, None, usac.USACV20, **wrong)
-                self.assertIn(list(wrong)[0], str(context.exception))
-
-    def test_too_few_points_for_a_map(self):
-        for function in (FINDER.estimateAffine2D, FINDER.estimateAffinePartial2D):
-            model, inliers = function(np.zeros((1, 2)), np.zeros((1, 2)), None, usac.USACV20)
-            self.assertIsNone(model)
-            self.assertEqual(bits(inliers), bits(np.zeros((1, 1), np.uint8)))
 
     def test_none_in_the_place_of_the_mask(self):
         # In OpenCV's findFundamentalMat, None at this position means that maxIters is 0. With a flag
@@ -107,38 +95,83 @@ class FlagTest(unittest.TestCase):
         self.assertEqual(bits(FINDER.findEssentialMat(g.points1, g.points2, g.K1, usac.USACV20, 0.999, 1.0, None)),
                          bits(FINDER.findEssentialMat(g.points1, g.points2, g.K1, usac.USACV20, 0.999, 1.0)))
 
-    def test_mask_of_the_caller(self):
-        for flag in (usac.USACV20, usac.USACV20_FAST):
-            given = np.full((len(PLANE.points1), 1), 7, np.uint8)
-            _, mask = FINDER.findHomography(PLANE.points1, PLANE.points2, flag, THRESHOLD, given)
-            np.testing.assert_array_equal(given, mask)
-            self.assertLessEqual(set(given.ravel()), {0, 1})
-
-    def test_input_is_not_changed(self):
-        for scene in (PLANE, GENERAL, DISTORTED):
-            before = bits([scene.points1, scene.points2, scene.K1, scene.K2])
-            estimate("Homography", scene, usac.Params())
-            estimate("Fundamental", scene, usac.Params())
-            estimate("Essential", scene, usac.Params())
-            self.assertEqual(bits([scene.points1, scene.points2, scene.K1, scene.K2]), before)
-
-    def test_layouts_of_the_points(self):
-        a, b = np.rint(PLANE.points1), np.rint(PLANE.points2)
-        expected = bits(FINDER.findHomography(a, b, usac.USACV20, 3.0))
-        wide = np.zeros((len(a), 5))
-        wide[:, 1:3] = b
-        ones = np.ones((len(a), 1))
-        for p, q in ((np.float32(a), np.float32(b)), (np.int32(a), np.int32(b)), (a[:, None], b[:, None]),
-                     (a[None], b[None]), (np.asfortranarray(a), wide[:, 1:3]), (np.float32(a), b[None]),
-                     (a[::-1][::-1], np.repeat(b, 2, axis=0)[::2]), (a.T, b.T), (np.ascontiguousarray(a.T), b[None]),
-                     (np.hstack([a, ones]), np.hstack([b, ones]).T)):
-            self.assertEqual(bits(FINDER.findHomography(p, q, usac.USACV20, 3.0)), expected)
-
     @needsCv2
     def test_umat(self):
         a, b = np.rint(PLANE.points1), np.rint(PLANE.points2)
         model, mask = FINDER.findHomography(cv.UMat(a), cv.UMat(b), usac.USACV20, 3.0)
         self.assertEqual(bits((model, mask)), bits(FINDER.findHomography(a, b, usac.USACV20, 3.0)))
+
+
+class EstimateTest(unittest.TestCase):
+
+    def test_optional_arguments(self):
+        p, g = PLANE, GENERAL
+        params = usac.UsacParams()
+        expected = bits(usac.estimateHomography(p.points1, p.points2, params)[:2])
+        self.assertEqual(bits(usac.estimateHomography(p.points1, p.points2)[:2]), expected)
+        self.assertEqual(bits(usac.estimateHomography(p.points1, p.points2, params=params, mask=None)[:2]), expected)
+        self.assertEqual(bits(usac.estimateHomography(points1=p.points1, points2=p.points2)[:2]), expected)
+        expected = bits(usac.estimateEssential(g.points1, g.points2, g.K1, None, None, None, params, None)[:2])
+        for args in ((), (params,), (params, None), (g.K1,)):
+            self.assertEqual(bits(usac.estimateEssential(g.points1, g.points2, g.K1, *args)[:2]), expected)
+
+    def test_mask_of_the_caller(self):
+        g = GENERAL
+        for call in (lambda mask: usac.estimateFundamental(g.points1, g.points2, None, mask),
+                     lambda mask: usac.estimateEssential(g.points1, g.points2, g.K1, usac.Params(), mask),
+                     lambda mask: usac.estimateEssential(g.points1, g.points2, g.K1, usac.Params(), mask=mask),
+                     lambda mask: usac.estimateEssential(g.points1, g.points2, g.K1, mask=mask)):
+            given = np.full((len(g.points1), 1), 7, np.uint8)
+            np.testing.assert_array_equal(call(given)[1], given)
+            self.assertEqual(set(given.ravel()), {0, 1})
+
+    def test_any_problem(self):
+        """estimateModel(problem, ...) must return the same result as the function for this problem."""
+        a, b, K, params = PLANE.points1, PLANE.points2, PLANE.K1, usac.Params(threshold=2, seed=3)
+        for problem, function in (("homography", usac.estimateHomography), (usac.AFFINITY, usac.estimateAffinity2D)):
+            self.assertEqual(bits(usac.estimateModel(problem, a, b, params)[:2]), bits(function(a, b, params)[:2]), problem)
+        self.assertEqual(bits(usac.estimateModel(usac.ESSENTIAL, a, b, None, None, K)[:2]), bits(usac.estimateEssential(a, b, K)[:2]))
+        for problem, name in (("plane", "problem"), (usac.ESSENTIAL, "cameraMatrix1")):
+            with self.assertRaisesRegex(usac.error, name):
+                usac.estimateModel(problem, a, b)
+
+    def test_no_model(self):
+        nan, few, none, same = np.full((50, 2), np.nan), np.eye(1, 2) * 100, np.zeros((0, 2)), np.full((50, 2), 5.)
+        for points in (nan, few, none, same, []):
+            for function, args in ((usac.estimateHomography, ()), (usac.estimateEssential, (PLANE.K1,))):
+                model, mask, report = function(points, points, *args)
+                self.assertEqual((model, report.inliers), (None, 0))
+                self.checkZeroMask(mask, len(points))
+                self.assertIn(report.stop, (usac.STOP_TOO_FEW_POINTS, usac.STOP_NO_MODEL))
+            for flag in (usac.USACV20, usac.USACV20_AUTO):
+                for function, args in (("findHomography", (flag,)), ("findFundamentalMat", (flag,)), ("findEssentialMat", (PLANE.K1, flag)),
+                                       ("estimateAffine2D", (None, flag)), ("estimateAffinePartial2D", (None, flag))):
+                    model, mask = getattr(FINDER, function)(points, points, *args)
+                    self.assertIsNone(model)
+                    self.checkZeroMask(mask, len(points))
+        given = np.full((3, 1), 7, np.uint8)
+        FINDER.findHomography(np.eye(3, 2), np.eye(3, 2), usac.USACV20, 3.0, given)
+        self.checkZeroMask(given, 3)
+
+    def checkZeroMask(self, mask, count):
+        if count == 0:
+            self.assertTrue(mask is None or mask.size == 0)
+        else:
+            np.testing.assert_array_equal(mask, np.zeros((count, 1), np.uint8))
+
+    def test_rows_that_are_not_finite(self):
+        for bad in (np.nan, -np.inf, 1e30):
+            a, b = PLANE.points1.copy(), PLANE.points2.copy()
+            a[::5, 0] = bad
+            b[2::5, 1] = bad
+            model, mask, report = usac.estimateHomography(a, b, usac.Params())
+            self.assertLess(PLANE.error("Homography", model), 1.0, bad)
+            self.assertEqual(int(mask[::5].sum() + mask[2::5].sum()), 0, bad)
+            self.assertEqual(report.inliers, int(mask.sum()))
+
+    def test_pose_with_params(self):
+        expected = bits(usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, params=usac.Params())[2:])
+        self.assertEqual(bits(usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, flags=usac.Params())[1:]), expected)
 
 
 if __name__ == "__main__":

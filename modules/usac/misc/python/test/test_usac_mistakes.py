@@ -11,7 +11,7 @@ import unittest
 
 import numpy as np
 
-from usac_common import (DISTORTED, FINDER, GENERAL, MOVED, PLANE, RANSAC, THRESHOLD, bits, estimate, usac)
+from usac_common import DISTORTED, FINDER, GENERAL, PLANE, RANSAC, bits, usac
 from usac_pose import POSE
 
 
@@ -48,31 +48,6 @@ class CallTest(MistakeCase):
         self.refused("reprojectionError", usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, POSE.d, flags=p, reprojectionError=1.0)
         self.refused("params", usac.findHomography, a, b, method=usac.USACV20, params=p)
         self.refused("params", usac.findEssentialMat, a, b, K, method=usac.USACV20, params=p)
-
-    def test_params_in_every_place(self):
-        g, d, p = GENERAL, DISTORTED, usac.Params(threshold=THRESHOLD)
-        expected = bits(usac.estimateEssential(g.points1, g.points2, g.K1, p)[:2])
-        mask = np.zeros((len(g.points1), 1), np.uint8)
-        for args, kwargs in (((g.K1, p), {}), ((g.K1, p, mask), {}), ((g.K1,), dict(method=p)), ((g.K1,), dict(params=p)),
-                             ((g.K1, p), dict(mask=mask)), ((), dict(cameraMatrix=g.K1, method=p)),
-                             ((), dict(cameraMatrix=g.K1, params=p)), ((g.focal, g.pp, p), {}),
-                             ((g.focal, g.pp), dict(method=p)), ((g.K1, None, None, None, p), {}),
-                             ((g.K1, g.K1, None, None), dict(params=p))):
-            self.assertEqual(bits(usac.findEssentialMat(g.points1, g.points2, *args, **kwargs)), expected,
-                             "{} {}".format(len(args), sorted(kwargs)))
-            self.assertEqual(bits(FINDER.findEssentialMat(g.points1, g.points2, *args, **kwargs)), expected)
-        expected = bits(estimate("Essential", d, p)[:2])
-        for args, kwargs in (((d.K1, d.K2, d.d1, d.d2, p), {}), ((d.K1, d.d1, d.K2, d.d2), dict(method=p))):
-            self.assertEqual(bits(usac.findEssentialMat(d.points1, d.points2, *args, **kwargs)), expected)
-        for name, other in (("dist_coeff1", "distCoeffs1"), ("dist_coeff2", "distCoeffs2")):
-            expected = bits(usac.estimateEssential(d.points1, d.points2, d.K1, params=p, **{other: d.d2})[:2])
-            self.assertEqual(bits(usac.findEssentialMat(d.points1, d.points2, d.K1, params=p, **{name: d.d2})), expected)
-        m = MOVED
-        expected = bits(usac.estimateAffinity2D(m.points1, m.points2, p)[:2])
-        for args, kwargs in (((p,), {}), ((None, p), {}), ((), dict(method=p)), ((), dict(params=p))):
-            self.assertEqual(bits(usac.estimateAffine2D(m.points1, m.points2, *args, **kwargs)), expected)
-        expected = bits(usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, params=p)[2:])
-        self.assertEqual(bits(usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, flags=p)[1:]), expected)
 
     def test_params_in_no_place(self):
         a, b, p = GENERAL.points1, GENERAL.points2, usac.Params()
@@ -122,6 +97,16 @@ class CallTest(MistakeCase):
                          bits(usac.findHomography(a, b, usac.USACV20, 3.0, None, 200, 0.5)))
 
 
+def readOnly(array):
+    result = array.copy()
+    result.setflags(write=False)
+    return result
+
+
+def essential(K1, K2=None, d1=None, d2=None, scene=GENERAL):
+    return usac.estimateEssential(scene.points1, scene.points2, K1, K2, d1, d2, usac.Params())[:2]
+
+
 class ArrayTest(MistakeCase):
 
     def test_other_orders_of_bytes(self):
@@ -133,16 +118,14 @@ class ArrayTest(MistakeCase):
         self.assertEqual(bits(usac.findHomography(a.astype(">f4"), b.astype(">f4"))), bits(usac.findHomography(*narrow)))
 
     def test_other_types(self):
-        a, b = np.rint(PLANE.points1), np.rint(PLANE.points2)
+        a, b = np.clip(np.rint(PLANE.points1 / 6), 0, 127), np.clip(np.rint(PLANE.points2 / 6), 0, 127)
         expected = bits(usac.findHomography(a, b))
         self.assertIsNotNone(expected[0])
-        for kind in (np.int64, np.uint32, np.uint64, np.int32, np.longdouble, ">i2", ">u8"):
-            self.assertEqual(bits(usac.findHomography(np.maximum(a, 0).astype(kind), np.maximum(b, 0).astype(kind))),
-                             bits(usac.findHomography(np.maximum(a, 0), np.maximum(b, 0))), kind)
+        for kind in (np.uint8, np.int8, np.uint16, np.int16, np.int32, np.float32, np.int64, np.uint32, np.uint64, np.longdouble,
+                     ">i2", ">u8", np.float16):
+            self.assertEqual(bits(usac.findHomography(a.astype(kind), b.astype(kind))), expected, kind)
         self.assertEqual(bits(usac.findHomography(a.tolist(), tuple(map(tuple, b)))), expected)
-        half = np.float16(a), np.float16(b)
-        self.assertEqual(bits(usac.findHomography(*half)), bits(usac.findHomography(np.float32(half[0]), np.float32(half[1]))))
-        truth = a > 300, b > 300
+        truth = a > 50, b > 50
         self.assertEqual(bits(usac.findHomography(*truth)), bits(usac.findHomography(np.uint8(truth[0]), np.uint8(truth[1]))))
         large = a + 2.0**40  # does not fit into an integer of 32 bits
         self.assertEqual(bits(usac.findHomography(large.astype(np.int64), b)), bits(usac.findHomography(large, b)))
@@ -177,8 +160,9 @@ class ArrayTest(MistakeCase):
         box[:, 1, 1:3] = a
         for other in (unaligned, box[:, 1, 1:3], box[:, 1:2, 1:3], np.asfortranarray(a), a[::-1][::-1], a.T, a[None], a[:, None],
                       np.asfortranarray(a)[:, None], np.stack([a, a], 2)[..., 0], a.view(np.ndarray)[..., ::-1][..., ::-1],
-                      np.ma.masked_array(a), np.lib.stride_tricks.as_strided(a, a.shape, a.strides, writeable=False)):
-            self.assertEqual(bits(usac.findHomography(other, b)), expected)
+                      np.ma.masked_array(a), np.lib.stride_tricks.as_strided(a, a.shape, a.strides, writeable=False),
+                      np.repeat(a, 2, axis=0)[::2], np.ascontiguousarray(a.T)):
+            self.assertEqual(bits(FINDER.findHomography(other, b, usac.USACV20)), expected)
             self.assertEqual(bits(usac.estimateHomography(b, other)[:2]), bits(usac.estimateHomography(b, a)[:2]))
         same = np.broadcast_to(a[:1], a.shape)
         self.assertIsNone(usac.findHomography(same, b)[0])
@@ -205,6 +189,42 @@ class ArrayTest(MistakeCase):
             self.refused("mask", usac.estimateHomography, a, b, mask=wrong)
             self.refused("inliers", FINDER.estimateAffine2D, a, b, wrong, usac.USACV20)
         self.assertEqual(bits(usac.findHomography(a, b, mask=np.zeros(0, np.uint8))[1]), bits(mask))
+
+    def test_read_only_arrays(self):
+        a, b, K, d = (readOnly(x) for x in (DISTORTED.points1, DISTORTED.points2, DISTORTED.K1, DISTORTED.d1))
+        for flag in (usac.USACV20, usac.USACV20_MAGSAC):
+            self.assertEqual(bits(FINDER.findHomography(a, b, flag)),
+                             bits(FINDER.findHomography(DISTORTED.points1, DISTORTED.points2, flag)))
+        self.assertEqual(bits(usac.estimateEssential(a, b, K, K, d, d, usac.Params())[:2]),
+                         bits(essential(DISTORTED.K1, DISTORTED.K1, DISTORTED.d1, DISTORTED.d1, DISTORTED)))
+
+
+class CameraTest(MistakeCase):
+
+    def test_every_kind(self):
+        K = GENERAL.K1
+        wide = np.zeros((5, 7), np.float32)
+        wide[1:4, 2:5] = K
+        expected = bits(essential(K))
+        for other in (np.float32(K), np.int32(K), np.asfortranarray(K), wide[1:4, 2:5], np.repeat(K, 2, axis=1)[:, ::2]):
+            self.assertEqual(bits(essential(other)), expected)
+            self.assertEqual(bits(essential(K, other)), expected)
+
+    def test_wrong(self):
+        K = GENERAL.K1
+        for wrong in (K.T, K * 0, np.eye(4), np.full((3, 3), np.nan), K[:2], K[None, None]):
+            self.refused("cameraMatrix1", essential, wrong)
+            self.refused("cameraMatrix2", essential, K, wrong)
+
+    def test_distortion(self):
+        K, d = DISTORTED.K1, DISTORTED.d1
+        expected = bits(essential(K, K, d, d, DISTORTED))
+        for other in (d[None], d[:, None], np.hstack([d, np.zeros(3)]), np.hstack([d, np.zeros(9)]), np.repeat(d, 2)[::2]):
+            self.assertEqual(bits(essential(K, K, other, other, DISTORTED)), expected)
+        for length in (4, 5, 8, 12, 14):
+            self.assertEqual(bits(essential(K, K, np.zeros(length))), bits(essential(K)))
+        for wrong in (np.zeros(3), np.ones(6), np.full(5, np.nan), np.zeros((2, 2))):
+            self.refused("distCoeffs2", essential, K, K, None, wrong)
 
 
 if __name__ == "__main__":

@@ -6,10 +6,7 @@
 """Tests of calls as first-time users write them. Each call must work as the user intends, or raise an
 error that explains what is wrong."""
 
-import copy
 import inspect
-import json
-import pickle
 import pydoc
 import subprocess
 import sys
@@ -18,12 +15,8 @@ import warnings
 
 import numpy as np
 
-from usac_common import (ERRORS, FINDER, FUNCTIONS, GENERAL, IN_TREE, MOVED, PLANE, RANSAC, THRESHOLD, bits, cv, estimate, inTree, needsCv2,
-                         once, package, usac)
+from usac_common import ERRORS, FINDER, FUNCTIONS, GENERAL, PLANE, RANSAC, bits, cv, once, package, usac
 from usac_pose import POSE
-
-PRESETS = ("usacV20", "fast", "accurate", "sorted", "trustedScores", "parallel", "ransac", "msac", "lmeds", "mlesac", "prosac", "loRansac",
-           "floRansac", "gcRansac", "usac2013", "paper", "magsac", "magsacPlusPlus")
 
 
 class NewcomerCase(unittest.TestCase):
@@ -33,111 +26,6 @@ class NewcomerCase(unittest.TestCase):
             function(*args, **kwargs)
         for word in words:
             self.assertIn(word, str(context.exception))
-
-
-class ParamsTest(NewcomerCase):
-
-    def test_names_of_enumerators(self):
-        params = usac.Params(sampler="prosac", ordering="input-order", quality="QUALITY_MAGSAC", localOptimization="none",
-                             termination="sprt|standard", degeneracy="repeated")
-        self.assertEqual(params, usac.Params(sampler=usac.SAMPLER_PROSAC, ordering=usac.ORDERING_INPUT_ORDER,
-                                             quality=usac.QUALITY_MAGSAC, localOptimization=usac.LOCAL_OPTIMIZATION_NONE,
-                                             termination=usac.TERMINATION_SPRT | usac.TERMINATION_STANDARD,
-                                             degeneracy=usac.DEGENERACY_REPEATED))
-        self.assertIs(params.sampler, usac.SAMPLER_PROSAC)
-        for type_, field in ((usac.SamplerType, "sampler"), (usac.QualityType, "quality"), (usac.ScoreOrder, "scoreOrder"),
-                             (usac.LocalOptimizationType, "localOptimization"), (usac.TerminationFlags, "termination")):
-            for value in type_:
-                self.assertIs(getattr(usac.Params(**{field: value.name}), field), value)
-                self.assertIs(getattr(usac.Params(**{field: value.name.lower()}), field), value)
-        self.assertEqual(usac.Params(quality="magsac++").quality, usac.QUALITY_MAGSAC_PLUS_PLUS)
-        params.sampler = "p_napsac"
-        self.assertEqual(params.sampler, usac.SAMPLER_P_NAPSAC)
-
-    def test_names_that_are_none(self):
-        self.refused(TypeError, ("sampler", "SAMPLER_PROSAC", "SAMPLER_IMPORTANCE", "'prosak'"), usac.Params, sampler="prosak")
-        self.refused(TypeError, ("termination", "TERMINATION_SPRT"), usac.Params, termination="sprt|never")
-        self.refused(TypeError, ("quality", "''"), usac.Params, quality="")
-        self.refused(TypeError, ("quality", "msac|magsac"), usac.Params, quality="msac|magsac")
-
-    def test_enumerators_of_another_enumeration(self):
-        self.refused(TypeError, ("sampler", "SamplerType", "QUALITY_MSAC"), usac.Params, sampler=usac.QUALITY_MSAC)
-        self.refused(TypeError, ("termination", "DEGENERACY"), usac.Params, termination=usac.DEGENERACY_REPEATED)
-        self.refused(TypeError, ("quality",), setattr, usac.Params(), "quality", usac.USACV20)
-        self.refused(ERRORS, ("method", "QUALITY_MSAC"), usac.findHomography, PLANE.points1, PLANE.points2, usac.QUALITY_MSAC)
-        self.assertEqual(usac.Params(sampler=1).sampler, usac.SAMPLER_PROSAC)
-
-    def test_presets_with_fields(self):
-        for name in PRESETS:
-            preset = getattr(usac.Params, name)
-            params = preset(threshold=2, scores=[1, 2], seed=None)
-            expected = preset()
-            expected.threshold, expected.scores = 2.0, [1, 2]
-            self.assertEqual(params, expected, name)
-            self.refused(TypeError, (name, "treshold"), preset, treshold=2)
-        self.assertEqual(usac.Params.fast(threshold=2).threshold, 2)
-        self.assertEqual(usac.Params.fromMethod(usac.USACV20_FAST, threshold=2), usac.Params.fast(threshold=2))
-
-    def test_replace(self):
-        params = usac.Params.fast(scores=[3, 1])
-        other = params.replace(threshold=3, quality="magsac")
-        self.assertEqual((params.threshold, other.threshold, other.quality), (1.5, 3.0, usac.QUALITY_MAGSAC))
-        self.assertEqual(other.replace(threshold=1.5, quality=params.quality), params)
-        other.scores[0] = 7
-        self.assertEqual(params.scores[0], 3)
-        self.assertEqual(len(params.replace(scores=None).scores), 0)
-        self.refused(TypeError, ("replace", "treshold"), params.replace, treshold=3)
-
-    def test_masked_scores(self):
-        scores = np.ma.masked_array([1.0, 2.0], mask=[True, False])
-        self.refused(ERRORS, ("scores", "mask"), usac.Params, scores=scores)
-
-    def test_scores_that_say_nothing(self):
-        self.refused(TypeError, ("scores", "bool", "True"), usac.Params, scores=PLANE.inliers)
-        nan = usac.Params(scores=np.full(len(PLANE.points1), np.nan))
-        self.refused(ERRORS, ("scores", "NaN"), usac.estimateHomography, PLANE.points1, PLANE.points2, nan)
-
-    def test_fields_that_are_none(self):
-        for call, name, hint in ((usac.Params.fast, "treshold", "threshold"), (usac.Params().replace, "maxIters", "maxIterations"),
-                                 (usac.Params.accurate, "ransacReprojThreshold", "threshold"), (usac.Params.fast, "xyz", "help")):
-            with self.assertRaisesRegex(TypeError, "'{}'.*{}".format(name, hint)):
-                call(**{name: 2})
-
-
-class GivenTest(NewcomerCase):
-
-    def test_names_of_problems(self):
-        points = np.random.RandomState(1).uniform(0, 600, (20, 2))
-        same = usac.fitModel("homography", points, points + 5)
-        self.assertTrue(np.array_equal(usac.fitModel(usac.HOMOGRAPHY, points, points + 5)[0], same[0]))
-        for problem in ("H", usac.USACV20, 99, 3.0, points):
-            with self.assertRaisesRegex(Exception, "problem: a ProblemType is expected, HOMOGRAPHY"):
-                usac.fitModel(problem, points, points)
-
-    def test_arguments_of_a_pose(self):
-        space, image = np.random.RandomState(1).uniform(1, 2, (20, 3)), np.random.RandomState(2).uniform(0, 600, (20, 2))
-        with self.assertRaisesRegex(usac.error, "cameraMatrix1: "):
-            usac.fitModel(usac.ABSOLUTE_POSE, space, image)
-
-    def test_model_in_the_place_of_points(self):
-        points = np.random.RandomState(1).uniform(0, 600, (20, 2))
-        with self.assertRaisesRegex(usac.error, "model: "):
-            usac.refineModel(usac.HOMOGRAPHY, points, points, np.eye(3))
-
-    def test_no_points(self):
-        model, mask = usac.findHomography([], [], usac.USACV20)
-        self.assertIsNone(model)
-        self.assertEqual((0, 1), mask.shape)
-
-
-class ReportTest(NewcomerCase):
-
-    def test_as_dict(self):
-        report = estimate("Homography", PLANE, usac.Params())[2]
-        values = report.asDict()
-        self.assertEqual((values["inliers"], values["stop"]), (report.inliers, report.stop.name))
-        self.assertEqual(json.loads(json.dumps(values))["iterations"], report.iterations)
-        self.assertLessEqual({"threshold", "chance", "cost", "searchMs"}, set(values))
 
 
 class PointsTest(NewcomerCase):
@@ -152,9 +40,6 @@ class PointsTest(NewcomerCase):
         for first, second in (([a], [b]), (a[None], b[None]), ([a.tolist()], (b,)), ([a[:, None]], [b[None]])):
             found = usac.estimateHomographies(first, second)
             self.assertEqual([bits(result[:2]) for result in found], [expected])
-        both = usac.estimateHomographies(np.stack([a, b]), np.stack([b, a]))
-        self.assertEqual((len(both), bits(both[0][:2])), (2, expected))
-        self.assertEqual(usac.estimateHomographies([], []), [])
         self.assertEqual(usac.estimateHomographies([[], a], [[], b])[0][0], None)
 
     def test_many_pairs_for_one(self):
@@ -274,45 +159,20 @@ class WordTest(NewcomerCase):
         self.refused(ERRORS, ("cameraMatrix:",), usac.estimateAbsolutePose, POSE.X, POSE.x, POSE.K[:2])
 
     def test_signatures(self):
-        self.assertEqual(list(inspect.signature(usac.findHomography).parameters),
-                         ["srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mask", "maxIters", "confidence", "params"])
-        self.assertEqual(inspect.signature(usac.findHomography).parameters["ransacReprojThreshold"].default, 3.0)
         names = set(FUNCTIONS) | {name for name in dir(usac) if name.startswith(("estimate", "find"))}
         self.assertGreater(len(names), 20)
         for name in names:
             parameters = inspect.signature(getattr(usac, name)).parameters.values()
             self.assertFalse([p for p in parameters if p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD)], name)
             self.assertIn("params", [p.name for p in parameters], name)
-            self.assertNotIn("*args", pydoc.plain(pydoc.render_doc(getattr(usac, name))))
-        m = MOVED
-        for name, args in (("findHomography", (m.points1, m.points2)), ("estimateAffine2D", (m.points1, m.points2)),
-                           ("findEssentialMat", (m.points1, m.points2, PLANE.K1)), ("solvePnPRansac", (POSE.X, POSE.x, POSE.K, None))):
-            bound = inspect.signature(getattr(usac, name)).bind(*args)
-            bound.apply_defaults()
-            del bound.arguments["params"]
-            # A call with the default values that the signature shows must give the same result as a call
-            # without these arguments.
-            function = getattr(usac, name)
-            self.assertEqual(bits(function(**bound.arguments)), bits(function(*args)), name)
-
-    def test_all(self):
-        names = {}
-        exec("from {} import *".format(usac.__name__), names)
-        self.assertIn("progress", names)
 
     def test_help(self):
         text = pydoc.plain(pydoc.render_doc(usac))
         # The text has about 750 lines with Python 3.11 and 1800 with 3.14; with the text of all
         # enumerations it would have about 6000 lines.
         self.assertLess(len(text.splitlines()), 2500)
-        for name in FUNCTIONS + ("estimateHomography", "estimateHomographies", "Params", "Report", "draw_matches", "USACV20_FAST"):
+        for name in FUNCTIONS + ("estimateHomography", "Params", "Report", "draw_matches", "USACV20_FAST"):
             self.assertIn(name, text)
-        self.assertIn("QUALITY_MAGSAC", pydoc.render_doc(usac.QualityType))
-
-    @needsCv2
-    @inTree
-    def test_wrappers_of_cv2(self):
-        self.refused(ERRORS, ("ransacReprojThreshold",), FINDER.findHomography, PLANE.points1, PLANE.points2, usac.USACV20, -1.0)
 
 
 class PictureTest(NewcomerCase):
@@ -365,87 +225,15 @@ class PictureTest(NewcomerCase):
             self.refused(ERRORS, (word,), usac.draw_matches, *args)
 
     @once
+    @package
     def test_without_cv2_and_without_both(self):
-        """Runs in another process where cv2, or both cv2 and matplotlib, cannot be imported.
-        Skipped for cv2.usacv20, which always has cv2."""
+        """Runs in another process where cv2, or both cv2 and matplotlib, cannot be imported."""
         code = "import sys; sys.modules.update({}); import numpy as np, usacv20; print(usacv20.draw_matches({}).shape)"
         image = "np.zeros((20, 30)), np.zeros((20, 30)), [[1, 2]], [[3, 4]]"
-        if IN_TREE:
-            self.skipTest("tests the package usacv20 only")
         for missing, words in (("cv2=None", "(20, 60, 3)"), ("cv2=None, matplotlib=None", "ImportError: draw_matches: cv2 or matplotlib")):
             run = subprocess.run([sys.executable, "-c", code.replace("{}", "dict({})", 1).format(missing, image)],
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
             self.assertIn(words, run.stdout)
-
-
-@package
-class UsacTest(NewcomerCase):
-
-    def create(self, **fields):
-        return usac.Usac.create(usac.HOMOGRAPHY, PLANE.points1, PLANE.points2, usac.Params(threshold=THRESHOLD, **fields))
-
-    def test_components_that_python_cannot_replace(self):
-        usac_ = self.create()
-        for name in ("residual", "localOptimizer", "verifier", "sampelr"):
-            self.refused(AttributeError, (name, "sampler", "score", "C++"), setattr, usac_.components, name, None)
-            self.refused(AttributeError, (name, "C++"), getattr, usac_.components, name)
-        for name in ("sampler", "score"):
-            self.refused(AttributeError, (name, "components." + name), setattr, usac_, name, None)
-        self.refused(AttributeError, ("scores",), setattr, usac_, "scores", [1])
-        self.refused(ERRORS, ("problem",), usac.Usac.create, usac.QUALITY_MSAC, PLANE.points1, PLANE.points2)
-
-    def test_params(self):
-        given = usac.Params(threshold=THRESHOLD, seed=3)
-        usac_ = usac.Usac.create(usac.HOMOGRAPHY, PLANE.points1, PLANE.points2, given)
-        self.assertEqual(usac_.params, given)
-        given.threshold = 9
-        self.assertEqual(usac_.params.threshold, THRESHOLD)
-        self.refused(AttributeError, ("threshold", "replace"), setattr, usac_.params, "threshold", 3)
-        for copied in (copy.copy(usac_.params), pickle.loads(pickle.dumps(usac_.params)), usac_.params.replace()):
-            copied.threshold = 3
-        usac_.params = usac_.params.replace(threshold=1.0, scores=PLANE.inliers.astype(float), scoreOrder="higher_is_better")
-        self.refused(ValueError, ("read-only",), usac_.params.scores.__setitem__, 0, 1)
-        self.assertEqual(bits(usac_.run()[:2]), bits(estimate("Homography", PLANE, usac_.params)[:2]))
-        self.refused(ERRORS, ("threshold",), setattr, usac_, "params", usac.Params(threshold=-1))
-        self.refused(ERRORS, ("params",), setattr, usac_, "params", None)
-        self.assertEqual(usac_.params.threshold, 1.0)
-        self.assertEqual(usac.Usac.create(usac.HOMOGRAPHY, PLANE.points1, PLANE.points2).params, usac.Params())
-
-    def test_scores(self):
-        scores = np.where(PLANE.inliers, 0.25, 0.75)
-        usac_ = self.create()
-        usac_.setScores(scores)
-        params = usac.Params(threshold=THRESHOLD, scores=scores)
-        self.assertEqual(usac_.params, params)
-        self.assertEqual(bits(usac_.run()[:2]), bits(estimate("Homography", PLANE, params)[:2]))
-        self.refused(ERRORS, ("scores", "300"), usac_.setScores, scores[1:])
-        self.assertEqual(usac_.params, params)
-        usac_.setPoints(PLANE.points1[:200], PLANE.points2[:200], scores[:200])
-        expected = usac.estimateHomography(PLANE.points1[:200], PLANE.points2[:200], params.replace(scores=scores[:200]))
-        self.assertEqual(bits(usac_.run()[:2]), bits(expected[:2]))
-        usac_.setScores(None)
-        self.assertIsNone(usac_.points.scores)
-
-    def test_a_sampler_sees_the_scores_of_the_caller(self):
-        class Nosy(usac.Sampler):
-            def start(self, points):
-                self.points = points
-
-            def sample(self, rng, iteration):
-                return rng.distinct(len(self.points.data), self.points.sampleSize)
-
-        scores = np.random.RandomState(2).uniform(0, 1, len(PLANE.points1)).astype(np.float32)
-        scores[5] = np.nan
-        for order in ("higher_is_better", "lower_is_better"):
-            usac_, sampler = self.create(scores=scores, scoreOrder=order), Nosy()
-            usac_.components.sampler = sampler
-            usac_.run()
-            for points in (sampler.points, usac_.points):
-                np.testing.assert_array_equal(points.scores, scores[points.inputIndex])
-            usac_.setScores(scores + 1)  # new scores must not remove the sampler
-            self.assertIs(usac_.components.sampler, sampler)
-            usac_.run()
-            np.testing.assert_array_equal(sampler.points.scores, (scores + 1)[sampler.points.inputIndex])
 
 
 if __name__ == "__main__":

@@ -3,320 +3,296 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Tests of Params, Report and the estimate functions in Python."""
+"""Tests of Params and Report as Python objects: fields, construction, comparison, copies, repr(), and
+that their values reach the estimator and come back."""
 
 import copy
+import importlib
+import inspect
+import json
 import pickle
-import threading
 import unittest
 
 import numpy as np
 
-from usac_common import (DISTORTED, FINDER, FLAGS, GENERAL, PLANE, RANSAC, THRESHOLD, bits, cv, estimate, fields,
-                         paramsForms, usac, values)
+from usac_common import (DISTORTED, ERRORS, FINDER, FLAGS, GENERAL, PLANE, bits, estimate, fields, usac)
 from usac_pose import POSE
 
+native = importlib.import_module(usac.__name__ + "._backend").native
+ARRAYS = {"scores", "sigmas", "initialModel", "initialCovariance"}
+PRESETS = ("usacV20", "fast", "accurate", "sorted", "trustedScores", "parallel", "automatic", "ransac", "msac", "lmeds", "mlesac", "prosac",
+           "loRansac", "floRansac", "gcRansac", "usac2013", "paper", "magsac", "magsacPlusPlus")
 
-class ParamsTest(unittest.TestCase):
 
-    def test_fields_can_be_read_and_written(self):
+class ParamsCase(unittest.TestCase):
+
+    def refused(self, type_, words, function, *args, **kwargs):
+        with self.assertRaises(type_, msg=words) as context:
+            function(*args, **kwargs)
+        for word in words:
+            self.assertIn(word, str(context.exception))
+
+
+class FieldsTest(ParamsCase):
+
+    def test_names_and_defaults_are_those_of_cpp(self):
+        default = native.Params()
+        names = {name for name in dir(default) if name[0] != "_" and not callable(getattr(default, name))}
+        self.assertEqual(set(fields(usac.Params())), names)
+        self.assertEqual(set(inspect.signature(usac.Params).parameters), names)
+        for name in names - ARRAYS:
+            self.assertEqual(getattr(usac.Params(), name), getattr(default, name), name)
+
+    def test_can_be_read_and_written(self):
         params = usac.Params()
-        self.assertLessEqual({"threshold", "confidence", "maxIterations", "seed", "threads", "sampler", "ordering", "scores",
-                              "scoreOrder", "quality", "verification", "localOptimization", "termination", "persistence",
-                              "degeneracy", "polishing", "polishingSteps", "runnersUp", "orderedEvery", "widestReach",
-                              "significance", "covariance", "sigmas", "initialModel", "initialCovariance"}, set(fields(params)))
-        for name in fields(params):
-            if name in ("scores", "sigmas", "initialModel", "initialCovariance"):
-                continue
+        for name in set(fields(params)) - ARRAYS:
             value = getattr(params, name) + (0.25 if isinstance(getattr(params, name), float) else 1)
             setattr(params, name, value)
             self.assertEqual(getattr(params, name), value, name)
             self.assertRaises(TypeError, setattr, params, name, "text")
+            self.assertRaises(TypeError, setattr, params, name, None)
             self.assertRaises(AttributeError, delattr, params, name)
             self.assertEqual(getattr(params, name), value, name)
         self.assertRaises(AttributeError, setattr, params, "treshold", 1.0)
-        self.assertNotEqual(values(params), values(usac.Params()))
 
-    def test_scores(self):
+    def test_construction_by_names(self):
+        params = usac.Params(threshold=2, scores=[3, 1, 2], quality=usac.QUALITY_LMEDS, seed=np.int64(7), confidence=np.float32(0.5))
+        self.assertEqual((params.threshold, params.quality, params.seed, params.confidence), (2.0, usac.QUALITY_LMEDS, 7, 0.5))
+        self.assertIsInstance(params.threshold, float)
+        for wrong in (dict(threshold="2"), dict(seed=1.5), dict(seed=True), dict(quality="QUALITY_BEST"),
+                      dict(threshold=[1, 2]), dict(scores="abc"), dict(scores=np.zeros((3, 2))), dict(scores=[1j]),
+                      dict(scores=5), dict(initialModel="abc"), dict(scores=[[1], [2, 3]])):
+            self.refused(TypeError, list(wrong), usac.Params, **wrong)
+        self.assertEqual(usac.Params(threshold=None, scores=None), usac.Params())
+        self.refused(usac.error, ("seed",), usac.Params, seed=2**31)
+        self.assertRaises(usac.error, usac.Params.fromMethod, "text")
+        self.assertRaises(usac.error, usac.Params().check, "text")
+
+    def test_names_of_enumerators(self):
+        params = usac.Params(sampler="prosac", ordering="input-order", quality="QUALITY_MAGSAC", localOptimization="none",
+                             termination="sprt|standard", degeneracy="repeated", thresholdType="estimated")
+        self.assertEqual(params, usac.Params(sampler=usac.SAMPLER_PROSAC, ordering=usac.ORDERING_INPUT_ORDER,
+                                             quality=usac.QUALITY_MAGSAC, localOptimization=usac.LOCAL_OPTIMIZATION_NONE,
+                                             termination=usac.TERMINATION_SPRT | usac.TERMINATION_STANDARD,
+                                             degeneracy=usac.DEGENERACY_REPEATED, thresholdType=usac.THRESHOLD_ESTIMATED))
+        self.assertIs(params.sampler, usac.SAMPLER_PROSAC)
+        self.assertEqual(usac.Params(quality="magsac++").quality, usac.QUALITY_MAGSAC_PLUS_PLUS)
+        params.sampler = "p_napsac"
+        self.assertEqual(params.sampler, usac.SAMPLER_P_NAPSAC)
+        self.refused(TypeError, ("sampler", "SAMPLER_PROSAC", "SAMPLER_IMPORTANCE", "'prosak'"), usac.Params, sampler="prosak")
+        self.refused(TypeError, ("termination", "TERMINATION_SPRT"), usac.Params, termination="sprt|never")
+        self.refused(TypeError, ("quality", "''"), usac.Params, quality="")
+        self.refused(TypeError, ("quality", "msac|magsac"), usac.Params, quality="msac|magsac")
+
+    def test_enumerators_of_another_enumeration(self):
+        self.refused(TypeError, ("sampler", "SamplerType", "QUALITY_MSAC"), usac.Params, sampler=usac.QUALITY_MSAC)
+        self.refused(TypeError, ("termination", "DEGENERACY"), usac.Params, termination=usac.DEGENERACY_REPEATED)
+        self.refused(TypeError, ("quality",), setattr, usac.Params(), "quality", usac.USACV20)
+        self.refused(ERRORS, ("method", "QUALITY_MSAC"), usac.findHomography, PLANE.points1, PLANE.points2, usac.QUALITY_MSAC)
+        self.assertEqual(usac.Params(sampler=1).sampler, usac.SAMPLER_PROSAC)
+
+    def test_presets(self):
+        for name in PRESETS:
+            preset = getattr(usac.Params, name)
+            params, expected = preset(threshold=2, scores=[1, 2], seed=None), preset()
+            expected.threshold, expected.scores = 2.0, [1, 2]
+            self.assertEqual(params, expected, name)
+            params.check(2)
+            self.assertEqual(getattr(usac.Params(), name)(), preset())
+            self.refused(TypeError, (name, "treshold"), preset, treshold=2)
+        self.assertRaises(usac.error, usac.Params.trustedScores().check)  # it needs scores or ORDERING_INPUT_ORDER
+        presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "sorted",
+                   "USACV20_MAGSAC": "magsacPlusPlus", "USACV20_PARALLEL": "parallel", "USACV20_AUTO": "automatic"}
+        for flag, preset in presets.items():
+            self.assertEqual(usac.Params.fromMethod(FLAGS[flag], threshold=2), getattr(usac.Params, preset)(threshold=2))
+        self.assertEqual(len({repr(usac.Params.fromMethod(flag)) for flag in FLAGS.values()}), len(FLAGS))
+        self.assertEqual(usac.Params.usacV20(), usac.Params())
+        self.assertIs(usac.Params.automatic().thresholdType, usac.THRESHOLD_ESTIMATED)
+
+    def test_replace(self):
+        params = usac.Params.fast(scores=[3, 1])
+        other = params.replace(threshold=3, quality="magsac")
+        self.assertEqual((params.threshold, other.threshold, other.quality), (1.5, 3.0, usac.QUALITY_MAGSAC))
+        self.assertEqual(other.replace(threshold=1.5, quality=params.quality), params)
+        other.scores[0] = 7
+        self.assertEqual(params.scores[0], 3)
+        self.assertEqual(len(params.replace(scores=None).scores), 0)
+
+    def test_fields_that_are_none(self):
+        for call, name, hint in ((usac.Params.fast, "treshold", "threshold"), (usac.Params().replace, "maxIters", "maxIterations"),
+                                 (usac.Params.accurate, "ransacReprojThreshold", "threshold"), (usac.Params.fast, "xyz", "help")):
+            with self.assertRaisesRegex(TypeError, "'{}'.*{}".format(name, hint)):
+                call(**{name: 2})
+
+    def test_comparison(self):
+        self.assertEqual(usac.Params(), usac.Params())
+        self.assertFalse(usac.Params() != usac.Params())
+        for name in fields(usac.Params()):
+            value = getattr(usac.Params(), name)
+            other = usac.Params(**{name: [1.0] if isinstance(value, np.ndarray) else value + 1})
+            self.assertNotEqual(other, usac.Params(), name)
+            self.assertNotEqual(repr(other), repr(usac.Params()), name)
+        self.assertEqual(usac.Params(scores=[np.nan]), usac.Params(scores=[np.nan]))
+        self.assertNotEqual(usac.Params(), 5)
+        self.assertRaises(TypeError, hash, usac.Params())
+
+    def test_copies(self):
+        params = usac.Params(threshold=2, scores=[1, 2, 3], termination=0, initialModel=np.eye(3), quality=99)
+        for method in (copy.copy, copy.deepcopy, lambda value: pickle.loads(pickle.dumps(value)),
+                       lambda value: pickle.loads(pickle.dumps(value, 2))):
+            other = method(params)
+            self.assertEqual(other, params)
+            other.scores[0], other.threshold = 9, 5
+            self.assertEqual((params.scores[0], params.threshold), (1, 2))
+
+    def test_repr(self):
+        self.assertEqual(repr(usac.Params()), "Params()")
+        params = usac.Params(threshold=2, scores=[1, 2], quality=usac.QUALITY_INLIERS, degeneracy=0,
+                             termination=usac.TERMINATION_SPRT | usac.TERMINATION_EXACT)
+        self.assertEqual(repr(params), "Params(threshold=2.0, scores=<2 values>, quality=QUALITY_INLIERS, "
+                         "termination=TERMINATION_SPRT|TERMINATION_EXACT, degeneracy=0)")
+        self.assertEqual(eval(repr(usac.Params(seed=3, polishing=usac.POLISHING_NONE)), vars(usac)),
+                         usac.Params(seed=3, polishing=0))
+
+    def test_subclass(self):
+        class Strict(usac.Params):
+            pass
+        self.assertIsInstance(Strict.magsac(), Strict)
+        self.assertIsInstance(copy.copy(Strict(threshold=3)), Strict)
+        self.assertEqual(bits(usac.findHomography(PLANE.points1, PLANE.points2, Strict(threshold=3))),
+                         bits(usac.findHomography(PLANE.points1, PLANE.points2, usac.Params(threshold=3))))
+
+    def test_check_names_the_field(self):
+        usac.Params().check(10)
+        for name, wrong in (("threshold", float("nan")), ("confidence", 1.0), ("maxIterations", 0), ("sampler", 99)):
+            params = usac.Params(**{name: wrong})
+            for function, args in ((params.check, ()), (FINDER.findHomography, (PLANE.points1, PLANE.points2, params)),
+                                   (usac.estimateHomography, (PLANE.points1, PLANE.points2, params))):
+                self.refused(usac.error, (name,), function, *args)
+
+
+class ArraysTest(ParamsCase):
+
+    def test_scores_live_in_the_object(self):
         params = usac.Params()
-        self.assertEqual(len(params.scores), 0)
-        for scores in ([3, 1, 2], (3., 1., 2.), np.array([3, 1, 2], np.float32), np.array([3., 1., 2.]),
-                       np.array([9., 3, 1, 2])[1:], np.array([3., 0, 1, 0, 2, 0])[::2], np.array([3, 1, 2], np.uint8)):
-            params.scores = []
+        for scores in ([1, 2, 3], (1., 2., 3.), np.array([1, 2, 3]), np.array([[1], [2], [3]]), np.array([[1, 2, 3]], np.uint8),
+                       np.array([1., 2., 3.], ">f8"), np.array([1, 0, 2, 0, 3, 0])[::2], np.float16([1, 2, 3]),
+                       np.array([[[1]], [[2]], [[3]]]), range(1, 4)):
             params.scores = scores
-            np.testing.assert_array_equal(params.scores, [3, 1, 2])
-        for wrong in ("text", 3, np.zeros((3, 2))):
-            self.assertRaises((TypeError, usac.error), setattr, params, "scores", wrong)
+            self.assertEqual((params.scores.dtype, params.scores.shape), (np.float32, (3,)))
+            np.testing.assert_array_equal(params.scores, [1, 2, 3])
+        given = np.float32([1, 2, 3])
+        params.scores = given
+        params.scores[0] = 5
+        self.assertEqual(params.scores.tolist(), [5, 2, 3])
+        self.assertEqual(given.tolist(), [1, 2, 3])
+        for none in (None, [], np.zeros((0, 1)), np.zeros(0, np.float32)):
+            params.scores = none
+            self.assertEqual(params.scores.shape, (0,))
+        params.check(300)
+
+    def test_scores_reach_the_estimator(self):
+        good = PLANE.inliers.astype(np.float32)
+        run = lambda params: bits(FINDER.findHomography(PLANE.points1, PLANE.points2, params))
+        params = usac.Params(scores=good, scoreOrder=usac.SCORES_HIGHER_IS_BETTER)
+        higher = run(params)
+        params.scoreOrder, params.scores = usac.SCORES_LOWER_IS_BETTER, -good
+        self.assertEqual(run(params), higher)
+        params.scores[:] = good
+        run(params)
+        params.scores *= -1  # a change of the array counts in the next call
+        self.assertEqual(run(params), higher)
+        params.scores = None
+        self.assertEqual(run(params), run(usac.Params()))
+        for wrong in (good[1:], np.full(len(good), np.nan)):
+            params.scores = wrong
+            self.refused(usac.error, ("scores",), run, params)
+        self.refused(TypeError, ("scores", "bool", "True"), usac.Params, scores=PLANE.inliers)
+        self.refused(ERRORS, ("scores", "mask"), usac.Params, scores=np.ma.masked_array([1.0, 2.0], mask=[True, False]))
 
     def test_sigmas(self):
-        params = usac.Params(threshold=3, sigmas=np.where(np.arange(len(PLANE.points1)) % 2, 4, 1))
-        model, mask, report = usac.estimateHomography(PLANE.points1, PLANE.points2, params)
-        mapped = np.c_[PLANE.points1, np.ones(len(PLANE.points1))] @ model.T
-        errors = np.linalg.norm(mapped[:, :2] / mapped[:, 2:] - PLANE.points2, axis=1) / params.sigmas
-        np.testing.assert_array_equal(mask.ravel() != 0, errors <= 3)
-        self.assertEqual(report.threshold, 3)
-        for wrong in ([1], np.zeros(len(PLANE.points1))):
-            params.sigmas = wrong
-            with self.assertRaisesRegex(usac.error, "sigmas"):
-                usac.estimateHomography(PLANE.points1, PLANE.points2, params)
-
-    def test_covariances_of_points(self):
         count = len(PLANE.points1)
         angles = np.arange(count)
         ones = np.array([np.cos(angles), np.sin(angles)]).T
         covariances = np.eye(2) + 8 * ones[:, :, None] * ones[:, None, :]
         triangles = covariances[:, [0, 0, 1], [0, 1, 1]]
-        params = usac.Params(threshold=3, sigmas=triangles)
-        self.assertEqual(params.sigmas.shape, (3 * count,))
-        model, mask, _ = usac.estimateHomography(PLANE.points1, PLANE.points2, params)
-        mapped = np.c_[PLANE.points1, np.ones(count)] @ model.T
-        off = mapped[:, :2] / mapped[:, 2:] - PLANE.points2
-        errors = np.sqrt(np.einsum("ni,nij,nj->n", off, np.linalg.inv(covariances), off))
-        np.testing.assert_array_equal(mask.ravel() != 0, errors <= 3)
-        self.assertGreater(mask.sum(), 0)
-        both = usac.Params(threshold=3, sigmas=np.hstack([triangles, np.zeros((count, 3))]))
-        np.testing.assert_array_equal(usac.estimateHomography(PLANE.points1, PLANE.points2, both)[0], model)
+        numbers = np.where(angles % 2, 4, 1)
+        for sigmas, of in ((triangles, covariances), (np.hstack([triangles, np.zeros((count, 3))]), covariances),
+                           (numbers, np.eye(2) * numbers[:, None, None]**2)):
+            params = usac.Params(threshold=3, sigmas=sigmas)
+            model, mask, report = usac.estimateHomography(PLANE.points1, PLANE.points2, params)
+            mapped = np.c_[PLANE.points1, np.ones(count)] @ model.T
+            off = mapped[:, :2] / mapped[:, 2:] - PLANE.points2
+            np.testing.assert_array_equal(mask.ravel() != 0, np.sqrt(np.einsum("ni,nij,nj->n", off, np.linalg.inv(of), off)) <= 3)
         for wrong in (np.ones((count, 2)), np.ones((count, 3, 1))):
-            with self.assertRaisesRegex(TypeError, "sigmas"):
-                params.sigmas = wrong
-        for wrong in (np.ones((count, 3)), np.ones((count - 1, 3))):
+            self.refused(TypeError, ("sigmas",), usac.Params, sigmas=wrong)
+        for wrong in (np.ones((count, 3)), np.ones((count - 1, 3)), [1], np.zeros(count)):
             params.sigmas = wrong
-            with self.assertRaisesRegex(usac.error, "sigmas"):
-                usac.estimateHomography(PLANE.points1, PLANE.points2, params)
+            self.refused(usac.error, ("sigmas",), usac.estimateHomography, PLANE.points1, PLANE.points2, params)
 
     def test_sigmas_for_another_number_of_matches(self):
         # Without their shape, these sigmas would fit the wrong count, too: 60 numbers, for example, are one
         # for each of 60 matches or three for each of 20.
         rows3, rows6 = np.tile([4., 1, 3], (20, 1)), np.tile([4., 1, 3, 2, 0, 2], (30, 1))
-        scene = lambda count: (PLANE.points1[:count], PLANE.points2[:count])
-        for sigmas, count in ((rows3, 60), (rows6, 60), (np.ones((20, 3)), 60), (rows3.reshape(60, 1), 20)):
+        for sigmas, count in ((rows3, 60), (rows6, 60), (rows3.reshape(60, 1), 20)):
             for params in (usac.Params(sigmas=sigmas), usac.Params().replace(sigmas=sigmas), usac.Params(sigmas=sigmas).replace(),
                            copy.copy(usac.Params(sigmas=sigmas)), pickle.loads(pickle.dumps(usac.Params(sigmas=sigmas)))):
-                with self.assertRaisesRegex(usac.error, "sigmas"):
-                    params.check(count)
-            a, b = scene(count)
-            for call in (lambda: usac.estimateHomography(a, b, params), lambda: FINDER.findHomography(a, b, params),
-                         lambda: usac.estimateFundamental(a.T, b.T, params),
+                self.refused(usac.error, ("sigmas",), params.check, count)
+            a, b, pose = PLANE.points1[:count], PLANE.points2[:count], (POSE.X[:count], POSE.x[:count], POSE.K, POSE.d)
+            for call in (lambda: usac.estimateHomography(a, b, params), lambda: FINDER.findHomography(a.T, b.T, params),
                          lambda: usac.estimateRelativePose(a, b, PLANE.K1, params=params),
                          lambda: usac.fitModel(usac.HOMOGRAPHY, a, b, params=params),
                          lambda: usac.refineModel("HOMOGRAPHY", np.eye(3), a, b, params=params),
                          lambda: usac.modelErrors("HOMOGRAPHY", np.eye(3), a[:, None], b[None], params=params),
-                         lambda: usac.estimateAbsolutePose(POSE.X[:count], POSE.x[:count], POSE.K, POSE.d, params),
-                         lambda: FINDER.solvePnPRansac(POSE.X[:count].T, POSE.x[:count], POSE.K, POSE.d, params=params)):
-                with self.assertRaisesRegex(usac.error, "sigmas"):
-                    call()
+                         lambda: usac.estimateAbsolutePose(*pose, params), lambda: FINDER.solvePnPRansac(*pose, params=params)):
+                self.refused(usac.error, ("sigmas",), call)
         for sigmas, count in ((rows3, 20), (rows6, 30), (np.ones((60, 1)), 60), (np.ones((1, 60)), 60), ([[1, 0, 1]], 1),
                               ([[1, 2, 1]], 3), (rows3.ravel(), 20), (rows6.ravel(), 30), (rows3, -1), (None, 60)):
             params = usac.Params(sigmas=sigmas)
             params.check(count)
             params.replace().check(count)
             params.replace(sigmas=params.sigmas).check(count)
-            if count > 10:
-                usac.estimateHomography(*scene(count), params)
-
-    def test_scores_reach_the_estimator(self):
-        good = PLANE.inliers.astype(np.float32)
-        params = usac.Params()
-        params.scoreOrder = usac.SCORES_HIGHER_IS_BETTER
-        params.scores = good
-        higher = FINDER.findHomography(PLANE.points1, PLANE.points2, params)
-        params.scoreOrder = usac.SCORES_LOWER_IS_BETTER
-        params.scores = -good
-        self.assertEqual(bits(FINDER.findHomography(PLANE.points1, PLANE.points2, params)), bits(higher))
-        params.scores = good[1:]
-        with self.assertRaises(usac.error) as context:
-            FINDER.findHomography(PLANE.points1, PLANE.points2, params)
-        self.assertIn("scores", str(context.exception))
-
-    def test_presets(self):
-        for name in ("usacV20", "fast", "accurate", "sorted", "parallel", "automatic", "ransac", "msac", "lmeds", "mlesac", "prosac",
-                     "loRansac", "floRansac", "gcRansac", "usac2013", "paper", "magsac", "magsacPlusPlus"):
-            params = getattr(usac.Params, name)()
-            self.assertIsInstance(params, usac.Params)
-            params.check()
-            self.assertEqual(values(getattr(usac.Params(), name)()), values(params))
-        trusted = usac.Params.trustedScores()
-        with self.assertRaises(usac.error):
-            trusted.check()  # this preset needs scores or ORDERING_INPUT_ORDER, and neither is set
-        trusted.scores = [0.5, 0.25]
-        trusted.check(2)
-        presets = {"USACV20": "usacV20", "USACV20_FAST": "fast", "USACV20_ACCURATE": "accurate", "USACV20_PROSAC": "sorted",
-                   "USACV20_MAGSAC": "magsacPlusPlus", "USACV20_PARALLEL": "parallel", "USACV20_AUTO": "automatic"}
-        for flag, preset in presets.items():
-            self.assertEqual(values(usac.Params.fromMethod(FLAGS[flag])), values(getattr(usac.Params, preset)()))
-        self.assertEqual(values(usac.Params.usacV20()), values(usac.Params()))
-        self.assertEqual(len({repr(usac.Params.fromMethod(flag)) for flag in FLAGS.values()}), len(FLAGS))
-        self.assertEqual(repr(usac.Params()), "Params()")
-
-    def test_check_names_the_field(self):
-        usac.Params().check()
-        usac.Params().check(10)
-        for name, wrong in (("threshold", float("nan")), ("threshold", 0), ("confidence", 1.0), ("confidence", 0.0),
-                            ("maxIterations", 0), ("sampler", 99), ("quality", -1), ("threads", -1), ("significance", 1.5),
-                            ("significance", float("nan"))):
-            params = usac.Params()
-            setattr(params, name, wrong)
-            for function, args in ((params.check, ()),
-                                   (FINDER.findHomography, (PLANE.points1, PLANE.points2, params)),
-                                   (usac.estimateHomography, (PLANE.points1, PLANE.points2, params))):
-                with self.assertRaises(usac.error) as context:
-                    function(*args)
-                self.assertIn(name, str(context.exception))
-
-    def test_in_the_place_of_a_flag(self):
-        params = usac.Params()
-        params.threshold, params.maxIterations = THRESHOLD, 500
-        for problem, function, scene, args, kwargs in paramsForms(params):
-            result = getattr(FINDER, function)(*args, **kwargs)
-            self.assertEqual(bits(result), bits(estimate(problem, scene, params)[:2]),
-                             "{} {} {}".format(function, len(args), sorted(kwargs)))
 
 
-class EstimateTest(unittest.TestCase):
+class ReportTest(unittest.TestCase):
 
-    def test_report(self):
+    def test_object(self):
         for problem, scene in (("Homography", PLANE), ("Fundamental", GENERAL), ("Essential", DISTORTED)):
             model, mask, report = estimate(problem, scene, usac.Params())
             self.assertLess(scene.error(problem, model), 1.0)
             self.assertIsInstance(report, usac.Report)
-            self.assertEqual(report.inliers, int(mask.sum()))
-            self.assertGreater(report.iterations, 0)
-            self.assertGreater(report.models, 0)
-            self.assertIn(report.stop, (usac.STOP_MAX_ITERATIONS, usac.STOP_STANDARD, usac.STOP_SPRT, usac.STOP_P_NAPSAC))
-            self.assertGreater(report.cost, 0)
-            self.assertLess(report.cost, 1)
-            for name in ("rejectedSamples", "degenerateSamples", "rejectedModels", "refusedModels", "droppedModels",
-                         "localOptimizations", "localImprovements", "independentInliers", "chance", "threshold",
-                         "setupMs", "searchMs", "localMs", "polishMs"):
-                self.assertGreaterEqual(getattr(report, name), 0, name)
+            self.assertEqual((report.inliers, report.inlierRatio), (int(mask.sum()), mask.mean()))
+            self.assertTrue(report.iterations > 0 and report.models > 0 and 0 < report.cost < 1 and report.searchMs >= 0)
+            self.assertIsInstance(report.stop, usac.StopReason)
             self.assertIsInstance(report.degenerate, bool)
             self.assertIs(report.wideThreshold, False)
-            self.assertIsInstance(report.describe(), str)
+            self.assertEqual(len(set(report.sample)), {"Homography": 4, "Fundamental": 7, "Essential": 5}[problem])
             self.assertGreater(len(report.describe()), 10)
+            self.assertTrue(repr(report).startswith("Report("))
             for name in fields(report):
                 self.assertIn(name + "=", repr(report))
+            values = report.asDict()
+            self.assertEqual((values["inliers"], values["stop"]), (report.inliers, report.stop.name))
+            self.assertEqual(json.loads(json.dumps(values))["iterations"], report.iterations)
+            self.assertEqual(copy.deepcopy(report), report)
+            self.assertEqual(pickle.loads(pickle.dumps(report)), report)
+            self.assertEqual(pickle.loads(pickle.dumps(report)).describe(), report.describe())
+            self.assertNotEqual(report, usac.Report())
+            self.assertRaises(AttributeError, setattr, report, "inliers", 3)
+        default = native.Report()
+        names = {name for name in dir(default) if name[0] != "_" and not callable(getattr(default, name))}
+        self.assertEqual(set(fields(report)), names)
         self.assertEqual(usac.Report().stop, usac.STOP_NOT_RUN)
 
-    def test_optional_arguments(self):
-        p, g, d = PLANE, GENERAL, DISTORTED
-        params = usac.UsacParams()
-        for function, short, full in (
-                (usac.estimateHomography, [(p.points1, p.points2), (p.points1, p.points2, params)],
-                 (p.points1, p.points2, params, None)),
-                (usac.estimateFundamental, [(g.points1, g.points2), (g.points1, g.points2, params)],
-                 (g.points1, g.points2, params, None)),
-                (usac.estimateEssential,
-                 [(g.points1, g.points2, g.K1), (g.points1, g.points2, g.K1, params),
-                  (g.points1, g.points2, g.K1, params, None), (g.points1, g.points2, g.K1, g.K1)],
-                 (g.points1, g.points2, g.K1, None, None, None, params, None)),
-                (usac.estimateEssential, [(d.points1, d.points2, d.K1, d.K2, d.d1, d.d2)],
-                 (d.points1, d.points2, d.K1, d.K2, d.d1, d.d2, params, None))):
-            for args in short:
-                self.assertEqual(bits(function(*args)[:2]), bits(function(*full)[:2]))
-        expected = bits(usac.estimateHomography(p.points1, p.points2, params)[:2])
-        self.assertEqual(bits(usac.estimateHomography(p.points1, p.points2, params=params, mask=None)[:2]), expected)
-        self.assertEqual(bits(usac.estimateHomography(points1=p.points1, points2=p.points2)[:2]), expected)
-
-    def test_mask_of_the_caller(self):
-        g = GENERAL
-        for call in (lambda mask: usac.estimateFundamental(g.points1, g.points2, None, mask),
-                     lambda mask: usac.estimateFundamental(g.points1, g.points2, mask=mask),
-                     lambda mask: usac.estimateEssential(g.points1, g.points2, g.K1, usac.Params(), mask),
-                     lambda mask: usac.estimateEssential(g.points1, g.points2, g.K1, usac.Params(), mask=mask),
-                     lambda mask: usac.estimateEssential(g.points1, g.points2, g.K1, mask=mask)):
-            given = np.full((len(g.points1), 1), 7, np.uint8)
-            np.testing.assert_array_equal(call(given)[1], given)
-            self.assertEqual(set(given.ravel()), {0, 1})
-
-    def test_no_model(self):
-        nan, few, none = np.full((50, 2), np.nan), np.eye(3, 2) * 100, np.zeros((0, 2))
-        same = np.full((50, 2), 5.)
-        for points, reasons in ((nan, [usac.STOP_TOO_FEW_POINTS]), (few, [usac.STOP_TOO_FEW_POINTS]),
-                                (none, [usac.STOP_TOO_FEW_POINTS]), (same, [usac.STOP_TOO_FEW_POINTS, usac.STOP_NO_MODEL])):
-            for function, args in ((usac.estimateHomography, ()), (usac.estimateFundamental, ()),
-                                   (usac.estimateEssential, (PLANE.K1, None, None, None))):
-                model, mask, report = function(points, points, *(args + (usac.Params(),)))
-                self.assertIsNone(model)
-                self.checkZeroMask(mask, len(points))
-                self.assertIn(report.stop, reasons)
-                self.assertEqual(report.inliers, 0)
-            for flag in FLAGS.values():
-                for function, args in (("findHomography", (flag,)), ("findFundamentalMat", (flag,)),
-                                       ("findEssentialMat", (PLANE.K1, flag))):
-                    model, mask = getattr(FINDER, function)(points, points, *args)
-                    self.assertIsNone(model)
-                    self.checkZeroMask(mask, len(points))
-
-    def checkZeroMask(self, mask, count):
-        if count == 0:
-            self.assertTrue(mask is None or mask.size == 0)
-        else:
-            np.testing.assert_array_equal(mask, np.zeros((count, 1), np.uint8))
-
-    def test_no_model_clears_the_mask_of_the_caller(self):
-        given = np.full((3, 1), 7, np.uint8)
-        FINDER.findHomography(np.eye(3, 2), np.eye(3, 2), usac.USACV20, 3.0, given)
-        self.checkZeroMask(given, 3)
-
-    def test_mistakes_raise(self):
-        a, b, K, params = GENERAL.points1, GENERAL.points2, GENERAL.K1, usac.Params()
-        for word, function, args in (
-                ("points", usac.estimateHomography, (a, b[1:], params)),
-                ("points", usac.estimateFundamental, (a, b[1:], params)),
-                ("points", usac.estimateEssential, (a, b[1:], K, None, None, None, params)),
-                ("Points", FINDER.findHomography, (a, b[1:], usac.USACV20)),
-                ("points", usac.estimateHomography, (np.ones((9, 1)), np.ones((9, 1)), params)),
-                ("cameraMatrix", usac.estimateEssential, (a, b, np.eye(2), None, None, None, params)),
-                ("cameraMatrix", usac.estimateEssential, (a, b, np.zeros((3, 3)), None, None, None, params)),
-                ("cameraMatrix", FINDER.findEssentialMat, (a, b, np.eye(2), usac.USACV20)),
-                ("hreshold", FINDER.findHomography, (a, b, usac.USACV20, -1.0)),
-                ("hreshold", FINDER.findHomography, (a, b, usac.USACV20, float("nan"))),
-                ("onfidence", FINDER.findFundamentalMat, (a, b, usac.USACV20, 3.0, 1.5)),
-                ("max", FINDER.findEssentialMat, (a, b, K, usac.USACV20, 0.99, 1.0, -5)),
-                ("method", usac.Params.fromMethod, (RANSAC,)),
-                ("method", usac.findHomography, (a, b, 12345)),
-                ("method", usac.findFundamentalMat, (a, b, -1)),
-                ("method", usac.findEssentialMat, (a, b, K, max(FLAGS.values()) + 1)),
-                ("params", usac.estimateHomography, (a, b, 3.0)),
-                ("params", usac.estimateHomography, (a, b, object())),
-                ("", usac.estimateHomography, ("a", "b", params)),
-                ("", FINDER.findHomography, (a, "b", usac.USACV20))):
-            with self.assertRaises(usac.error, msg="{} {}".format(word, args[2:])) as context:
-                function(*args)
-            self.assertIn(word, str(context.exception))
-
-    def test_is_reproducible(self):
-        def run():
-            return [bits(estimate(*case)[:2]) for case in (("Homography", PLANE, usac.Params()),
-                                                           ("Fundamental", GENERAL, usac.Params()),
-                                                           ("Essential", DISTORTED, usac.Params()))]
-        expected = run()
-        if cv is not None:
-            cv.setRNGSeed(99)
-            cv.randu(np.zeros((9, 9)), 0, 1)
-        usac.findHomography(PLANE.points1, PLANE.points2, RANSAC)
-        self.assertEqual(run(), expected)
-        results = [None] * 4
-
-        def work(i):
-            results[i] = run()
-        threads = [threading.Thread(target=work, args=(i,)) for i in range(len(results))]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        self.assertEqual(results, [expected] * len(results))
-
-    def test_enumerations(self):
-        for prefix, count in (("SAMPLER_", 3), ("ORDERING_", 4), ("SCORES_", 2), ("QUALITY_", 2), ("VERIFICATION_", 2),
-                              ("LOCAL_OPTIMIZATION_", 2), ("TERMINATION_", 3), ("DEGENERACY_", 2), ("POLISHING_", 2),
-                              ("STOP_", 8)):
-            found = [getattr(usac, name) for name in dir(usac) if name.startswith(prefix)]
-            self.assertGreaterEqual(len(found), count, prefix)
-            self.assertEqual(len(set(found)), len(found), prefix)
-        self.assertEqual((usac.HOMOGRAPHY, usac.FUNDAMENTAL, usac.ESSENTIAL), (0, 1, 2))
-        for name in ("MAX_MODELS", "Residual_SAMPSON"):
-            self.assertFalse(hasattr(usac, name))
+    def test_estimated_threshold(self):
+        a, b = PLANE.points1, PLANE.points2
+        result = FINDER.findHomography(a, b, usac.USACV20_AUTO, 10.0)
+        params = usac.Params.automatic(threshold=10, confidence=0.995, maxIterations=2000)
+        *expected, report = usac.estimateHomography(a, b, params)
+        self.assertEqual(bits(result), bits(expected))
+        self.assertTrue(0 < 1.5 * report.sigma < report.threshold < 5, report)
+        report = usac.estimateHomography(a, b, usac.Params(threshold=10))[2]
+        self.assertEqual((report.threshold, report.sigma), (10, 0))
 
 
 if __name__ == "__main__":

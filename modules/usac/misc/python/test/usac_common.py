@@ -206,7 +206,22 @@ def paramsForms(params):
         ("Essential", E, d, (d.points1, d.points2, d.K1, d.K2, d.d1, d.d2), dict(mask=None, params=params)),
         ("Essential", E, d, (d.points1, d.points2), dict(cameraMatrix1=d.K1, cameraMatrix2=d.K2, dist_coeff1=d.d1,
                                                          dist_coeff2=d.d2, params=params)),
-    ]
+    ] + placesOfParams(params)
+
+
+def placesOfParams(params):
+    """Returns the part of paramsForms() with Params in places where OpenCV has no UsacParams."""
+    g, d, m = GENERAL, DISTORTED, MOVED
+    ga, gb, da, db = g.points1, g.points2, d.points1, d.points2
+    E, A = FUNCTIONS[2:4]
+    return [("Essential", E, g, args, kwargs) for args, kwargs in (
+        ((ga, gb, g.K1, params), {}), ((ga, gb, g.K1), dict(method=params)), ((ga, gb, g.K1), dict(params=params)),
+        ((ga, gb), dict(cameraMatrix=g.K1, method=params)), ((ga, gb, g.focal, g.pp, params), {}),
+        ((ga, gb, g.focal, g.pp), dict(method=params)), ((ga, gb, g.K1, None, None, None, params), {}))] + [
+        ("Essential", E, d, (da, db, d.K1, d.K2, d.d1, d.d2, params), {}),
+        ("Essential", E, d, (da, db, d.K1, d.d1, d.K2, d.d2), dict(method=params)),
+        ("Affinity2D", A, m, (m.points1, m.points2, None, params), {}),
+        ("Affinity2D", A, m, (m.points1, m.points2), dict(method=params))]
 
 
 def estimate(problem, scene, params, *args):
@@ -240,7 +255,3 @@ def outcome(function, args, kwargs):
 
 def fields(params):
     return sorted(name for name in dir(params) if name[0] != "_" and not callable(getattr(params, name)))
-
-
-def values(params):
-    return {name: bits(getattr(params, name)) for name in fields(params)}
