@@ -47,9 +47,6 @@ class WrapperTest(Cv2Test):
             self.assertEqual(getattr(cv, name).__name__, name)
             self.assertTrue(getattr(cv, name).__doc__.startswith(getattr(NATIVE, name).__doc__))
             self.assertIn("USACV20", getattr(cv, name).__doc__)
-
-    def test_can_be_pickled(self):
-        for name in FUNCTIONS:
             self.assertIs(pickle.loads(pickle.dumps(getattr(cv, name))), getattr(cv, name))
 
     def test_gives_what_the_function_of_the_module_gives(self):
@@ -60,13 +57,6 @@ class WrapperTest(Cv2Test):
         for function, args, kwargs in calls:
             self.assertEqual(bits(getattr(cv, function)(*args, **kwargs)), bits(getattr(usac, function)(*args, **kwargs)),
                              "{} {} {}".format(function, len(args), sorted(kwargs)))
-
-    def test_params_in_the_place_of_a_flag(self):
-        p, g, params = PLANE, GENERAL, usac.Params(threshold=THRESHOLD)
-        self.assertEqual(bits(cv.findHomography(p.points1, p.points2, method=params)),
-                         bits(cv.findHomography(p.points1, p.points2, params)))
-        self.assertEqual(bits(cv.findEssentialMat(g.points1, g.points2, g.K1, params)),
-                         bits(cv.findEssentialMat(g.points1, g.points2, g.K1, g.K1, None, None, params)))
 
 
 @inTree
@@ -271,13 +261,6 @@ class UnchangedTest(Cv2Test):
         found = 0
         for _, function, _, args, kwargs in formsOfOpencv():  # without USAC flags for essential matrices, which RouteTest covers
             expected = self.compare(function, args, kwargs)
-            found += isinstance(expected[0], tuple)
-        self.assertGreater(found, 100)  # makes sure that models are compared, not only exceptions
-
-    def test_flags_of_opencv_are_handed_on(self):
-        found = 0
-        for _, function, _, args, kwargs in formsOfOpencv():
-            expected = outcome(getattr(NATIVE, function), args, kwargs)
             self.assertEqual(outcome(getattr(usac, function), args, kwargs), expected,
                              "{} {} {}".format(function, len(args), sorted(kwargs)))
             found += isinstance(expected[0], tuple)

@@ -225,6 +225,7 @@ class MemoryTest(unittest.TestCase):
         mask = np.zeros((len(a), 1), np.uint8)
         self.check(lambda: usac.estimateHomography(a, b, params, mask))
         self.check(lambda: usac.solvePnPRansac(POSE.X, POSE.x, POSE.K, POSE.d, flags=usac.USACV20, iterationsCount=5), CALLS // 4)
+        self.check(lambda: usac.Params(threshold=2, scores=PLANE.points1[:, 0]) == usac.Params.magsac())
         self.check(lambda: usac.findEssentialMat(a, b, GENERAL.focal, GENERAL.pp, usac.USACV20_FAST, maxIters=5), CALLS // 4)
 
     @unittest.skipIf(IN_TREE, "tests the package usacv20 only: OpenCV's own code loses 400 bytes with each exception")
@@ -238,9 +239,6 @@ class MemoryTest(unittest.TestCase):
                 raise AssertionError
 
         self.check(wrong)
-
-    def test_objects(self):
-        self.check(lambda: usac.Params(threshold=2, scores=PLANE.points1[:, 0]) == usac.Params.magsac())
 
     @unittest.skipIf(IN_TREE, "tests the package usacv20 only")
     def test_components(self):
