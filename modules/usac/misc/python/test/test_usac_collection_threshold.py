@@ -33,12 +33,12 @@ class NoiseTest(unittest.TestCase):
         self.assertLess(abs(math.log(found.sigma / sigma)), math.log(1 + part), found)
 
     def test_noise_and_size_of_image(self):
-        for size in ((640, 480), (1600, 1200), (6000, 4000)):
-            for sigma in (0.3, 1, 3):
-                with self.subTest(size=size, sigma=sigma):
-                    found = estimate(noisyPairs(1, 24, size=size, sigma=sigma, matches=300))
-                    self.assertNoise(found, sigma, 0.1)
-                    self.assertLess(abs(found.threshold / (IN_SIGMAS * sigma) - 1), 0.12)
+        for size, sigma in (((640, 480), 0.3), ((1600, 1200), 1), ((6000, 4000), 3)):
+            with self.subTest(size=size, sigma=sigma):
+                found = estimate(noisyPairs(1, 24, size=size, sigma=sigma, matches=300))
+                self.assertNoise(found, sigma, 0.1)
+                self.assertLess(abs(found.threshold / (IN_SIGMAS * sigma) - 1), 0.12)
+        self.assertEqual(estimate(noisyPairs(9, 12, none=0, sigma=0.0, matches=300)).threshold, threshold.SMALLEST)
 
     def test_unknown_focal_lengths(self):
         scenes = noisyPairs(2, 24, known=False, matches=300)
@@ -50,17 +50,6 @@ class NoiseTest(unittest.TestCase):
         scenes = noisyPairs(2, 16, none=0, known=False, matches=300)
         wrong = [scene.pair._replace(first=scene.pair.first._replace(matrix=np.diag([9000., 9000, 1]))) for scene in scenes]
         self.assertEqual(estimateThreshold(wrong, Settings()), estimate(scenes))
-
-    def test_one_kind_of_scenes(self):
-        for kind in ("general", "planar", "rotation"):
-            for known in (False, True):
-                with self.subTest(kind=kind, known=known):
-                    found = estimate([NoisyPair(seed, kind, known=known, matches=400) for seed in range(8)])
-                    self.assertNoise(found, 1, 0.1)
-                    self.assertEqual(found.used, 8)
-
-    def test_most_matches_wrong(self):
-        self.assertNoise(estimate(noisyPairs(4, 24, wrong=0.7, matches=400)), 1, 0.1)
 
     def test_most_pairs_without_overlap(self):
         scenes = noisyPairs(5, 60, none=0.9)
@@ -81,12 +70,6 @@ class NoiseTest(unittest.TestCase):
             self.assertEqual((found.threshold, found.used, found.asked), (4.0, 0, len(given)))
             self.assertRegex(found.describe(), "^4 px, COLMAP's, as none of {} pairs .* --threshold PIXELS".format(len(given)))
 
-    def test_few_pairs_tell(self):
-        for count in (1, 2, 3):
-            found = estimate([NoisyPair(seed, "general", matches=300) for seed in range(count)])
-            self.assertEqual(found.used, count)
-            self.assertEqual("may be wrong" in found.describe(), count < 3)
-
     def test_pairs_that_cannot_be_used_do_not_count(self):
         scenes = noisyPairs(7, 12, none=0, matches=300)
         a, b = scenes[0].pair.first, scenes[0].pair.second
@@ -94,12 +77,6 @@ class NoiseTest(unittest.TestCase):
                   for points in (np.full((300, 2), np.nan), np.zeros((300, 2)), np.empty((0, 2)))]
         alone, beside = estimate(scenes), estimateThreshold([scene.pair for scene in scenes] + broken, Settings())
         self.assertEqual((beside.threshold, beside.used, beside.asked), (alone.threshold, alone.used, alone.asked + 3))
-
-    def test_some_keypoints_without_coordinates(self):
-        scenes = noisyPairs(7, 12, none=0, matches=300)
-        for scene in scenes:
-            scene.pair.first.points[::10] = np.nan
-        self.assertNoise(estimate(scenes), 1, 0.1)
 
     def test_heavy_tails_count(self):
         """The noise has a heavy tail. The threshold must be a quantile of the errors of all right
@@ -112,24 +89,15 @@ class NoiseTest(unittest.TestCase):
         self.assertLess(abs(found.threshold / true - 1), 0.25)
         self.assertGreater(found.threshold, 1.4 * IN_SIGMAS)
 
-    def test_no_noise(self):
-        found = estimate(noisyPairs(9, 12, none=0, sigma=0.0, matches=300))
-        self.assertEqual(found.threshold, threshold.SMALLEST)
-
-    def test_seed(self):
-        scenes = noisyPairs(10, 16, matches=200)
-        self.assertEqual(estimate(scenes), estimate(scenes))
-        self.assertLess(abs(estimate(scenes, seed=5).sigma / estimate(scenes).sigma - 1), 0.1)
-
     def test_sentence(self):
         found = estimate(noisyPairs(11, 16, none=0, matches=200))
         self.assertRegex(found.describe(), r"^{:g} px, .* {:.3g} px .*{} of 16 pairs.* {:.0f} %".format(
             found.threshold, found.sigma, found.used, 100 * found.spread).replace(" %", " ?%"))
         self.assertEqual(found.threshold, float("{:.3g}".format(found.threshold)))
         self.assertGreater(found.spread, 0)
-
-    def test_constants(self):
-        self.assertAlmostEqual(math.erf(IN_SIGMAS / math.sqrt(2)), QUANTILE, 4)
+        for count in (1, 3):
+            found = estimate([NoisyPair(seed, "general", matches=300) for seed in range(count)])
+            self.assertEqual((found.used, "may be wrong" in found.describe()), (count, count < 3))
 
 
 class Store(object):
@@ -172,12 +140,6 @@ class SampleTest(unittest.TestCase):
             self.assertEqual(len(set(found)), 20)
             self.assertEqual(found, self.chosen(keys[::-1]))
             self.assertEqual(found, self.chosen(list(np.random.RandomState(1).permutation(np.array(keys, object)))))
-
-    def test_they_come_from_everywhere(self):
-        places = np.sort(self.chosen(range(10000), 100)) / 10000
-        # Kolmogorov-Smirnov test: for 100 uniform values, the distance exceeds this limit with a
-        # probability below 5 %.
-        self.assertLess(np.abs(places - (np.arange(100) + 0.5) / 100).max(), 0.136)
 
     def test_numbers_of_a_process_do_not_matter(self):
         self.assertEqual(self.chosen(range(10), 3), self.chosen([np.int64(i) for i in range(10)], 3))
