@@ -122,16 +122,6 @@ class CamerasTest(unittest.TestCase):
                 beyond = center + 1.01 * (last - center)
                 self.assertTrue(np.isnan(lens.ideal(beyond)).all(), coefficients)
 
-    def test_edge_of_a_fisheye(self):
-        """At the edge, the derivative of the distorted radius is 0, so an error of 10^-12 in this radius
-        causes one of about 10^-6 in the angle. Angles much closer to the edge have a radius that differs
-        from that of the edge by less than its rounding error, which depends on the processor."""
-        lens = camera(5, [400, 400, 400, 300, 1, -0.5, 0, 0])
-        edge = np.sqrt((3 + np.sqrt(19)) / 5)  # the positive solution of 1 + 3 s - 2.5 s^2 = 0 is the square of the angle
-        angles = edge - 10.0**-np.arange(1, 7)
-        got = lens.ideal(seen(lens, np.tan(np.r_[angles, 0.1])[:, None] * (1, 0)))
-        np.testing.assert_allclose(np.arctan((got[:-1, 0] - 400) / 400), angles, atol=1e-5)
-
     def test_random_fisheyes(self):
         rng = np.random.RandomState(5)
         angles = np.linspace(0, np.radians(89.9), 900)
@@ -144,35 +134,10 @@ class CamerasTest(unittest.TestCase):
             got = np.arctan((lens.ideal(taken[:count])[:, 0] - 400) / 400)
             np.testing.assert_allclose(got, angles[:count], atol=1e-6, err_msg=str(lens.distortion))
 
-    def test_common_fisheyes(self):
-        """For common lenses, the result must be that of plain Newton's method."""
-        for coefficients in ((-.02, .006, 1e-3, -2e-3), (.05, 0, 0, 0), (.05, -.01, 0, 0)):
-            lens = camera(5, [400, 400, 400, 300] + list(coefficients))
-            center, powers, factors = np.array([400, 300]), 2 * np.arange(5), np.array((1,) + coefficients)
-            distorted = (seen(lens, grid(1.5)) - center) / 400
-            radius = np.hypot(*distorted.T)
-            angle = radius.copy()
-            for _ in range(20):
-                s = angle[:, None]**powers
-                angle -= (angle * (s @ factors) - radius) / (s @ (factors * (powers + 1)))
-            expected = distorted * np.where(radius > 0, np.tan(angle) / np.where(radius > 0, radius, 1), 1)[:, None]
-            got = (lens.ideal(400 * distorted + center) - center) / 400
-            np.testing.assert_allclose(got, expected, rtol=1e-12, atol=1e-12, err_msg=str(coefficients))
-
     def test_fisheyes_with_absurd_numbers(self):
         for coefficients in ([1e308] * 4, [-1e308, 1e308, 0, 0], [0, 0, 0, -1e308]):
             got = camera(5, [400, 410, 400, 300] + coefficients).ideal(np.array([[400., 300], [800, 300]]))
             np.testing.assert_array_equal(got[0], [400, 300])
-
-    def test_plain_fisheyes(self):
-        """In a plain fisheye model (SIMPLE_FISHEYE, FISHEYE) the distance from the center, in units of
-        the focal length, is the angle to the optical axis. The results must equal those of the
-        fisheye model with distortion coefficients if all of these are 0."""
-        points = grid(1.5)
-        for plain, other in (((14, [400, 400, 300]), (8, [400, 400, 300, 0])),
-                             ((15, [400, 410, 400, 300]), (5, [400, 410, 400, 300, 0, 0, 0, 0]))):
-            taken = seen(camera(*other), points)
-            np.testing.assert_array_equal(camera(*plain).ideal(taken), camera(*other).ideal(taken))
 
     def test_points_that_are_no_numbers(self):
         for model, _, params in LENSES + FISHEYES:

@@ -13,12 +13,12 @@ import shutil
 import sys
 import tempfile
 import unittest
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Dict, List, Optional, Tuple
 
 import numpy as np
 
 import usac_colmap
-from usac_collection import MODELS, Collection, Kind, Label, PairTruth, Recipe
+from usac_collection import MODELS, Collection, Kind, Recipe
 from usac_common import once, package
 
 DEGENERATE, CALIBRATED, UNCALIBRATED, PLANAR, PANORAMIC, PLANAR_OR_PANORAMIC, WATERMARK = range(1, 8)
@@ -49,60 +49,6 @@ class Case(unittest.TestCase):
         path = os.path.join(self.folder, name + ".db")
         collection.write(path)
         return path
-
-
-@once
-@package
-class GeneratorTest(Case):
-    """Tests that the ground truth of synthetic collections is correct."""
-
-    def test_same_bytes_by_seed(self) -> None:
-        recipe = Recipe(images=12)
-        texts = []
-        for i, seed in enumerate((1, 1, 2)):
-            with open(self.write(Collection(recipe._replace(seed=seed)), str(i)), "rb") as file:
-                texts.append(file.read())
-        self.assertEqual(texts[0], texts[1])
-        self.assertNotEqual(texts[0], texts[2])
-
-    def test_right_matches_obey_the_cameras(self) -> None:
-        collection = Collection(Recipe(images=12, noise=0.0, cameras=(("PINHOLE", True), ("SIMPLE_PINHOLE", True))))
-        counts = np.zeros(len(Label), int)
-        for pair in collection.pairs:
-            counts += np.bincount(pair.labels, minlength=len(Label))
-            if pair.kind is Kind.NONE:
-                self.assertFalse(pair.right.any())
-                continue
-            self.assertEqual(len(np.unique(pair.matches[:, 0])), len(pair.matches))
-            self.assertEqual(len(np.unique(pair.matches[:, 1])), len(pair.matches))
-            error = self.epipolarError(collection, pair)
-            if pair.kind is not Kind.ROTATION and pair.kind is not Kind.WATERMARK:
-                self.assertLess(error[pair.right].max(), 1e-6)
-                self.assertGreater(np.median(error[~pair.right]), 1e-3)
-        self.assertGreater(counts.min(), 30)
-
-    def epipolarError(self, collection: Collection, pair: PairTruth) -> Any:
-        """Returns the epipolar errors of a pair's matches, measured between directions: the sine of the
-        angle between the ray of image 2 and the epipolar plane of the ray of image 1."""
-        rays = []
-        for image, column in ((pair.first, 0), (pair.second, 1)):
-            pixels = collection.keypoints[image][pair.matches[:, column]]
-            ray = np.column_stack([pixels, np.ones(len(pixels))]) @ np.linalg.inv(collection.lens(image).split()[0]).T
-            rays.append(ray / np.linalg.norm(ray, axis=1, keepdims=True))
-        R, t = collection.relative(pair.first, pair.second)
-        normal = np.cross(rays[0] @ R.T, t)
-        return np.abs((normal * rays[1]).sum(1)) / np.maximum(np.linalg.norm(normal, axis=1), 1e-12)
-
-    def test_kinds_and_shares(self) -> None:
-        collection = Collection(KNOWN._replace(lonePairs=1.0))
-        kinds = [pair.kind for pair in collection.pairs]
-        self.assertEqual(len(kinds), 190)
-        self.assertEqual((kinds.count(Kind.ROTATION), kinds.count(Kind.WATERMARK)), (3, 1))
-        self.assertGreaterEqual(kinds.count(Kind.PLANAR), 6)
-        self.assertGreater(kinds.count(Kind.NONE), 50)
-        shares = [np.mean(~pair.right) for pair in collection.pairs if pair.kind in (Kind.GENERAL, Kind.PLANAR, Kind.ROTATION)]
-        self.assertGreater(min(shares), 0.25)
-        self.assertLess(max(shares), 0.75)
 
 
 class Found:
@@ -175,17 +121,6 @@ class VerifyTest(Case):
         self.assertGreater(complete, 0.95)
         self.assertLess(wrong, 0.11)
 
-    def test_one_focal_length_of_two(self) -> None:
-        found = self.found(Recipe(images=12, lonePairs=0, cameras=(("SIMPLE_PINHOLE", True), ("SIMPLE_PINHOLE", False))))
-        calibrated = {CALIBRATED: 0, UNCALIBRATED: 0}
-        for pair in found.collection.pairs:
-            if pair.kind is Kind.GENERAL and pair.flatShare < CLEAR:
-                configuration = found.table[pair.pairId].configuration
-                calibrated[configuration] += 1
-                if pair.first % 2 or pair.second % 2:
-                    self.assertEqual(configuration, UNCALIBRATED)
-        self.assertGreater(min(calibrated.values()), 0)
-
     def test_camera_models(self) -> None:
         for model in MODELS:
             with self.subTest(model=model):
@@ -193,14 +128,6 @@ class VerifyTest(Case):
                 found = self.found(Recipe(images=12, lonePairs=0, cameras=((model, True),), columns=columns))
                 self.assertGreaterEqual(found.share(Kind.GENERAL, CALIBRATED), 0.9)
                 self.assertGreater(found.inliers()[0], 0.97)
-
-    def test_without_overlap(self) -> None:
-        found = self.found(Recipe(images=22, seed=4, lone=(0.1, 0.6)))
-        configurations = found.configurations(Kind.NONE)
-        kept = sum(configuration != DEGENERATE for configuration in configurations)
-        print("pairs without overlap: {} of {} kept".format(kept, len(configurations)))
-        self.assertGreater(len(configurations), 100)
-        self.assertLessEqual(kept, 0.01 * len(configurations))
 
 
 @once

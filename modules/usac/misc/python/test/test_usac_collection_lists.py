@@ -20,7 +20,6 @@ from usac_common import once, package
 
 try:
     from usacv20.collection import _lists
-    from usacv20.collection._lists import inOrder
 except ImportError:  # cv2.usacv20 can be tested without the package; tests of the package are then skipped
     pass
 
@@ -43,6 +42,8 @@ class CorrTest(Files):
             np.testing.assert_array_equal(pair.matches, np.column_stack([np.arange(12)] * 2))
         self.assertEqual([pair.key for pair in pairs], ["sub/c", "a", "b"])
         self.assertEqual((pairs[1].first.width, pairs[1].first.height, pairs[1].second.width), (640, 480, 650))
+        with mock.patch.object(_lists, "BATCH", 2):
+            self.assertEqual(list(source.keys()), ["a", "b", "sub/c", "sub/deeper/d"])
         self.assertEqual((pairs[0].first.width, pairs[0].first.height), (0, 0))
 
     def test_list(self):
@@ -84,11 +85,6 @@ class CorrTest(Files):
             self.assertFalse(view.focalKnown)
             self.assertEqual(view.matrix[:2, 2].tolist(), center)
             self.assertEqual((view.matrix[0, 0], view.matrix[1, 1]), (768, 768))
-
-    def test_empty(self):
-        self.write("a.corr", "")
-        pair = self.only(self.folder)
-        self.assertEqual((pair.first.points.shape, pair.matches.shape, pair.scores), ((0, 2), (0, 2), None))
 
     def test_faults(self):
         good = "1 2 3 4 0.5\n"
@@ -327,15 +323,6 @@ class SourceTest(Files):
     def test_without_h5py(self):
         with mock.patch.dict(sys.modules, {"h5py": None}):
             self.mistake("h5py is needed .*python3-h5py", self.write("a.h5", "x"))
-
-    def test_order(self):
-        names = ["p{}".format(i) for i in range(57)]
-        for batch in (1, 2, 56, 57, 58, 1000):
-            self.assertEqual(list(inOrder(lambda: names[::-1], batch)), sorted(names))
-        for name in ("b", "c", "a/x", "a/y", "d/z"):
-            self.corr(name, 0)
-        with mock.patch.object(_lists, "BATCH", 2):
-            self.assertEqual(list(self.source(self.folder).keys()), ["a/x", "a/y", "b", "c", "d/z"])
 
     def test_processes(self):
         self.corr("a", 4)
