@@ -9,16 +9,12 @@ import json
 import os
 import re
 import shutil
-import socket
 import subprocess
-import sys
-import time
 from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from blocks import Block, commandsOf
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-NUMBER = r"(?<![\w.])\d+(?:\.\d+)?(?:e-?\d+)?"
 UNUSED = "Manually-specified variables were not used by the project"
 DEADLINE = 1200  # time limit, in seconds, of each process that Place.call() runs
 
@@ -43,8 +39,6 @@ class Place:
         self.project, self.checks, self.opencv = os.path.realpath(project), os.path.realpath(work), opencv
         self.build = os.path.join(self.checks, "build")
         self.work = os.path.join(self.checks, "documents")
-        self.printed: Dict[str, str] = {}  # output of each block or command that has run, by its key without the document
-        self.services: List[subprocess.Popen] = []
         for name in ("clone", "collection", "prefix", "bin", "python", "benchmark"):
             shutil.rmtree(self.folder(name), ignore_errors=True)
         for name in ("clone", "collection", "prefix", "bin", "python", "benchmark", "programs"):
@@ -56,19 +50,9 @@ class Place:
         for name in ("cmake", "apt", "apt-get", "sudo"):
             os.symlink(os.path.join(HERE, "stand_in.py"), self.folder("bin", name))
         os.symlink("/usr/bin/python3", self.folder("bin", "python3"))
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self.port = free.getsockname()[1]
 
     def folder(self, *names: str) -> str:
         return os.path.join(self.work, *names)
-
-    def images(self) -> str:
-        """Returns the folder of OpenCV's sample images, which is searched for as in quickstart.sh;
-        "" if there is none."""
-        folders = (os.environ.get("OPENCV_SAMPLES_DATA_PATH", ""), "/usr/share/doc/opencv-doc/examples/data",
-                   self.folder("quickstart", "opencv-doc", "usr", "share", "doc", "opencv-doc", "examples", "data"))
-        return next((name for name in folders if os.path.isfile(os.path.join(name, "graf1.png"))), "")
 
     def environment(self, *path: str, **variables: str) -> Dict[str, str]:
         """Returns the environment variables of a process. `path` names the folders in which programs
@@ -93,48 +77,15 @@ class Place:
             raise Wrong("{}\nan option that the project does not know".format(run.stdout))
         return run.stdout
 
-    def close(self) -> None:
-        for service in reversed(self.services):
-            service.terminate()
-        for service in self.services:
-            service.wait()
 
+class Skipped(NamedTuple):
+    """Action of a block that does not run here.
 
-class Elsewhere(NamedTuple):
-    """Action of a command that is not run here, because another check or test of the gate
-    (run_tests.sh) runs it. Only the existence of that check is tested.
-
-    file, name -- file of that check or test, and its name there
-    words -- parts of the command that must also be in that file, so that a change of the command in
-    the document requires a change there, too"""
-
-    file: str
-    name: str
-    words: Tuple[str, ...] = ()
-
-    def run(self, place: Place, block: Block) -> str:
-        path = os.path.join(place.project, self.file)
-        if not os.path.isfile(path):
-            raise Wrong("{} is not there".format(self.file))
-        with open(path, encoding="utf-8") as file:
-            text = file.read()
-        named = r"^\s*(?:(?:def|class|check|run) +{0}\b|{0}\(\)|TEST\w*\({0})".format(re.escape(self.name))
-        if not re.search(named, text, re.M):
-            raise Wrong("{} has no check or test {}".format(self.file, self.name))
-        for word in self.words:
-            if word not in block.text or word not in text:
-                raise Wrong("{!r} is not in both, the command and {}".format(word, self.file))
-        return ""
-
-
-class Impossible(NamedTuple):
-    """Action of a command that cannot run on any machine of the gate."""
+    reason -- why, or which other check or test runs it"""
 
     reason: str
 
     def run(self, place: Place, block: Block) -> str:
-        if not self.reason:
-            raise Wrong("no reason")
         return ""
 
 
@@ -143,45 +94,36 @@ class Shell(NamedTuple):
 
     where -- folder of Place in which they run
     names -- replacements for words of the text such as <prefix>. In replacements, {work}, {build} and
-    so on are replaced with folders, and {port} with a free port
+    so on are replaced with folders
     variables, path -- environment variables, and folders in which programs are searched for first
-    elsewhere -- commands of the block that are not run here
+    without -- commands of the block that are not run here
     before -- commands that run before the block
     prints -- regular expressions that the output must match
     leaves -- files that must exist afterward
     after -- commands that must succeed afterward
-    always -- commands that run at the end, even after a failure
-    service -- true: the command is a server, which keeps running until Place.close()
-    more -- text that is appended to the block, such as additional options"""
+    always -- commands that run at the end, even after a failure"""
 
     where: str = "clone"
     names: Dict[str, str] = {}
     variables: Dict[str, str] = {}
     path: Tuple[str, ...] = ()
-    elsewhere: Dict[str, Elsewhere] = {}
+    without: Tuple[str, ...] = ()
     before: str = ""
     prints: Tuple[str, ...] = ()
     leaves: Tuple[str, ...] = ()
     after: str = ""
     always: str = ""
-    service: bool = False
-    more: str = ""
 
     def run(self, place: Place, block: Block) -> str:
         def filled(text: str) -> str:
-            for name, value in (("{port}", str(place.port)), ("{build}", place.build), ("{project}", place.project), ("{checks}", place.checks),
-                                ("{images}", place.images()),
-                                ("{work}", place.work)):
+            for name, value in (("{build}", place.build), ("{project}", place.project), ("{checks}", place.checks), ("{work}", place.work)):
                 text = text.replace(name, value)
             return text
 
         commands = commandsOf(block.text)
-        for command, other in self.elsewhere.items():
-            if command not in commands:
-                raise Wrong("the table has a command that is not in the block: " + command)
-            other.run(place, block)
-        lines = [command for command in commands if command not in self.elsewhere]
-        text = "\n".join(lines)
+        if not set(self.without) <= set(commands):
+            raise Wrong("the table has a command that is not in the block")
+        text = "\n".join(command for command in commands if command not in self.without)
         for name, value in self.names.items():
             if name not in text:
                 raise Wrong("{!r} of the table is not in the block".format(name))
@@ -190,17 +132,8 @@ class Shell(NamedTuple):
         environment = place.environment(*map(filled, self.path), **{name: filled(value) for name, value in self.variables.items()})
         if self.before:
             place.call(["sh", "-exc", filled(self.before)], folder, environment)
-        if self.service:
-            with open(place.folder(block.name + ".log"), "w") as log:
-                place.services.append(subprocess.Popen(["sh", "-ec", "exec " + text + filled(self.more)], cwd=folder, env=environment,
-                                                       stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT))
-            time.sleep(1)
-            if place.services[-1].poll() is not None:
-                with open(place.folder(block.name + ".log")) as log:
-                    raise Wrong(log.read())
-            return ""
         try:
-            out = place.call(["sh", "-exc", text + filled(self.more)], folder, environment)
+            out = place.call(["sh", "-exc", text], folder, environment)
             for expected in self.prints:
                 if not re.search(filled(expected), out, re.M):
                     raise Wrong("{}\nis without {!r}".format(out, expected))
@@ -212,68 +145,6 @@ class Shell(NamedTuple):
         finally:
             if self.always:
                 place.call(["sh", "-exc", filled(self.always)], folder, environment)
-        return out
-
-
-class Printed(NamedTuple):
-    """Compares the output of a command with the output that a document shows.
-
-    of -- key (without the document) of the block whose output is compared
-    tolerance -- largest relative difference of numbers
-    free -- regular expressions for parts of lines whose numbers can have any value, such as times
-    before -- a command whose output is compared instead of that of a block"""
-
-    of: str
-    tolerance: float = 0.0
-    free: Tuple[str, ...] = ()
-    before: str = ""
-
-    def run(self, place: Place, block: Block) -> str:
-        if self.before:
-            found = place.call(["sh", "-ec", self.before.replace("{project}", place.project)], place.folder("collection"),
-                               place.environment(place.folder("clone", "env", "bin")))
-        elif self.of in place.printed:
-            found = place.printed[self.of]
-        else:
-            raise Wrong("{} has not run".format(self.of))
-        for line in block.text.strip().split("\n"):
-            if not any(self.same(line, other) for other in found.split("\n")):
-                raise Wrong("{}\nhas no line as\n{}".format(found, line))
-        return ""
-
-    def same(self, line: str, other: str) -> bool:
-        if re.sub(NUMBER, "#", line) != re.sub(NUMBER, "#", other):
-            return False
-        for expected, found in zip(re.finditer(NUMBER, line), re.finditer(NUMBER, other)):
-            free = any(part.start() <= expected.start() and expected.end() <= part.end()
-                       for pattern in self.free for part in re.finditer(pattern, line))
-            a, b = float(expected.group()), float(found.group())
-            if not free and abs(a - b) > self.tolerance * abs(a):
-                return False
-        return True
-
-
-class Numbers(NamedTuple):
-    """Runs a command of the text and compares numbers of its output with those that the text gives.
-
-    text -- regular expression for the document, with one group for each number
-    printed -- regular expression for the output, with one match for each number
-    tolerance -- largest absolute difference"""
-
-    text: str
-    printed: str
-    tolerance: float
-
-    def run(self, place: Place, block: Block) -> str:
-        out = Shell("programs").run(place, block)
-        with open(os.path.join(place.project, block.document), encoding="utf-8") as file:
-            expected = re.search(self.text, " ".join(file.read().split()))
-        if not expected:
-            raise Wrong("the document has no {!r}".format(self.text))
-        found = re.findall(self.printed, out)
-        if len(found) != len(expected.groups()) or any(
-                abs(float(a) - float(b)) > self.tolerance for a, b in zip(expected.groups(), found)):
-            raise Wrong("{}\nhas {}, the document {}".format(out, found, expected.groups()))
         return out
 
 

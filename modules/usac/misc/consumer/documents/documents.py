@@ -3,7 +3,7 @@
 # It is subject to the license terms in the LICENSE file found in the top-level directory
 # of this distribution and at http://opencv.org/license.html.
 
-"""Runs the commands and compiles the code that the documents show. Each block is run in a folder with
+"""Runs the blocks of commands and of code that the documents show. Each block is run in a folder with
 the files that the text assumes. A table (table.py) has a rule for each block, with the action to run. A
 block without a rule, or a rule without a block, is a failure.
 
@@ -18,7 +18,7 @@ import sys
 import time
 from typing import Any, List, Sequence, Tuple
 
-from actions import Cpp, Elsewhere, Impossible, Place, Wrong, preparePrograms
+from actions import Cpp, Place, Skipped, Wrong, preparePrograms
 from blocks import Block, DocumentError, blocksOf
 from table import DOCUMENTS, TABLE
 
@@ -33,15 +33,10 @@ def keyOf(rule: Rule) -> str:
 def matched(blocks: Sequence[Block], table: Sequence[Rule]) -> Tuple[List[Tuple[Block, Any]], List[str]]:
     """Returns the blocks with their actions in the order of the table, and a list of the mistakes
     in the table."""
-    known = {}
-    for block in blocks:
-        known.setdefault(block.key.replace("`", ""), []).append(block)
-    keys = [keyOf(rule) for rule in table]
-    mistakes = ["{}: the table has no rule for {}".format(block.place, block.key)
-                for block in blocks if block.key.replace("`", "") not in keys]
+    known, keys = {block.key: block for block in blocks}, [keyOf(rule) for rule in table]
+    mistakes = ["{}: the table has no rule for {}".format(block.place, block.key) for block in blocks if block.key not in keys]
     mistakes += ["the table has a rule for what is not there: " + key for key in keys if key not in known]
-    mistakes += ["the table has more than one rule for " + key for key in sorted(set(keys)) if keys.count(key) > 1]
-    return [(block, rule[3]) for rule, key in zip(table, keys) for block in known.get(key, [])], mistakes
+    return [(known[key], rule[3]) for rule, key in zip(table, keys) if key in known], mistakes
 
 
 def read(project: str, documents: Sequence[str]) -> List[Block]:
@@ -55,22 +50,18 @@ def read(project: str, documents: Sequence[str]) -> List[Block]:
 def run(place: Place, tasks: Sequence[Tuple[Block, Any]]) -> int:
     """Runs the actions; returns the number of failures."""
     failed = 0
-    try:
-        programs = [task for task in tasks if isinstance(task[1], Cpp)]
-        if programs:
-            preparePrograms(place, programs)
-        for block, action in tasks:
-            start, children = time.time(), os.times().children_user
-            try:
-                place.printed["{} | {} {}".format(block.heading, block.language, block.number)] = action.run(place, block)
-                how = "elsewhere: {}".format(action.name) if isinstance(action, Elsewhere) else "{:.1f} s, {:.1f} s of processor time".format(
-                    time.time() - start, os.times().children_user - children)
-                print("PASSED {}: {} ({})".format(block.place, block.key, action.reason if isinstance(action, Impossible) else how), flush=True)
-            except Wrong as error:
-                failed += 1
-                print("{}\nFAILED {}: {}".format(error, block.place, block.key), flush=True)
-    finally:
-        place.close()
+    programs = [task for task in tasks if isinstance(task[1], Cpp)]
+    if programs:
+        preparePrograms(place, programs)
+    for block, action in tasks:
+        start = time.time()
+        try:
+            action.run(place, block)
+            how = action.reason if isinstance(action, Skipped) else "{:.1f} s".format(time.time() - start)
+            print("PASSED {}: {} ({})".format(block.place, block.key, how), flush=True)
+        except Wrong as error:
+            failed += 1
+            print("{}\nFAILED {}: {}".format(error, block.place, block.key), flush=True)
     return failed
 
 

@@ -3,14 +3,13 @@
 # of this distribution and at http://opencv.org/license.html.
 
 """The table of rules, in the order in which the blocks run. Each rule is (document, heading, block,
-action). The name of a block of code is its language and its number below the heading; the name of a
-command within the text is the command itself."""
+action). The name of a block is its language and its number below the heading."""
 
 import os
 import shutil
 import subprocess
 
-from actions import CMake, Cpp, Elsewhere, Impossible, Numbers, Printed, Python, Shell
+from actions import CMake, Cpp, Python, Shell, Skipped
 
 README, MODULE, CONTRIBUTING, BENCHMARK = "README.md", "modules/usac/README.md", "doc/contributing.md", "doc/benchmark.md"
 FLAGS = "modules/usac/tutorials/ransac_to_usacv20/ransac_to_usacv20.markdown"
@@ -18,13 +17,6 @@ COLLECTIONS = "modules/usac/tutorials/collections/collections.markdown"
 THRESHOLD = "modules/usac/tutorials/threshold/threshold.markdown"
 COVARIANCE = "modules/usac/tutorials/covariance/covariance.markdown"
 DOCUMENTS = (README, MODULE, "modules/usac/tutorials/usac.markdown", FLAGS, THRESHOLD, COVARIANCE, COLLECTIONS, CONTRIBUTING, BENCHMARK)
-
-CHECK = "modules/usac/misc/consumer/check.sh"
-RUN_TESTS, MATRIX = "modules/usac/misc/run_tests.sh", "modules/usac/misc/matrix.sh"
-PYTHON_TESTS = "modules/usac/misc/python/test/"
-GATE = Elsewhere(RUN_TESTS, "consumer")  # commands that start the gate; they cannot run here, because the gate runs this table
-
-PIP = Elsewhere("samples/quickstart.sh", "python_package", ("install", "modules/usac"))
 
 ENV = ("{work}/clone/env/bin",)
 # In quick mode the package is linked with the existing library, which is not compiled again.
@@ -46,7 +38,6 @@ ln -sfn DATA DIR"""
 FIRST_LIST = """usac_synthetic --out=DATA --scene=planar --name=homogr --pairs=1 --size=200 --inliers=0.6 > /dev/null
 ln -s ../clone/modules ."""
 FEW = {"--pairs=25": "--pairs=1"}  # fewer pairs than in the text, to save time
-BENCHMARK_TESTS = "modules/usac/benchmark/test_"
 FILES = "import sys; sys.path.insert(0, '../clone/modules/usac/benchmark')\n"
 RUNS = "usac_benchmark --list=DATA/lists/homogr.H.list --runs=runs.csv --methods=USACV20,cv:USAC_DEFAULT,cv:RANSAC > /dev/null"
 LIST_IS_READ = "import subprocess\nsubprocess.run(['usac_benchmark', '--list=DATA/lists/mine.{}.list', '--methods=USACV20'], check=True)"
@@ -87,22 +78,15 @@ OPTIONS_OF_COLMAP = {"--SiftExtraction.use_gpu": "--FeatureExtraction.use_gpu", 
 if not shutil.which("colmap") or b"FeatureExtraction.use_gpu" not in subprocess.run(
         ["colmap", "feature_extractor", "--help"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout:
     OPTIONS_OF_COLMAP = {}  # COLMAP is missing or of version 3, so nothing is replaced
-COURT = """PYTHONPATH={project}/modules/usac/benchmark/collection python3 -c "
-from streets import Options, Street
-Street(Options('court', 24, seed=0)).write('court.db')"
-python3 -m usacv20.collection verify court.db"""
 
 TABLE = [
     # Blocks of README. Most commands run in a scratch checkout (Place), whose folder build is a link to
     # the build that check.sh has made.
     (README, "Two commands", "sh 1", Shell(
         before=QUICKSTART, variables=dict(NATIVE, USAC_BUILD_DIR="{work}/quickstart", CMAKE_ARGS="-DUSAC_PRECOMPILED_HEADERS=ON -DUSAC_UNITY_BUILD=ON" + LINKED),
-        elsewhere={"sh modules/usac/misc/run_tests.sh --installed":
-                   Elsewhere(MATRIX, "run_suite", ("misc/run_tests.sh", "--installed"))},
+        without=("sh modules/usac/misc/run_tests.sh --installed",),
         prints=("^== homography$", "^== walkthrough.py$", "^RANSAC", "^USAC_DEFAULT", "^USACV20 ", "^Pictures: "),
         leaves=("{work}/quickstart/pictures/homography.jpg", "{work}/quickstart/pictures/homography_py.png"))),
-    (README, "opencv_usac", "example_usac_homography --width=1000", Shell(
-        "programs", variables={"OPENCV_SAMPLES_DATA_PATH": "{images}"}, more=" --output=wall.jpg --runs=1", prints=("^USACV20 ",), leaves=("wall.jpg",))),
     (README, "Building", "sh 1", Shell(names=PREFIX, leaves=("{work}/prefix/lib/pkgconfig/opencv_usac.pc",))),
     (README, "Building", "cmake 1", CMake(("-DCMAKE_PREFIX_PATH={work}/prefix",))),
     (README, "Python", "sh 1", Shell(before=VENV, path=("{checks}/other_python",), after=VENV_IS_RIGHT,
@@ -118,22 +102,14 @@ require(picture.shape[1] >= 640)""")),
                 "cv::Mat H = ": "REQUIRE(frame::near(H, truth::H)); H.release();"},
         after="""REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);
 REQUIRE(found && frame::pose(rvec, tvec)); REQUIRE(all.size() == 2 && frame::near(all[1].model, truth::F));""")),
-    (README, "Measured", "sh 1", Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
-    (MODULE, "Which preset", "usac_structured --mode=accuracy --motions=general --sizes=30 --ratios=0.6 --noises=0.333333 --runs=100", Numbers(
-        r"the median error is ([\d.]+) \(H\), ([\d.]+) \(F\), ([\d.]+) \(E\)", r"general .*\(0\) \| ([\d.]+) /", 0.006)),
-    (MODULE, "Building", "sh 1", Elsewhere("modules/usac/misc/common.sh", "configure", (
-        "cmake -S", "-B", "-DOPENCV_EXTRA_MODULES_PATH=", "-DBUILD_LIST=usac,"))),
-    (MODULE, "Building", "sh 2", Shell(names=PREFIX, after=NO_FILES, elsewhere={
-        "cmake --build build --target usac_docs": Elsewhere(CHECK, "documentation", ("--target usac_docs",))})),
+    (README, "Measured", "sh 1", Skipped("a check of the benchmark's tests")),
+    (MODULE, "Building", "sh 1", Skipped("run_tests.sh builds the module inside of OpenCV")),
+    (MODULE, "Building", "sh 2", Shell(names=PREFIX, after=NO_FILES, without=("cmake --build build --target usac_docs",))),
     (MODULE, "Building", "cmake 1", CMake(("-DCMAKE_PREFIX_PATH={checks}/prefix",))),
     (MODULE, "Building", "cmake 2", CMake(links={"opencv_usac": "{project}"}, build=False)),  # the checks `parent` and `fetch` compile it
-    (MODULE, "Building", "pkg-config --cflags --libs opencv_usac", Elsewhere(CHECK, "by_pkg_config", ("pkg-config --cflags --libs opencv_usac",))),
     (MODULE, "Building", "sh 3", Shell(
         before="rm -f build/*.deb", prints=(r"python3-usacv20_\S*deb generated",), always="cmake -S . -B build -DBUILD_SAMPLES=ON",
         after="ls build/libopencv-usac0.2_*.deb build/libopencv-usac-dev_*.deb build/python3-usacv20_*.deb")),
-    (MODULE, "Python", "/usr/bin/python3 -m build --no-isolation --wheel modules/usac", Elsewhere(
-        RUN_TESTS, "build_python_package", ("/usr/bin/python3 -m build --no-isolation --wheel",))),
-    (MODULE, "Python", "apt install python3-build", Elsewhere("modules/usac/misc/common.sh", "install_packages", ("python3-build",))),
     (MODULE, "Components of your own", "cpp 1", Cpp(
         before=PARAMS, top='#include "spread_sampler.hpp"', folders=("samples",),
         after="REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);")),
@@ -149,7 +125,6 @@ REQUIRE(found && frame::pose(rvec, tvec)); REQUIRE(inliers.rows >= 230);""")),
     (FLAGS, "A flag", "python 1", Python(cv2=True, after="""
 require(near(H, TRUTH["H"]) and near(F, TRUTH["F"]) and near(E, TRUTH["E"]) and near(A, TRUTH["A"]) and near(S, TRUTH["A"]))
 require(found and pose_near(rvec, tvec) and len(inliers) >= 230)""")),
-    (FLAGS, "A flag", "pip install modules/usac", PIP),
     (FLAGS, "Options, scores and a report", "cpp 1", Cpp(after="REQUIRE(frame::near(H, truth::H)); REQUIRE(cv::countNonZero(mask) >= 80);")),
     (FLAGS, "Options, scores and a report", "python 1", Python(cv2=True, before="import cv2", after="""
 require(near(H, TRUTH["H"]) and mask.sum() >= 80)""")),
@@ -208,18 +183,10 @@ const Ptr<usacv20::Usac> usac = usacv20::Usac::create(cv::usacv20::HOMOGRAPHY, s
                                           after="REQUIRE(frame::near(next, truth::H));")),
 
     # Blocks of the tutorial on collections, on a folder of five synthetic images.
-    (COLLECTIONS, "Goal", "pip install ./modules/usac", PIP),
     (COLLECTIONS, "Features and matches", "sh 1", Shell(
         "collection", names=OPTIONS_OF_COLMAP, before="/usr/bin/python3 {project}/modules/usac/misc/consumer/documents/images.py images", leaves=("scene.db",))),
     (COLLECTIONS, "Verification", "sh 1", Shell("collection", path=ENV, prints=("^10 pairs in .*: 10 verified, 0 refused$",))),
-    # All numbers can differ, because the document shows the output for other images.
-    (COLLECTIONS, "Verification", "text 1", Printed("Verification | sh 1", free=(".*",))),
-    (COLLECTIONS, "Repeated structure", "text 1", Printed(
-        "", before=COURT, tolerance=0.05, free=(r"in \S+ s \(\S+ a second\)",))),
-    (COLLECTIONS, "Repeated structure", "pairs LIST", Elsewhere(PYTHON_TESTS + "test_usac_collection_command.py", "test_pairs")),
     (COLLECTIONS, "Reconstruction", "sh 1", Shell("collection", prints=("Registered images.* 5$",), leaves=("sparse/0/images.bin",))),
-    (COLLECTIONS, "Reconstruction", "colmap global_mapper", Elsewhere(
-        PYTHON_TESTS + "test_usac_collection_compare.py", "test_table_of_later_version", ("global_mapper",))),
     (COLLECTIONS, "New images and other programs", "python 1", Python(where="collection", after="require(summary.skipped == 10 and summary.faults == 0)")),
     (COLLECTIONS, "New images and other programs", "python 2", Python(after="""
 require(pair.configuration.name == "TWO_VIEW_CALIBRATED" and pair.inliers >= 230 and near(pair.R, TRUTH["R"]))
@@ -227,61 +194,29 @@ require([p.configuration for p in found] == 2 * [pair.configuration])""")),
     (COLLECTIONS, "A look at the pairs", "sh 1", Shell("collection", path=ENV, prints=("verified +10 +100.0 %$",), leaves=("report/pairs.png",))),
     (COLLECTIONS, "Large collections", "sh 1", Shell("collection", path=ENV, prints=("10 were done before",))),
     (COLLECTIONS, "Scores of the matches", "sh 1", Shell("collection", path=ENV, before=SCORES_OF_HLOC, prints=("10 verified, 0 refused$",))),
-    (COLLECTIONS, "Large collections", "python3 -m dask scheduler", Shell(
-        "collection", path=ENV, service=True, more=" --host 127.0.0.1 --port {port} --no-dashboard")),
-    (COLLECTIONS, "Large collections", "python3 -m dask worker tcp://HOST:8786", Shell(
-        "collection", path=ENV, service=True, names={"HOST:8786": "127.0.0.1:{port}"}, more=" --no-dashboard")),
-    (COLLECTIONS, "Large collections", "sh 2", Shell(
-        "collection", path=ENV, names={"HOST:8786": "127.0.0.1:{port}"}, prints=("10 verified, 0 refused$",))),
+    (COLLECTIONS, "Large collections", "sh 2", Skipped("test_usac_collection_engine.py runs with workers")),
     (COLLECTIONS, "Matches outside of a database", "python 1", Python(before="import os\nos.mkdir('folder')", where="collection")),
     (COLLECTIONS, "Matches outside of a database", "sh 1", Shell("collection", path=ENV, prints=("1 verified, 0 refused$",))),
-    (COLLECTIONS, "Matches outside of a database", "pairs matches.h5 --keypoints features.h5", Elsewhere(
-        PYTHON_TESTS + "test_usac_collection_lists.py", "test_hloc")),
     (COLLECTIONS, "Matches outside of a database", "python 2", Python(where="collection", after="""
 require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(pair.E, TRUTH["E"]))""")),
     (README, "Collections", "sh 1", Shell(
         before="cp ../collection/scene.db . && ln -s ../collection/images images", leaves=("sparse/0/images.bin", "report/pairs.png"))),
 
-    (CONTRIBUTING, "The loop", "sh 1", Shell(names={"--runs=4": "--runs=1"}, elsewhere={
-        "bash modules/usac/misc/check_sources.sh": Elsewhere(RUN_TESTS, "sources", ("check_sources.sh",))})),
-    (CONTRIBUTING, "The loop", "sh 2", Shell(elsewhere={
-        "cmake -S . -B build -DUSAC_WERROR=ON -DBUILD_TESTS=ON": Elsewhere(RUN_TESTS, "cpp_tests", ("-DUSAC_WERROR=ON", "-DBUILD_TESTS=ON")),
-        "cmake --build build --target opencv_test_usac": Elsewhere(CHECK, "build_library", ("cmake --build", "--target")),
-        "build/bin/opencv_test_usac --gtest_filter='Usac_ConfirmedOrder.*'":
-            Elsewhere("modules/usac/test/termination/test_confirmed_order.cpp", "Usac_ConfirmedOrder"),
-        "sh modules/usac/misc/run_tests.sh --installed": Elsewhere(MATRIX, "run_suite", ("misc/run_tests.sh", "--installed")),
-        "USAC_CPP_OPTIONS=-DCMAKE_CXX_STANDARD=20 sh modules/usac/misc/run_tests.sh --cpp":
-            Elsewhere(MATRIX, "run_cpp", ("USAC_CPP_OPTIONS=", "misc/run_tests.sh", "--cpp"))})),
-    (CONTRIBUTING, "The loop", "cmake --build build --target usac_docs", Elsewhere(CHECK, "documentation", ("--target usac_docs",))),
-    (CONTRIBUTING, "What the gate checks", ".ci/run", GATE),
-    (CONTRIBUTING, "What the gate checks", "sh modules/usac/misc/run_tests.sh", GATE),
-    (CONTRIBUTING, "Reliability", "sh 1", Shell(elsewhere={
-        "sh modules/usac/misc/sanitize.sh": Elsewhere(RUN_TESTS, "sanitized_tests", ("misc/sanitize.sh",)),
-        "sh modules/usac/misc/sanitize.sh fuzz 3600": Impossible("it takes an hour: .github/workflows/tools.yml runs it"),
-        "sh modules/usac/misc/matrix.sh": Impossible("it needs root, a mirror of Debian and some hours")})),
-    (CONTRIBUTING, "Results that change", "python3 modules/usac/benchmark/measure.py --build=build --data=DATA",
-        Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
-    (CONTRIBUTING, "Results that change", "sh 1", Shell(elsewhere={  # not run here, since they overwrite the stored hashes
-        "USAC_WRITE_HASHES=test_data/hashes.txt build/bin/opencv_test_usac --gtest_filter=Usac_Hashes.stored":
-            Elsewhere("modules/usac/test/runs/test_hashes.cpp", "Usac_Hashes", ("USAC_WRITE_HASHES", "stored")),
-        "USAC_TEST_MODULE=usacv20 env/bin/python3 modules/usac/misc/python/test/test_usac_hashes.py --write":
-            Elsewhere(PYTHON_TESTS + "test_usac_hashes.py", "results", ("--write",))})),
+    (CONTRIBUTING, "The loop", "sh 1", Shell(
+        names={"--runs=4": "--runs=1"}, without=("bash modules/usac/misc/check_sources.sh",))),
+    (CONTRIBUTING, "The loop", "sh 2", Skipped("commands that start the tests, write stored results or need hours")),
+    (CONTRIBUTING, "Reliability", "sh 1", Skipped("commands that start the tests, write stored results or need hours")),
+    (CONTRIBUTING, "Results that change", "sh 1", Skipped("commands that start the tests, write stored results or need hours")),
 
     # Blocks of the benchmark's document, on lists of one pair.
-    (BENCHMARK, "Quick start", "sh 1", Shell("benchmark", before=FIRST_LIST, leaves=("tables.csv", "pictures"), elsewhere={
-        "python3 modules/usac/benchmark/dataset.py strecha --images=DIR/strecha --out=DATA --pairs=50":
-            Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", ("--images", "--out", "--pairs"))})),
-    (BENCHMARK, "Format of pairs and lists", "text 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_poses")),
+    (BENCHMARK, "Quick start", "sh 1", Shell("benchmark", before=FIRST_LIST, leaves=("tables.csv", "pictures"), without=(
+        "python3 modules/usac/benchmark/dataset.py strecha --images=DIR/strecha --out=DATA --pairs=50",))),
     (BENCHMARK, "Format of pairs and lists", "python 1", Python(
         FILES + "gt_points = np.c_[points1, points2][right]", LIST_IS_READ.format("H"))),
-    (BENCHMARK, "Data sets", "python3 dataset.py <command> --help", Shell(
-        "clone/modules/usac/benchmark", names={"<command>": "strecha"}, prints=("--images",))),
-    (BENCHMARK, "Building pairs", "sh 1", Elsewhere(BENCHMARK_TESTS + "dataset.py", "test_options", (
-        "--images", "--out", "--pairs", "--seed", "--ratio", "--max", "--features"))),
+    (BENCHMARK, "Building pairs", "sh 1", Skipped("needs data sets, OpenCV's source or hours, or is run by run_tests.sh")),
     (BENCHMARK, "Synthetic scenes", "sh 1", Shell(
         "benchmark", names=dict(FEW, **{"--out=DATA": "--out=plane"}), leaves=("plane/lists/synthetic_plane.F.list",))),
     (BENCHMARK, "Running", "sh 1", Shell("benchmark", before=LISTS, prints=("preset:usacV20.*\\|",), leaves=("tables.csv", "runs.csv"))),
-    (BENCHMARK, "Running", "usac_benchmark --help", Shell("benchmark", prints=("--data",))),
     (BENCHMARK, "Your own method", "sh 1", Shell("benchmark", leaves=("tables.md",))),
     (BENCHMARK, "Your own method", "cmake 1", CMake(
         ("-DCMAKE_LINK_LIBRARIES_ONLY_TARGETS=ON",), names={"/path/to/opencv_usac": "{project}"}, whole="mine.cpp", build=False)),
@@ -289,14 +224,11 @@ require(pair.key == "a-b" and pair.configuration.name == "CALIBRATED" and near(p
         "benchmark", names={"compare.py": "modules/usac/benchmark/compare.py", "[": "", "]": "", " --other=...": ""}, before=RUNS, prints=("homogr",))),
     (BENCHMARK, "Drawing", "sh 1", Shell(
         "benchmark", names={"plot.py": "modules/usac/benchmark/plot.py", "[": "", "]": "", "--out=DIR": "--out=drawn"}, before=RUNS, leaves=("drawn",))),
-    (BENCHMARK, "Measurements", "sh 1", Elsewhere(BENCHMARK_TESTS + "measure.py", "test_measurement")),
+    (BENCHMARK, "Measurements", "sh 1", Skipped("needs data sets, OpenCV's source or hours, or is run by run_tests.sh")),
     (BENCHMARK, "Scale", "sh 1", Shell("benchmark", names={
         "> scale.md": "--problems=H --sizes 100 1000 --parts 0.8 0.5 --repeats=1 > scale.md", "[": "", "]": "", "--out=DIR": "--out=scale"},
         leaves=("scale",))),
     (BENCHMARK, "Sensitivity to the threshold", "sh 1", Shell("benchmark", leaves=("threshold.md",))),
-    (BENCHMARK, "Performance tests", "sh 1", Shell("benchmark", elsewhere={
-        "bin/opencv_perf_usac --gtest_output=xml:before.xml": Elsewhere(RUN_TESTS, "perf", ("bin/opencv_perf_usac",)),
-        "bin/opencv_perf_usac --gtest_output=xml:after.xml": Elsewhere(RUN_TESTS, "perf", ("bin/opencv_perf_usac",)),
-        "python3 <opencv>/modules/ts/misc/summary.py -m median before.xml after.xml": Impossible("a script of OpenCV's source")})),
-    (BENCHMARK, "Tests", "sh 1", Elsewhere(RUN_TESTS, "benchmark_tests")),
+    (BENCHMARK, "Performance tests", "sh 1", Skipped("needs data sets, OpenCV's source or hours, or is run by run_tests.sh")),
+    (BENCHMARK, "Tests", "sh 1", Skipped("needs data sets, OpenCV's source or hours, or is run by run_tests.sh")),
 ]
