@@ -27,8 +27,6 @@ if TYPE_CHECKING:
 
     _Found = Tuple[Optional[npt.NDArray[np.float64]], npt.NDArray[np.uint8]]
 
-SIZE_MAX = 2**64 - 1
-
 
 def isOptions(function: str, names: typing.Sequence[str], method: str, flagPlace: int, paramsPlace: int, args: Tuple[Any, ...],
               kwargs: Dict[str, Any]) -> bool:
@@ -80,6 +78,39 @@ def found(result: Any, method: int, given: Any, name: str = "mask") -> Any:
     return model, outputMask(given, mask, name)
 
 
+_NAMES = {"from": "from_"}  # C++ name: Python name; `from` is a keyword of Python
+
+
+def _find(problem: int, function: str, names: Tuple[str, ...], namesOfParams: Tuple[str, ...], defaults: Dict[str, Any],
+          args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Any:
+    """Calls the function of the compiled part with a flag, or estimates with a Params.
+
+    names, namesOfParams -- the arguments of a call with a flag and with a Params; the last one of the
+    latter is the mask
+    defaults -- the optional arguments, with the numbers in the order of the function of the compiled part"""
+    mask = namesOfParams[3]
+    numbers = [name for name in defaults if name not in ("method", mask)]
+    first, second = namesOfParams[:2]
+    if isOptions(function, names, "method", names.index("method"), 2, args, kwargs):
+        v = bind(function, namesOfParams, 3, {mask: None}, args, kwargs)
+    else:
+        v = bind(function, names, 2, defaults, args, kwargs)
+        first, second = names[:2]
+        if isinstance(v["method"], Params):
+            refuseBesideParams(function, v, defaults, numbers)
+            v["params"] = v["method"]
+    if "params" in v:
+        return estimate(problem, v[first], v[second], v["params"], v[mask], names=(first, second, "", "", "", ""),
+                        maskName=mask)[:2]
+    checkMask(v[mask], mask)
+    method = flag(v["method"])
+    low = 0 if "refineIters" in defaults else _arguments.INT_MIN
+    values = [real(v[name], name, defaults[name]) if isinstance(defaults[name], float) else
+              integer(v[name], name, defaults[name], low) for name in numbers]
+    result = calling(_NAMES, getattr(native, function), points(v[first], first), points(v[second], second), method, *values)
+    return found(result, method, v[mask], mask)
+
+
 _HOMOGRAPHY = ("srcPoints", "dstPoints", "method", "ransacReprojThreshold", "mask", "maxIters", "confidence")
 _HOMOGRAPHY_OF_PARAMS = ("srcPoints", "dstPoints", "params", "mask")
 _HOMOGRAPHY_DEFAULTS: Dict[str, Any] = dict(method=USACV20, ransacReprojThreshold=3.0, mask=None, maxIters=2000, confidence=0.995)
@@ -111,22 +142,8 @@ def findHomography(*args: Any, **kwargs: Any) -> Any:
     params -- Params in place of the flag; method=params is accepted, too
     retval -- homography, 3x3 array of float64; None if there is no model
     mask -- as a result: Nx1 array of uint8, 1 for inliers"""
-    if isOptions("findHomography", _HOMOGRAPHY, "method", 2, 2, args, kwargs):
-        v = bind("findHomography", _HOMOGRAPHY_OF_PARAMS, 3, dict(mask=None), args, kwargs)
-    else:
-        v = bind("findHomography", _HOMOGRAPHY, 2, _HOMOGRAPHY_DEFAULTS, args, kwargs)
-        if isinstance(v["method"], Params):
-            refuseBesideParams("findHomography", v, _HOMOGRAPHY_DEFAULTS, ("ransacReprojThreshold", "maxIters", "confidence"))
-            v["params"] = v["method"]
-    if "params" in v:
-        return estimate(ProblemType.HOMOGRAPHY, v["srcPoints"], v["dstPoints"], v["params"], v["mask"],
-                        names=("srcPoints", "dstPoints", "", "", "", ""))[:2]
-    checkMask(v["mask"], "mask")
-    method = flag(v["method"])
-    return found(native.findHomography(
-        points(v["srcPoints"], "srcPoints"), points(v["dstPoints"], "dstPoints"), method,
-        real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), integer(v["maxIters"], "maxIters", 2000),
-        real(v["confidence"], "confidence", 0.995)), method, v["mask"])
+    return _find(ProblemType.HOMOGRAPHY, "findHomography", _HOMOGRAPHY, _HOMOGRAPHY_OF_PARAMS, _HOMOGRAPHY_DEFAULTS, args,
+                 kwargs)
 
 
 _FUNDAMENTAL = ("points1", "points2", "method", "ransacReprojThreshold", "confidence", "maxIters", "mask")
@@ -164,51 +181,17 @@ def findFundamentalMat(*args: Any, **kwargs: Any) -> Any:
     retval -- fundamental matrix, 3x3 array of float64; None if there is no model. With OpenCV's flags and seven points: up
         to three matrices, stacked in an array of up to 9x3
     mask -- as a result: Nx1 array of uint8, 1 for inliers"""
-    if isOptions("findFundamentalMat", _FUNDAMENTAL, "method", 2, 2, args, kwargs):
-        v = bind("findFundamentalMat", _FUNDAMENTAL_OF_PARAMS, 3, dict(mask=None), args, kwargs)
-    else:
-        last = args[5] if len(args) == 6 else None
-        if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV also has a form in which the sixth argument is the mask
-            args, kwargs = args[:5], dict(kwargs, mask=last)
-        v = bind("findFundamentalMat", _FUNDAMENTAL, 2, _FUNDAMENTAL_DEFAULTS, args, kwargs)
-        if isinstance(v["method"], Params):
-            refuseBesideParams("findFundamentalMat", v, _FUNDAMENTAL_DEFAULTS, ("ransacReprojThreshold", "confidence", "maxIters"))
-            v["params"] = v["method"]
-    if "params" in v:
-        return estimate(ProblemType.FUNDAMENTAL, v["points1"], v["points2"], v["params"], v["mask"])[:2]
-    checkMask(v["mask"], "mask")
-    method = flag(v["method"])
-    return found(native.findFundamentalMat(
-        points(v["points1"], "points1"), points(v["points2"], "points2"), method,
-        real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0), real(v["confidence"], "confidence", 0.99),
-        integer(v["maxIters"], "maxIters", 1000)), method, v["mask"])
+    last = args[5] if len(args) == 6 else None
+    if isinstance(last, np.ndarray) and last.ndim > 0:  # OpenCV also has a form in which the sixth argument is the mask
+        args, kwargs = args[:5], dict(kwargs, mask=last)
+    return _find(ProblemType.FUNDAMENTAL, "findFundamentalMat", _FUNDAMENTAL, _FUNDAMENTAL_OF_PARAMS, _FUNDAMENTAL_DEFAULTS,
+                 args, kwargs)
 
 
 _MAP = ("from_", "to", "inliers", "method", "ransacReprojThreshold", "maxIters", "confidence", "refineIters")
 _MAP_OF_PARAMS = ("pts1", "pts2", "params", "inliers")
-_MAP_NAMES = {"from": "from_"}  # C++ name: Python name; `from` is a keyword of Python
 _MAP_DEFAULTS: Dict[str, Any] = dict(inliers=None, method=USACV20, ransacReprojThreshold=3.0, maxIters=2000, confidence=0.99,
                                      refineIters=10)
-
-
-def _findMap(function: str, problem: int, args: Tuple[Any, ...], kwargs: Dict[str, Any]) -> Any:
-    if isOptions(function, _MAP, "method", 3, 2, args, kwargs):
-        v = bind(function, _MAP_OF_PARAMS, 3, dict(inliers=None), args, kwargs)
-        return estimate(problem, v["pts1"], v["pts2"], v["params"], v["inliers"], names=("pts1", "pts2", "", "", "", ""),
-                        maskName="inliers")[:2]
-    v = bind(function, _MAP, 2, _MAP_DEFAULTS, args, kwargs)
-    if isinstance(v["method"], Params):
-        refuseBesideParams(function, v, _MAP_DEFAULTS, ("ransacReprojThreshold", "maxIters", "confidence", "refineIters"))
-        return estimate(problem, v["from_"], v["to"], v["method"], v["inliers"], names=("from_", "to", "", "", "", ""),
-                        maskName="inliers")[:2]
-    checkMask(v["inliers"], "inliers")
-    method = flag(v["method"])
-    return found(calling(
-        _MAP_NAMES, getattr(native, function), points(v["from_"], "from_"), points(v["to"], "to"), method,
-        real(v["ransacReprojThreshold"], "ransacReprojThreshold", 3.0),
-        integer(v["maxIters"], "maxIters", 2000, 0, _arguments.INT_MAX),
-        real(v["confidence"], "confidence", 0.99),
-        integer(v["refineIters"], "refineIters", 10, 0, _arguments.INT_MAX)), method, v["inliers"], "inliers")
 
 
 @overload
@@ -239,7 +222,7 @@ def estimateAffine2D(*args: Any, **kwargs: Any) -> Any:
     params -- Params in place of the flag; method=params is accepted, too
     retval -- affine map [A t], 2x3 array of float64; None if there is no model
     inliers -- as a result: Nx1 array of uint8, 1 for inliers"""
-    return _findMap("estimateAffine2D", ProblemType.AFFINITY, args, kwargs)
+    return _find(ProblemType.AFFINITY, "estimateAffine2D", _MAP, _MAP_OF_PARAMS, _MAP_DEFAULTS, args, kwargs)
 
 
 @overload
@@ -260,4 +243,4 @@ def estimateAffinePartial2D(*args: Any, **kwargs: Any) -> Any:
 
     cv2.estimateAffinePartial2D with a flag of this module or of OpenCV, or with all options: rotation, uniform scale and
     translation. Arguments and results are those of estimateAffine2D, but retval has the rows (a, -b, x) and (b, a, y)."""
-    return _findMap("estimateAffinePartial2D", ProblemType.SIMILARITY, args, kwargs)
+    return _find(ProblemType.SIMILARITY, "estimateAffinePartial2D", _MAP, _MAP_OF_PARAMS, _MAP_DEFAULTS, args, kwargs)
