@@ -5,12 +5,10 @@
 // Variables that the parts of programs in the documents assume, with a known true model. Two images
 // show 3-D points. A third of the points lies in a plane parallel to both image planes, so that its
 // homography is also an affine map and a similarity. A fifth of the matches is wrong. Each part
-// becomes a program, which consists of the code `before` of its rule in table.py, the part itself,
-// and the code `after` of this rule, which uses REQUIRE.
+// becomes a program, which consists of the code `before` of its rule in table.py and the part itself.
 
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -22,12 +20,6 @@ const cv::Matx33d K(700, 0, 320, 0, 700, 240, 0, 0, 1);
 const cv::Matx33d R(std::cos(0.1), -std::sin(0.1), 0, std::sin(0.1), std::cos(0.1), 0, 0, 0, 1);
 const cv::Vec3d t(1, 0.2, 0);
 const double depth = 10;  // depth of the plane
-const cv::Matx33d H = K * (R + t * cv::Vec3d(0, 0, 1 / depth).t()) * K.inv();
-const cv::Matx23d A(H(0, 0), H(0, 1), H(0, 2), H(1, 0), H(1, 1), H(1, 2));
-const cv::Matx33d E = cv::Matx33d(0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0) * R;
-const cv::Matx33d F = K.inv().t() * E * K.inv();
-const cv::Matx34d Rt(R(0, 0), R(0, 1), R(0, 2), t[0], R(1, 0), R(1, 1), R(1, 2), t[1], R(2, 0),
-                     R(2, 1), R(2, 2), t[2]);
 }
 
 const cv::Mat K(truth::K);
@@ -65,46 +57,4 @@ struct Maker
         space1 = objectPoints;
     }
 } const maker;
-
-inline void require(bool condition, const char* text)
-{
-    if (condition)
-        return;
-    std::cerr << "not true after the code of the document: " << text << std::endl;
-    std::exit(1);
 }
-
-// Compares matrices up to scale and sign, with a relative tolerance. The sign of F, for example, is
-// arbitrary.
-inline bool near(const cv::Mat& a, const cv::Mat& b, double error = 1e-3)
-{
-    if (a.size() != b.size() || a.empty())
-        return false;
-    const cv::Mat unitA = a / cv::norm(a), unitB = b / cv::norm(b);
-    return std::min(cv::norm(unitA - unitB), cv::norm(unitA + unitB)) < error;
-}
-
-inline bool near(const cv::Mat& a, const cv::Matx33d& b, double error = 1e-3)
-{
-    return near(a, cv::Mat(b), error);
-}
-
-inline bool near(const cv::Mat& a, const cv::Matx23d& b, double error = 1e-3)
-{
-    return near(a, cv::Mat(b), error);
-}
-
-inline bool near(const cv::Mat& a, const cv::Matx34d& b, double error = 1e-3)
-{
-    return near(a, cv::Mat(b), error);
-}
-
-inline bool pose(const cv::Mat& rvec, const cv::Mat& tvec)
-{
-    cv::Mat R;
-    cv::Rodrigues(rvec, R);
-    return near(R, truth::R) && near(tvec, cv::Mat(truth::t));
-}
-}
-
-#define REQUIRE(condition) frame::require(condition, #condition)
