@@ -45,13 +45,6 @@ class CompareTest(unittest.TestCase):
 
     @unittest.skipUnless(usac_colmap.find(), "there is no program colmap")
     def test_table(self) -> None:
-        self.table()
-
-    @unittest.skipUnless(usac_colmap.findLater(), "USAC_COLMAP4 does not name a command of COLMAP 4")
-    def test_table_of_later_version(self) -> None:
-        self.table("--colmap", usac_colmap.findLater() or "", "--mapper", "global_mapper")
-
-    def table(self, *more: str) -> None:
         collection = Collection(Recipe(images=20, lonePairs=0, wrong=(0.3, 0.5), cameras=(("SIMPLE_PINHOLE", True),)))
         # In cameras.json the center of the first pixel is at (0, 0), in COLMAP at (0.5, 0.5).
         half = np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])
@@ -63,7 +56,7 @@ class CompareTest(unittest.TestCase):
         with open(paths[1], "w") as file:
             json.dump(cameras, file)
         run = self.compare("--database", paths[0], "--cameras", paths[1], "--focal", "known", "--repeats", "1", "--seeds", "1",
-                           "--pairs", *more)
+                           "--pairs")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         for name in ("COLMAP", "USACV20 4"):
             row = self.numbers(run.stdout, name)

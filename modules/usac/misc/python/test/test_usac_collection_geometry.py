@@ -12,6 +12,7 @@ import unittest
 import numpy as np
 
 from usac_camera import rotation as rotationOf
+from usac_colmap import matrixOf
 from usac_common import once, package
 
 try:
@@ -25,13 +26,6 @@ except ImportError:  # cv2.usacv20 can be tested without the package; tests of t
 K = np.array([[900., 0, 500], [0, 900, 400], [0, 0, 1]])
 SIZE = (1000, 800)
 NOISE = 0.5
-
-
-def matrixOf(q):
-    w, x, y, z = q
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 class Scene(object):

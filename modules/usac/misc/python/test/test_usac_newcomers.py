@@ -100,36 +100,18 @@ class PointsTest(NewcomerCase):
                 usac.estimateHomography(right, b[:len(right)])
             usac.estimateRigid3D(np.hstack([a, sizes]), np.hstack([a, sizes]))
 
-    def test_masks_of_the_caller(self):
-        a, b = PLANE.points1, PLANE.points2
-        expected = usac.findHomography(a, b)[1].ravel() != 0
-        for shape in ((len(a), 1), len(a)):
-            given = np.zeros(shape, bool)
-            self.assertIs(usac.findHomography(a, b, mask=given)[1], given)
-            np.testing.assert_array_equal(given.ravel(), expected)
-        given = np.zeros((len(a), 1), bool)
-        usac.estimateAffine2D(a, b, given)
-        self.assertTrue(given.any())
-        for kind in (float, np.float32, np.int32, np.int64):
-            wrong = np.zeros((len(a), 1), kind)
-            self.refused(ERRORS, ("mask", "uint8", wrong.dtype.name), usac.findHomography, a, b, mask=wrong)
-            self.refused(ERRORS, ("mask",), usac.estimateFundamental, a, b, None, wrong)
-            self.refused(ERRORS, ("inliers",), usac.estimateAffine2D, a, b, wrong)
-        self.refused(ERRORS, ("inliers", "int32"), usac.solvePnPRansac, POSE.X, POSE.x, POSE.K, None, inliers=np.zeros(len(POSE.X), bool))
-
 
 class WordTest(NewcomerCase):
     """Error messages must use the argument names of the called function."""
 
     def test_names_of_arguments(self):
-        a, b, K = GENERAL.points1, GENERAL.points2, GENERAL.K1
+        a, b, K, X, x = GENERAL.points1, GENERAL.points2, GENERAL.K1, POSE.X, POSE.x
         for word, others, function, args, kwargs in (
                 ("ransacReprojThreshold", " threshold:", "findHomography", (a, b, usac.USACV20, -1.0), {}),
                 ("maxIters", "maxIterations", "findHomography", (a, b, usac.USACV20), dict(maxIters=0)),
                 ("confidence", "", "findHomography", (a, b, usac.USACV20), dict(confidence=2.0)),
                 ("srcPoints and dstPoints", "points1", "findHomography", (a, b[1:], usac.USACV20), {}),
                 ("dstPoints", "points2", "findHomography", (a, b[:, :1], usac.USACV20), {}),
-                ("ransacReprojThreshold", " threshold:", "findFundamentalMat", (a, b, usac.USACV20, 0.0), {}),
                 ("points1 and points2", "srcPoints", "findFundamentalMat", (a, b[1:], usac.USACV20), {}),
                 ("prob", "confidence", "findEssentialMat", (a, b, K, usac.USACV20, 2.0), {}),
                 ("threshold", "ransacReproj", "findEssentialMat", (a, b, K, usac.USACV20, 0.99, -1.0), {}),
@@ -137,13 +119,10 @@ class WordTest(NewcomerCase):
                 ("cameraMatrix2", "", "findEssentialMat", (a, b, K, None, K[:2], None, usac.USACV20), {}),
                 ("from_ and to", "points1", "estimateAffine2D", (a, b[1:], None, usac.USACV20), {}),
                 ("ransacReprojThreshold", " threshold:", "estimateAffinePartial2D", (a, b, None, usac.USACV20, -1.0), {}),
-                ("maxIters", "maxIterations", "estimateAffine2D", (a, b, None, usac.USACV20), dict(maxIters=0)),
-                ("reprojectionError", " threshold:", "solvePnPRansac", (POSE.X, POSE.x, POSE.K, None),
-                 dict(reprojectionError=-1.0, flags=usac.USACV20)),
-                ("objectPoints and imagePoints", "points1", "solvePnPRansac", (POSE.X, POSE.x[1:], POSE.K, None), dict(flags=usac.USACV20)),
-                ("iterationsCount", "maxIterations", "solvePnPRansac", (POSE.X, POSE.x, POSE.K, None),
-                 dict(iterationsCount=0, flags=usac.USACV20)),
-                ("cameraMatrix:", "cameraMatrix1", "solvePnPRansac", (POSE.X, POSE.x, POSE.K[:2], None), dict(flags=usac.USACV20))):
+                ("reprojectionError", " threshold:", "solvePnPRansac", (X, x, POSE.K, None), dict(reprojectionError=-1.0, flags=usac.USACV20)),
+                ("objectPoints and imagePoints", "points1", "solvePnPRansac", (X, x[1:], POSE.K, None), dict(flags=usac.USACV20)),
+                ("iterationsCount", "maxIterations", "solvePnPRansac", (X, x, POSE.K, None), dict(iterationsCount=0, flags=usac.USACV20)),
+                ("cameraMatrix:", "cameraMatrix1", "solvePnPRansac", (X, x, POSE.K[:2], None), dict(flags=usac.USACV20))):
             for where in {usac, FINDER}:
                 with self.assertRaises(ERRORS, msg="{} {}".format(function, word)) as context:
                     getattr(where, function)(*args, **kwargs)

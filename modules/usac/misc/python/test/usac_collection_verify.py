@@ -39,13 +39,6 @@ def _one(pair, settings):
                    None, None, "too few matches" if refused else "", len(pair.matches), int(numbers[10]), 0.5, 1.5)
 
 
-def nothing(pairs, settings):
-    """Returns results without a model; takes almost no time."""
-    none = np.empty((0, 2), np.uint32)
-    return [TwoView(pair.key, Configuration.DEGENERATE, none, None, None, None, None, None, "", len(pair.matches), 0, 1.0, 0.0)
-            for pair in pairs]
-
-
 def fails(pairs, settings):
     raise RuntimeError("a mistake in " + pairs[0].first.name)
 
@@ -67,10 +60,6 @@ def loggedOrFails(pairs, settings):
     if pairs[0].first.name == "image2.jpg":
         fails(pairs, settings)
     return logged(pairs, settings)
-
-
-def cannot(pairs, settings):
-    return [result._replace(configuration=Configuration.UNDEFINED, reason="no") for result in nothing(pairs, settings)]
 
 
 def forgets(pairs, settings):

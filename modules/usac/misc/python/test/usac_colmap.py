@@ -6,9 +6,9 @@
 """Runs COLMAP for tests and benchmarks: its verification of given matches and its mappers. Reads the
 results and compares the camera poses with true ones.
 
-The program is `colmap` on the PATH (version 3.8 in Debian 12). The environment variable USAC_COLMAP4
-names the command of a later version (4.2.1 in Debian sid). This command can be a script that enters a
-chroot, if the folder of temporary files has the same path in the chroot."""
+The program is `colmap` on the PATH (version 3.8 in Debian 12), or a given command of this or a later
+version. This command can be a script that enters a chroot, if the folder of temporary files has the
+same path in the chroot."""
 
 from __future__ import annotations
 
@@ -62,12 +62,6 @@ class Verified(NamedTuple):
 
 def find() -> Optional[str]:
     return shutil.which("colmap")
-
-
-def findLater() -> Optional[str]:
-    """Returns the path of the command in USAC_COLMAP4; None if there is no such command."""
-    name = os.environ.get("USAC_COLMAP4")
-    return shutil.which(name) if name else None
 
 
 @functools.lru_cache(maxsize=None)
