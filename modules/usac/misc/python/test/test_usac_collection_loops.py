@@ -53,24 +53,15 @@ def chain(ring, inliers=100):
 @package
 class LoopsTest(unittest.TestCase):
 
-    def test_wrong_pairs(self):
-        ring = Ring(12)
-        wrong = [ring.edge(0, 6, 40, 180), ring.edge(11, 3, 30, 50), ring.edge(2, 4, 49, -60)]
-        edges = chain(ring) + [ring.edge(i, i + 2, 45) for i in range(10)] + wrong
-        for _ in range(5):
-            found = contradicted([edges[i] for i in ring.rng.permutation(len(edges))])
-            self.assertEqual(set(found), {edge.key for edge in wrong})
-            for edge, degrees in zip(wrong, (180, 50, 60)):
-                self.assertLess(abs(found[edge.key] - degrees), 5)
-        self.assertEqual(contradicted([]), {})
-
     def test_what_is_asked_of_links(self):
         """A path contradicts a pair only if each link of the path has a single rotation (link=True) and
         at least twice as many inliers as the pair, and if the path has at most LONGEST links."""
         ring = Ring(12)
         wrong = ring.edge(0, 4, 51, 90)
         self.assertEqual(contradicted(chain(ring) + [wrong]), {})
-        self.assertEqual(list(contradicted(chain(ring, 102) + [wrong])), [(0, 4)])
+        found = contradicted(chain(ring, 102) + [wrong])
+        self.assertEqual((list(found), contradicted([])), ([(0, 4)], {}))
+        self.assertLess(abs(found[0, 4] - 90), 5)
         self.assertEqual(contradicted([edge._replace(link=False) for edge in chain(ring, 102)] + [wrong]), {})
         cut = chain(ring, 102)
         del cut[2]

@@ -138,16 +138,6 @@ class GrowthTest(RunCase):
         self.verify(threshold=self.summary.threshold, resume=True)
         self.assertEqual(self.summary.skipped, PAIRS + LATER)
 
-    def test_rows_of_faults(self) -> None:
-        """Rows of pairs that cannot be read must stay."""
-        self.verify(threshold=4.0)
-        before = dump(self.path, TABLE)[TABLE]
-        change(self.path, "UPDATE cameras SET width = 'wide'")
-        with contextlib.redirect_stderr(io.StringIO()):
-            said = self.verify(threshold=4.0)
-        self.assertEqual((self.summary.faults, len(said)), (PAIRS + LATER, 2))
-        self.assertEqual(dump(self.path, TABLE)[TABLE], before)
-
     def test_unknown_focal_lengths(self) -> None:
         shown = io.StringIO()
         change(self.path, "UPDATE cameras SET prior_focal_length = 0")

@@ -165,43 +165,6 @@ class RunTest(SinkCase):
         self.assertEqual((self.pairs(), sink.replaced), (sorted(other + [pairId(1, 3)]), 1))
         self.assertEqual([self.row(*pair)["config"] for pair in ((1, 2), (3, 4), (5, 6))], [2, 3, 3])
 
-    def test_resume(self):
-        sink = self.sink()
-        sink.commit(self.hashed(found(1, 2), refused(1, 3), refused(1, 4, Configuration.UNDEFINED, "broken")))
-        sink.close(finished=False)
-        self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("interrupted",)])
-        sink = self.sink(resume=True)
-        self.assertTrue(sink.resumed)
-        keys = [pairId(1, i) for i in range(2, 6)]
-        # The third pair could not be read and must be processed again; the fourth pair is new.
-        self.assertEqual([sink.done(key) for key in keys], [True, True, False, False])
-        sink.commit(self.hashed(found(1, 4), found(1, 5)))
-        self.assertEqual((self.pairs(), sink.replaced), (keys, 0))
-        self.assertEqual(rows(self.path, "SELECT run_id, configuration FROM usacv20_pairs ORDER BY pair_id"),
-                         [(1, 2), (1, 1), (2, 2), (2, 2)])
-        sink.close()
-        self.assertEqual(rows(self.path, "SELECT state FROM usacv20_runs"), [("interrupted",), ("finished",)])
-        self.assertEqual([self.sink(resume=True).done(key) for key in keys], [True] * 4)  # pairs of both runs are done
-        self.assertFalse(self.sink().resumed)
-        self.assertFalse(self.sink().done(keys[0]))
-
-    def test_rows_that_were_changed(self):
-        """If another program has changed the matches of a pair, even without a change of their number, or
-        the number of inliers or the configuration, a resumed run must process the pair again."""
-        results = [found(1, i) for i in range(2, 7)] + [refused(2, i) for i in (3, 4)] + [found(3, 4)]
-        statements = (("UPDATE matches SET data = ? WHERE pair_id = ?", bytes(59 * 8)),
-                      ("UPDATE matches SET rows = 0, data = ? WHERE pair_id = ?", None),
-                      ("UPDATE matches SET rows = ? WHERE pair_id = ?", 58),
-                      ("UPDATE two_view_geometries SET rows = ? WHERE pair_id = ?", 29),
-                      ("UPDATE two_view_geometries SET config = ? WHERE pair_id = ?", 3),
-                      ("UPDATE two_view_geometries SET config = ? WHERE pair_id = ?", 0))
-        self.sink().commit(self.hashed(*results))
-        for result, (statement, value) in zip(results, statements):
-            change(self.path, statement, value, result.key)
-        change(self.path, "DELETE FROM {} WHERE pair_id = ?".format(TABLE), results[7].key)
-        sink = self.sink(resume=True)
-        self.assertEqual([sink.done(result.key) for result in results], [False] * 6 + [True, False])
-
     def test_fault_in_a_row_of_colmap(self):
         """A fault must not count as done if COLMAP has stored a row without a geometry for this pair."""
         self.sink().commit(self.hashed(refused(1, 2, Configuration.UNDEFINED, "broken")))
@@ -230,20 +193,6 @@ class RunTest(SinkCase):
                 change(self.path, "DELETE FROM " + TABLE)
                 change(self.path, "DROP TABLE usacv20_runs")
 
-    def test_some_pairs(self):
-        """With keep=True, records of other pairs must stay. Pairs that were processed with other settings must be processed again by a resumed run."""
-        change(self.path, "INSERT INTO {} (pair_id, rows, cols, config) VALUES (5, 0, 2, 3)".format(TABLE))
-        sink = self.sink(keep=True)
-        sink.commit(self.hashed(found(1, 2)))
-        sink.close()
-        self.assertEqual((self.pairs(), sink.replaced), ([5, pairId(1, 2)], 0))
-        other = self.sink({"threshold": 3.0}, keep=True)
-        other.commit(self.hashed(found(1, 3)))
-        other.close()
-        self.assertEqual(self.pairs(), [5, pairId(1, 2), pairId(1, 3)])
-        sink = self.sink({"threshold": 3.0}, resume=True)
-        self.assertEqual([sink.done(pairId(1, i)) for i in (2, 3)], [False, True])
-
     def test_graph_of_some_pairs(self):
         """With keep=True, the edges for the loop check must include the accepted pairs of all earlier runs
         with the same settings, whether a run is resumed or not. Otherwise they must include only those
@@ -264,13 +213,6 @@ class RunTest(SinkCase):
         self.assertEqual([edge.second for edge in sink.edges()], [2, 4, 5])
         change(self.path, "UPDATE usacv20_runs SET version = version - 1 WHERE run_id = 1")
         self.assertEqual([edge.second for edge in self.sink(keep=True).edges()], [4, 5])
-
-    def test_other_settings(self):
-        self.sink({"threshold": 2.0, "seed": 1, "method": "a"}).commit([found(1, 2)])
-        self.refused(["a.db", "threshold is 3.0 and was 2.0", "seed is null and was 1", "new is [1] and was null"],
-                     self.sink, {"threshold": 3.0, "method": "a", "new": (1,)}, resume=True)
-        self.assertEqual(self.pairs(), [pairId(1, 2)])
-        self.assertTrue(self.sink({"seed": 1, "method": "a", "threshold": 2}, resume=True).resumed)
 
     def test_all_or_nothing(self):
         """A commit that fails must not change the database."""
