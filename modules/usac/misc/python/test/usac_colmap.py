@@ -55,9 +55,6 @@ class Verified(NamedTuple):
 
     configuration: int
     inliers: npt.NDArray[np.uint32]  # K x 2: indices of keypoints
-    hasF: bool
-    hasE: bool
-    hasH: bool
 
 
 def find() -> Optional[str]:
@@ -141,10 +138,9 @@ def verifyByColmap(database: str, program: Optional[str] = None) -> Usage:
 def verified(database: str) -> Dict[int, Verified]:
     """Returns the table two_view_geometries as {pair_id: row}."""
     connection = sqlite3.connect(database)
-    rows = connection.execute("SELECT pair_id, rows, data, config, F, E, H FROM two_view_geometries").fetchall()
+    rows = connection.execute("SELECT pair_id, rows, data, config FROM two_view_geometries").fetchall()
     connection.close()
-    return {key: Verified(config, np.frombuffer(data or b"", np.uint32).reshape(count, 2), bool(F), bool(E), bool(H))
-            for key, count, data, config, F, E, H in rows}
+    return {key: Verified(config, np.frombuffer(data or b"", np.uint32).reshape(count, 2)) for key, count, data, config in rows}
 
 
 def mapper(database: str, images: Optional[str] = None, program: Optional[str] = None, command: str = "mapper", seed: int = 0,

@@ -50,7 +50,7 @@ NATIVE = types.SimpleNamespace(**{name: getattr(getattr(cv, "_native", cv), name
 FLAGS = {flag.name: int(flag) for flag in usac.UsacV20Method}
 # Flags of OpenCV, defined here because the package also accepts them without cv2.
 FM_7POINT, FM_8POINT, LMEDS, RANSAC, RHO = 1, 2, 4, 8, 16
-USAC_DEFAULT, USAC_PARALLEL, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
+USAC_DEFAULT, _, USAC_FM_8PTS, USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC = range(32, 39)
 # The last two values differ between OpenCV 4 and 5; without cv2, those of OpenCV 4 are used.
 SOLVEPNP_ITERATIVE, SOLVEPNP_EPNP, SOLVEPNP_P3P, SOLVEPNP_AP3P, SOLVEPNP_SQPNP = (
     0, 1, 2, getattr(cv, "SOLVEPNP_AP3P", 5), getattr(cv, "SOLVEPNP_SQPNP", 8))
