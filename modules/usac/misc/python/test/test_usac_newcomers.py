@@ -15,20 +15,11 @@ import warnings
 
 import numpy as np
 
-from usac_common import ERRORS, FINDER, FUNCTIONS, GENERAL, PLANE, RANSAC, bits, cv, once, package, usac
+from usac_common import ERRORS, FINDER, FUNCTIONS, GENERAL, PLANE, RANSAC, ErrorCase, bits, cv, once, package, usac
 from usac_pose import POSE
 
 
-class NewcomerCase(unittest.TestCase):
-
-    def refused(self, type_, words, function, *args, **kwargs):
-        with self.assertRaises(type_, msg=words) as context:
-            function(*args, **kwargs)
-        for word in words:
-            self.assertIn(word, str(context.exception))
-
-
-class PointsTest(NewcomerCase):
+class PointsTest(ErrorCase):
 
     def test_one_pair_for_many(self):
         a, b = PLANE.points1, PLANE.points2
@@ -101,7 +92,7 @@ class PointsTest(NewcomerCase):
             usac.estimateRigid3D(np.hstack([a, sizes]), np.hstack([a, sizes]))
 
 
-class WordTest(NewcomerCase):
+class WordTest(ErrorCase):
     """Error messages must use the argument names of the called function."""
 
     def test_names_of_arguments(self):
@@ -154,7 +145,7 @@ class WordTest(NewcomerCase):
             self.assertIn(name, text)
 
 
-class PictureTest(NewcomerCase):
+class PictureTest(ErrorCase):
 
     def setUp(self):
         try:

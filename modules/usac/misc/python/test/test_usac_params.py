@@ -20,7 +20,8 @@ import unittest
 
 import numpy as np
 
-from usac_common import (DISTORTED, ERRORS, FINDER, FLAGS, GENERAL, IN_TREE, PLANE, bits, cv, estimate, fields, needsCv2, package, usac)
+from usac_common import (DISTORTED, ERRORS, FINDER, FLAGS, GENERAL, IN_TREE, PLANE, ErrorCase, bits, cv, estimate, fields,
+                         needsCv2, package, usac)
 from usac_pose import POSE
 
 native = importlib.import_module(usac.__name__ + "._backend").native
@@ -29,16 +30,7 @@ PRESETS = ("usacV20", "fast", "accurate", "sorted", "trustedScores", "parallel",
            "loRansac", "floRansac", "gcRansac", "usac2013", "paper", "magsac", "magsacPlusPlus")
 
 
-class ParamsCase(unittest.TestCase):
-
-    def refused(self, type_, words, function, *args, **kwargs):
-        with self.assertRaises(type_, msg=words) as context:
-            function(*args, **kwargs)
-        for word in words:
-            self.assertIn(word, str(context.exception))
-
-
-class FieldsTest(ParamsCase):
+class FieldsTest(ErrorCase):
 
     def test_names_and_defaults_are_those_of_cpp(self):
         default = native.Params()
@@ -176,7 +168,7 @@ class FieldsTest(ParamsCase):
                 self.refused(usac.error, (name,), function, *args)
 
 
-class ArraysTest(ParamsCase):
+class ArraysTest(ErrorCase):
 
     def test_scores_live_in_the_object(self):
         params = usac.Params()

@@ -118,6 +118,16 @@ DISTORTED = Scene(planar=False, distorted=True)
 MOVED = Scene(planar=True).moveTo(np.array([[0.9, -0.2, 40.], [0.2, 0.9, -25.]]))
 
 
+class ErrorCase(unittest.TestCase):
+
+    def refused(self, type_, words, function, *args, **kwargs):
+        """Asserts that a call raises an exception of this type whose message contains all of the words."""
+        with self.assertRaises(type_, msg=words) as context:
+            function(*args, **kwargs)
+        for word in words:
+            self.assertIn(word, str(context.exception))
+
+
 def formsOfMaps(method):
     """Returns the part of forms() for affine maps and similarities."""
     m, T = MOVED, THRESHOLD
