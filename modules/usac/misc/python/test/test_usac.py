@@ -137,7 +137,8 @@ class EstimateTest(unittest.TestCase):
 
     def test_no_model(self):
         nan, few, none, same = np.full((50, 2), np.nan), np.eye(1, 2) * 100, np.zeros((0, 2)), np.full((50, 2), 5.)
-        for points in (nan, few, none, same, []):
+        self.assertEqual((usac.findHomography([], [], usac.USACV20)[0], usac.findHomography([], [])[1].shape), (None, (0, 1)))
+        for points in (nan, few, none, same):
             for function, args in ((usac.estimateHomography, ()), (usac.estimateEssential, (PLANE.K1,))):
                 model, mask, report = function(points, points, *args)
                 self.assertEqual((model, report.inliers), (None, 0))
