@@ -213,7 +213,8 @@ class GeometryTest(unittest.TestCase):
                                ({"method": "RANSAC"}, "method: one of USACV20, "), ({"confidence": 2}, "confidence"),
                                ({"method": "USACV20_PROSAC"}, "method: "),
                                ({"maxIterations": 0}, "maxIterations"), ({"minInliers": 0}, "min-inliers"),
-                               ({"ratios": (0.5, 0.0)}, "ratios"), ({"planarRatio": 2}, "planarRatio"), ({"significance": -1}, "significance"),
+                               ({"ratios": (0.5, 0.0)}, "ratios"),
+                               ({"planarRatio": 2}, "planarRatio"), ({"significance": -1}, "significance"),
                                ({"significance": 0.0}, "significance: a number above 0 ")):
             with self.assertRaisesRegex(CollectionError, said):
                 Settings(**settings)

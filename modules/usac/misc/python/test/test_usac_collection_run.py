@@ -276,7 +276,8 @@ class FunctionTest(RunCase):
         self.verify(threshold=4.0)
         with open(self.path, "rb") as file:
             before = file.read()
-        for options, said in ((dict(thresholds=3), "thresholds: there is no such setting"), (dict(chunk=0), "chunk: a positive number is expected"), (dict(chunk=-3), "chunk"),
+        for options, said in ((dict(thresholds=3), "thresholds: there is no such setting"),
+                              (dict(chunk=0), "chunk: a positive number is expected"), (dict(chunk=-3), "chunk"),
                               (dict(chunk=2.5), "chunk"), (dict(threads=-1), "threads: an integer of at least 0"),
                               (dict(workers=-1), "workers"), (dict(chunk=0, output=self.path + ".copy"), "chunk")):
             with self.assertRaisesRegex(CollectionError, said):

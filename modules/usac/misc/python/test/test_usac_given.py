@@ -119,7 +119,8 @@ class RelativePoseTest(unittest.TestCase):
     def test_mistakes_and_masks(self):
         a, b, own = GENERAL.points1, GENERAL.points2, GENERAL.K1
         for arguments, name in (((a, b[:7], own), "points"), ((a, b, np.eye(2)), "cameraMatrix1"), ((a, b, own, [1, 2]), "distCoeffs1"),
-                                ((a, confident(b), own), "points2.*confidence"), ((np.stack([a, a]), np.stack([b, b]), own), "points1.*one list"),
+                                ((a, confident(b), own), "points2.*confidence"),
+                                ((np.stack([a, a]), np.stack([b, b]), own), "points1.*one list"),
                                 ((a, b, own, None, None, None, None, np.zeros((len(a), 1))), "mask.*float64")):
             with self.assertRaisesRegex(usac.error, name):
                 usac.estimateRelativePose(*arguments)

@@ -110,7 +110,8 @@ class WordTest(ErrorCase):
                 ("cameraMatrix2", "", "findEssentialMat", (a, b, K, None, K[:2], None, usac.USACV20), {}),
                 ("from_ and to", "points1", "estimateAffine2D", (a, b[1:], None, usac.USACV20), {}),
                 ("ransacReprojThreshold", " threshold:", "estimateAffinePartial2D", (a, b, None, usac.USACV20, -1.0), {}),
-                ("reprojectionError", " threshold:", "solvePnPRansac", (X, x, POSE.K, None), dict(reprojectionError=-1.0, flags=usac.USACV20)),
+                ("reprojectionError", " threshold:", "solvePnPRansac", (X, x, POSE.K, None),
+                 dict(reprojectionError=-1.0, flags=usac.USACV20)),
                 ("objectPoints and imagePoints", "points1", "solvePnPRansac", (X, x[1:], POSE.K, None), dict(flags=usac.USACV20)),
                 ("iterationsCount", "maxIterations", "solvePnPRansac", (X, x, POSE.K, None), dict(iterationsCount=0, flags=usac.USACV20)),
                 ("cameraMatrix:", "cameraMatrix1", "solvePnPRansac", (X, x, POSE.K[:2], None), dict(flags=usac.USACV20))):

@@ -70,7 +70,8 @@ class TwoViewTest(unittest.TestCase):
         self.assertTrue((plain.mask != found.mask).any())
 
     def test_other_configurations(self):
-        for kind, cameras, expected in (("general", (None, None), usac.TWO_VIEW_UNCALIBRATED), ("general", (K, None), usac.TWO_VIEW_UNCALIBRATED),
+        for kind, cameras, expected in (("general", (None, None), usac.TWO_VIEW_UNCALIBRATED),
+                                        ("general", (K, None), usac.TWO_VIEW_UNCALIBRATED),
                                         ("plane", (K, K), usac.TWO_VIEW_PLANAR), ("plane", (None, None), usac.TWO_VIEW_PLANAR_OR_PANORAMIC),
                                         ("rotation", (K, K), usac.TWO_VIEW_PANORAMIC)):
             a, b, R, _ = scene(1, kind)
@@ -188,7 +189,8 @@ class ConfigurationsTest(unittest.TestCase):
 
     def test_options(self):
         done = subprocess.run([sys.executable, PROGRAM, "--scenes", "1", "--kinds", "repeated", "--motions", "forward", "short",
-                               "--threshold", "2", "--samples", "1000", "--cells"], stdout=subprocess.PIPE, universal_newlines=True, check=True)
+                               "--threshold", "2", "--samples", "1000", "--cells"], stdout=subprocess.PIPE, universal_newlines=True,
+                              check=True)
         lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in done.stdout.splitlines()]
         rows = {tuple(line[:2]): dict(zip(lines[0][2:], map(int, line[2:]))) for line in lines[2:]}
         self.assertEqual(rows["repeated", "forward"]["pairs"], 81)
