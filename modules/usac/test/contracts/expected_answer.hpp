@@ -5,7 +5,7 @@
 #ifndef OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 #define OPENCV_USACV20_TEST_EXPECTED_ANSWER_HPP
 
-// Shared by test_input.cpp, test_layouts.cpp, test_pose_layouts.cpp and test_rigid_layouts.cpp.
+// Shared by test_input.cpp, test_layouts.cpp and test_rigid_layouts.cpp.
 
 #include "support/contracts.hpp"
 

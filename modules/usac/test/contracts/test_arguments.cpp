@@ -15,78 +15,26 @@ INSTANTIATE_TEST_CASE_P(/**/, UsacArguments, testing::ValuesIn(TWO_VIEW_PROBLEMS
 const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
 const double INFINITE = std::numeric_limits<double>::infinity();
 
-//! The name that an argument of the estimate function has in calib3d's function for the problem.
-std::string nameIn(ProblemType problem, const std::string& name)
-{
-    const bool map = problem == AFFINITY || problem == SIMILARITY;
-    if (name == "points1")
-        return problem == HOMOGRAPHY ? "srcPoints" : map ? "from" : name;
-    if (name == "points2")
-        return problem == HOMOGRAPHY ? "dstPoints" : map ? "to" : name;
-    if (name == "threshold")
-        return problem == ESSENTIAL ? name : "ransacReprojThreshold";
-    if (name == "maxIterations")
-        return "maxIters";
-    return name == "confidence" && problem == ESSENTIAL ? "prob" : name;
-}
-
-std::string inWordsOf(ProblemType problem, const std::string& words)
-{
-    std::istringstream in(words);
-    std::string result, word;
-    while (in >> word)
-        result += (result.empty() ? "" : " ") + nameIn(problem, word);
-    return result;
-}
-
-//! A call of the estimate function or, if `viaFlag`, of calib3d's function with a flag of this
-//! module. Tests make one of its arguments wrong.
+//! A call of the estimate function. Tests make one of its arguments wrong. (The names of the
+//! arguments of calib3d's functions are tested in api/test_argument_names.cpp.)
 struct WrongCall
 {
     WrongCall(ProblemType problem_, const Mat& points1_, const Mat& points2_)
-        : problem(problem_), points1(points1_), points2(points2_), K(sceneCamera()), viaFlag(false)
+        : problem(problem_), points1(points1_), points2(points2_), K(sceneCamera())
     {}
 
     void operator()() const
     {
         Mat mask;
         Report report;
-        if (!viaFlag)
-            estimatePoints(problem, points1, points2, params, mask, report, K);
-        else if (problem == HOMOGRAPHY)
-            findHomography(points1, points2, USACV20, params.threshold, mask, params.maxIterations,
-                           params.confidence);
-        else if (problem == FUNDAMENTAL)
-            findFundamentalMat(points1, points2, USACV20, params.threshold, params.confidence,
-                               params.maxIterations, mask);
-        else if (problem == AFFINITY)
-            estimateAffine2D(points1, points2, mask, USACV20, params.threshold,
-                             params.maxIterations, params.confidence);
-        else if (problem == SIMILARITY)
-            estimateAffinePartial2D(points1, points2, mask, USACV20, params.threshold,
-                                    params.maxIterations, params.confidence);
-        else
-            findEssentialMat(points1, points2, K, USACV20, params.confidence, params.threshold,
-                             params.maxIterations, mask);
+        estimatePoints(problem, points1, points2, params, mask, report, K);
     }
 
-    //! The estimate function and, if the problem has flags, calib3d's function must raise an
-    //! exception whose message contains the words. In the messages of calib3d's function, arguments
-    //! have the names that calib3d uses.
-    void expect(const std::string& words)
-    {
-        for (int i = 0; i < (hasFlags(problem) ? 2 : 1); ++i)
-        {
-            SCOPED_TRACE(i ? "by a flag" : "by parameters");
-            viaFlag = i == 1;
-            expectException(*this, viaFlag ? inWordsOf(problem, words) : words);
-        }
-    }
+    void expect(const std::string& words) const { expectException(*this, words); }
 
     ProblemType problem;
     Mat points1, points2, K;
     Params params;
-    bool viaFlag;
 };
 
 class Arguments
@@ -103,14 +51,6 @@ public:
     const Scene scene;
     const Mat points1, points2;
 };
-
-TEST_P(UsacArguments, the_call_as_such_is_right)
-{
-    WrongCall call = Arguments(problem()).call();
-    EXPECT_NO_THROW(call());
-    call.viaFlag = hasFlags(problem());
-    EXPECT_NO_THROW(call());
-}
 
 TEST_P(UsacArguments, lists_of_different_lengths)
 {
@@ -153,69 +93,6 @@ TEST_P(UsacArguments, lists_of_lists)
                  cv::Exception);
     EXPECT_THROW(estimatePoints(problem(), scene.points1, lists, Params(), mask, report),
                  cv::Exception);
-}
-
-TEST_P(UsacArguments, threshold)
-{
-    const double wrong[] = {0, -1, NOT_A_NUMBER, INFINITE, -INFINITE};
-    for (int i = 0; i < 5; ++i)
-    {
-        WrongCall call = Arguments(problem()).call();
-        call.params.threshold = wrong[i];
-        call.expect("threshold");
-    }
-    WrongCall call = Arguments(problem()).call();
-    call.params.threshold = -2.5;
-    call.expect("-2.5");
-}
-
-TEST_P(UsacArguments, confidence)
-{
-    const double wrong[] = {0, 1, -0.5, 1.5, NOT_A_NUMBER};
-    for (int i = 0; i < 5; ++i)
-    {
-        WrongCall call = Arguments(problem()).call();
-        call.params.confidence = wrong[i];
-        call.expect("confidence");
-    }
-    WrongCall call = Arguments(problem()).call();
-    call.params.confidence = 1.5;
-    call.expect("1.5");
-}
-
-TEST_P(UsacArguments, extreme_but_right_parameters)
-{
-    const Scene scene = makeScene(problem());
-    const double thresholds[] = {1e-9, 1e9}, confidences[] = {1e-300, 1 - 1.2e-16};
-    for (int i = 0; i < 2; ++i)
-        for (int k = 0; k < 2; ++k)
-        {
-            Params params;
-            params.threshold = thresholds[i];
-            params.confidence = confidences[k];
-            params.maxIterations = 300;
-            Mat mask;
-            Report report;
-            const Mat model = estimate(scene, params, mask, &report);
-            checkResult(scene, params.threshold, model, mask, report);
-            EXPECT_LE(report.iterations, 300);
-        }
-}
-
-TEST_P(UsacArguments, max_iterations)
-{
-    const int wrong[] = {0, -1, INT_MIN};
-    for (int i = 0; i < 3; ++i)
-    {
-        WrongCall call = Arguments(problem()).call();
-        call.params.maxIterations = wrong[i];
-        call.expect("maxIterations");
-    }
-    WrongCall call = Arguments(problem()).call();
-    call.params.maxIterations = 1;
-    EXPECT_NO_THROW(call());
-    call.params.maxIterations = INT_MAX;
-    EXPECT_NO_THROW(call());
 }
 
 TEST_P(UsacArguments, scores_of_a_wrong_length)

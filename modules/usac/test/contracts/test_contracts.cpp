@@ -27,56 +27,6 @@ TEST_P(UsacContracts, mask_and_normalization_of_every_preset)
     }
 }
 
-TEST_P(UsacContracts, mask_without_polishing_and_local_optimization)
-{
-    Params params;
-    params.polishing = POLISHING_NONE;
-    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    const Scene scene = makeScene(problem());
-    Mat mask;
-    Report report;
-    const Mat model = estimate(scene, params, mask, &report);
-    ASSERT_FALSE(model.empty());
-    checkResult(scene, params.threshold, model, mask, report);
-}
-
-TEST_P(UsacContracts, true_matches_are_found)
-{
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        SceneOptions options;
-        options.seed = seed;
-        const Scene scene = makeScene(problem(), options);
-        Mat mask;
-        const Mat model = estimate(scene, Params(), mask);
-        EXPECT_LT(modelError(scene, model), 0.6) << "seed " << seed;
-        // number of true matches that are in the mask (found), and number of true matches whose
-        // error under the true model is at most the threshold (within)
-        int found = 0, within = 0;
-        for (int i = 0; i < scene.size(); ++i)
-        {
-            found += scene.truth[i] && mask.at<uchar>(i);
-            within += scene.truth[i] && pixelError(scene, scene.model, scene.points1[i],
-                                                   scene.points2[i]) <= Params().threshold;
-        }
-        EXPECT_GT(found, 0.95 * within) << "seed " << seed;
-    }
-}
-
-TEST_P(UsacContracts, input_is_not_modified)
-{
-    const Scene scene = makeScene(problem());
-    const Mat points1 = column(scene.points1).clone(), points2 = column(scene.points2).clone();
-    Mat used1 = points1.clone(), used2 = points2.clone(), K = Mat(sceneCamera()), mask;
-    Report report;
-    Params params;
-    params.scores.assign(scene.size(), 1.f);
-    estimatePoints(problem(), used1, used2, params, mask, report, K);
-    EXPECT_TRUE(sameBits(points1, used1));
-    EXPECT_TRUE(sameBits(points2, used2));
-    EXPECT_TRUE(sameBits(Mat(sceneCamera()), K));
-}
-
 TEST(Usac_Contracts, homography_with_h33_zero)
 {
     // the point (0, 0) of image 1 is mapped to infinity: a valid homography whose h33 is 0

@@ -15,54 +15,6 @@ namespace {
 typedef UsacProblem UsacInput;
 INSTANTIATE_TEST_CASE_P(/**/, UsacInput, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
-TEST_P(UsacInput, every_depth)
-{
-    Mat points1, points2;
-    Matx33d K;
-    makeIntegers(problem(), points1, points2, K);
-    const ExpectedAnswer expected(problem(), points1, points2, K);
-    for (int depth : depthsOfIntegers())
-    {
-        Mat a, b;
-        points1.convertTo(a, depth);
-        points2.convertTo(b, depth);
-        expected.compare(cv::format("Nx2, depth %d", depth).c_str(), a, b);
-        expected.compare(cv::format("two channels, depth %d", depth).c_str(), a.reshape(2),
-                         b.reshape(2));
-        expected.compare(cv::format("mixed with double, depth %d", depth).c_str(), a, points2);
-    }
-}
-
-TEST_P(UsacInput, every_vector)
-{
-    Mat points1, points2;
-    Matx33d K;
-    makeIntegers(problem(), points1, points2, K);
-    const ExpectedAnswer expected(problem(), points1, points2, K);
-    const int count = points1.rows;
-    std::vector<Point> i1(count), i2(count);
-    std::vector<Point2f> f1(count), f2(count);
-    std::vector<Point2d> d1(count), d2(count);
-    std::vector<Vec2f> v1(count), v2(count);
-    for (int i = 0; i < count; ++i)
-    {
-        d1[i] = Point2d(points1.at<double>(i, 0), points1.at<double>(i, 1));
-        d2[i] = Point2d(points2.at<double>(i, 0), points2.at<double>(i, 1));
-        i1[i] = d1[i];
-        i2[i] = d2[i];
-        f1[i] = d1[i];
-        f2[i] = d2[i];
-        v1[i] = Vec2f(f1[i].x, f1[i].y);
-        v2[i] = Vec2f(f2[i].x, f2[i].y);
-    }
-    expected.compare("vector<Point>", i1, i2);
-    expected.compare("vector<Point2f>", f1, f2);
-    expected.compare("vector<Point2d>", d1, d2);
-    expected.compare("vector<Vec2f>", v1, v2);
-    expected.compare("Mat_<Point2f>", Mat_<Point2f>(f1), Mat_<Point2f>(f2));
-    expected.compare("vector and Mat", i1, points2);
-}
-
 TEST_P(UsacInput, every_layout)
 {
     const Scene scene = makeScene(problem());
@@ -94,29 +46,6 @@ TEST_P(UsacInput, every_layout)
     const Mat joint1 = points1.t(), joint2 = points2.t();
     expected.compare("expression", joint1.t(), joint2.t());
     expected.compare("UMat", points1.getUMat(ACCESS_READ), points2.getUMat(ACCESS_READ));
-}
-
-TEST_P(UsacInput, homogeneous_points)
-{
-    const Scene scene = makeScene(problem());
-    const Mat points1 = column(scene.points1).reshape(1).clone(),
-              points2 = column(scene.points2).reshape(1).clone();
-    const ExpectedAnswer expected(problem(), points1, points2);
-    std::vector<Point3d> ones1, ones2, powers1, powers2;
-    for (int i = 0; i < scene.size(); ++i)
-    {
-        const Point2d p = scene.points1[i], q = scene.points2[i];
-        const double w = 1 << (i % 4);  // division by a power of two is exact
-        ones1.push_back(Point3d(p.x, p.y, 1));
-        ones2.push_back(Point3d(q.x, q.y, 1));
-        powers1.push_back(Point3d(w * p.x, w * p.y, w));
-        powers2.push_back(Point3d(-w * q.x, -w * q.y, -w));
-    }
-    expected.compare("vector<Point3d>, w = 1", ones1, ones2);
-    expected.compare("Nx3, w = 1", column(ones1).reshape(1), column(ones2).reshape(1));
-    expected.compare("vector<Point3d>", powers1, powers2);
-    expected.compare("1xN, 3 channels", Mat(powers1).reshape(3, 1), Mat(powers2).reshape(3, 1));
-    expected.compare("with plain points", powers1, points2);
 }
 
 TEST_P(UsacInput, every_mask)
@@ -209,50 +138,6 @@ TEST(Usac_Input, every_camera_matrix)
                                               noArray(), Params(), other, report)));
 }
 
-TEST(Usac_Input, camera_matrix_with_skew)
-{
-    const Scene scene = makeScene(ESSENTIAL);
-    Matx33d skewed = scene.K;
-    skewed(0, 1) = 40;
-    std::vector<Point2d> points1, points2;
-    for (int i = 0; i < scene.size(); ++i)  // the same rays, seen by a camera with skew
-    {
-        const Matx33d change = skewed * scene.K.inv();
-        const Vec3d a = change * Vec3d(scene.points1[i].x, scene.points1[i].y, 1);
-        const Vec3d b = change * Vec3d(scene.points2[i].x, scene.points2[i].y, 1);
-        points1.push_back(Point2d(a[0], a[1]));
-        points2.push_back(Point2d(b[0], b[1]));
-    }
-    Mat mask;
-    Report report;
-    const Mat E = estimateEssential(points1, points2, skewed, Params(), mask, report);
-    EXPECT_LT(modelError(scene, E), 0.6);
-    checkResult(ESSENTIAL, points1, points2, Params().threshold, E, mask, report, skewed);
-}
-
-TEST(Usac_Input, every_length_of_distortion)
-{
-    const Scene scene = makeScene(ESSENTIAL);
-    Mat mask;
-    Report report;
-    const Mat E = estimateEssential(scene.points1, scene.points2, scene.K, Params(), mask, report);
-    const int lengths[] = {4, 5, 8, 12, 14};
-    for (int i = 0; i < 5; ++i)
-    {
-        SCOPED_TRACE(cv::format("%d coefficients", lengths[i]));
-        const Mat zero = Mat::zeros(lengths[i], 1, CV_64F);
-        EXPECT_TRUE(sameBits(E, estimateEssential(scene.points1, scene.points2, scene.K, noArray(),
-                                                  zero, zero.t(), Params(), mask, report)));
-        Mat weak = zero.clone(), single;
-        weak.at<double>(0) = 1e-4;
-        weak.convertTo(single, CV_32F);
-        const Mat other = estimateEssential(scene.points1, scene.points2, scene.K, noArray(), weak,
-                                            single.t(), Params(), mask, report);
-        EXPECT_LT(modelError(scene, other), 0.6);
-        EXPECT_FALSE(sameBits(E, other)) << "the distortion has no effect";
-    }
-}
-
 //! The neighborhood graph must have at most 16 edges per point on average, so that its memory is
 //! bounded.
 void expectSparseGraph(Usac& usac)
@@ -261,21 +146,6 @@ void expectSparseGraph(Usac& usac)
     const RunContext context(usac.points(), usac.components(), params);
     EXPECT_LE(edgesOf(*usac.components().neighborhood, context).size(),
               (size_t)16 * usac.points().size);
-}
-
-TEST_P(UsacInput, hundred_thousand_points)
-{
-    SceneOptions options;
-    options.inliers = 60000;
-    options.outliers = 40000;
-    const Scene scene = makeScene(problem(), options);
-    Mat mask;
-    Report report;
-    Ptr<Usac> usac = createUsac(scene, Params());
-    expectSparseGraph(*usac);
-    const Mat model = usac->run(mask, &report);
-    EXPECT_LT(modelError(scene, model), 0.2);
-    checkResult(scene, Params().threshold, model, mask, report);
 }
 
 TEST_P(UsacInput, crowded_points_have_a_sparse_graph)

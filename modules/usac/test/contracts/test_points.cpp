@@ -47,18 +47,6 @@ TEST_P(UsacPoints, few)
         }
 }
 
-TEST_P(UsacPoints, empty_arrays)
-{
-    Report report;
-    Mat mask;
-    EXPECT_TRUE(estimatePoints(problem(), Mat(), Mat(), Params(), mask, report).empty());
-    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
-    EXPECT_TRUE(mask.empty());
-    const std::vector<Point2f> none;
-    EXPECT_TRUE(estimatePoints(problem(), none, none, Params(), mask, report).empty());
-    EXPECT_TRUE(estimatePoints(problem(), noArray(), noArray(), Params(), mask, report).empty());
-}
-
 TEST_P(UsacPoints, all_equal)
 {
     const int sizes[] = {5, 7, 8, 100};
@@ -97,57 +85,6 @@ TEST_P(UsacPoints, collinear)
         EXPECT_LT(cvtest::norm(model, moved, NORM_INF), 1e-9)
             << "a line determines a similarity and a translation";
     }
-}
-
-TEST_P(UsacPoints, two_distinct)
-{
-    std::vector<Point2d> points1, points2;
-    for (int i = 0; i < 60; ++i)
-    {
-        points1.push_back(i % 2 ? Point2d(10, 20) : Point2d(300, 70));
-        points2.push_back(i % 2 ? Point2d(40, 10) : Point2d(200, 90));
-    }
-    EXPECT_EQ(sampleSizeOf(problem()) > 2, tryPoints(problem(), points1, points2).empty());
-}
-
-TEST_P(UsacPoints, seven_with_duplicates)
-{
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        SceneOptions options;
-        options.inliers = 7;
-        options.outliers = 0;
-        options.duplicates = 1 + (int)seed % 5;
-        options.seed = seed;
-        const Scene scene = makeScene(problem(), options);
-        tryPoints(problem(), scene.points1, scene.points2);
-    }
-}
-
-TEST_P(UsacPoints, one_match_repeated)
-{
-    Scene scene = makeScene(problem());
-    const Point2d p = scene.points1[0], q(scene.points2[0].x + 200, 20);
-    scene.points1.insert(scene.points1.end(), 100, p);
-    scene.points2.insert(scene.points2.end(), 100, q);
-    const Mat model = tryPoints(problem(), scene.points1, scene.points2);
-    ASSERT_FALSE(model.empty());
-    Scene original = makeScene(problem());
-    EXPECT_LT(modelError(original, model), 0.8);
-}
-
-TEST_P(UsacPoints, many_matches_of_one_target)
-{
-    Scene scene = makeScene(problem());
-    RNG rng(7);
-    for (int i = 0; i < 150; ++i)
-    {
-        scene.points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
-        scene.points2.push_back(Point2d(320, 100));
-    }
-    const Mat model = tryPoints(problem(), scene.points1, scene.points2);
-    ASSERT_FALSE(model.empty());
-    EXPECT_LT(modelError(makeScene(problem()), model), 0.8);
 }
 
 TEST_P(UsacPoints, static_camera)
@@ -233,22 +170,6 @@ TEST_P(UsacPoints, not_finite_rows_are_never_inliers)
     }
     const std::vector<Point2d> all(20, Point2d(nan, 1));
     EXPECT_TRUE(tryPoints(problem(), all, all).empty());
-}
-
-TEST_P(UsacPoints, extreme_coordinates)
-{
-    const double values[] = {1e30, -1e30, 1e300, -1e18, 1e-310, 5e-324};
-    const Scene clean = makeScene(problem());
-    Scene scene = clean;
-    for (int i = 0; i < 6; ++i)
-    {
-        scene.points1.push_back(Point2d(values[i], 100));
-        scene.points2.push_back(Point2d(100, 100));
-        scene.points1.push_back(Point2d(50, 60));
-        scene.points2.push_back(Point2d(70, values[i]));
-    }
-    const Mat model = tryPoints(problem(), scene.points1, scene.points2);
-    EXPECT_LT(modelError(clean, model), 0.8);
 }
 
 /** Points and (for E) the camera matrix are shifted and scaled, and the threshold is scaled. The

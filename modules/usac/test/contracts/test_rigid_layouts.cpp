@@ -3,7 +3,7 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "contracts/expected_answer.hpp"
-#include "contracts/rigid_contracts.hpp"
+#include "contracts/space_contracts.hpp"
 
 // Every layout and depth of the points of both spaces must give the same result, bit by bit. Arrays
 // that are not lists of 3-D points must be refused.
@@ -32,7 +32,7 @@ public:
     {
         params.threshold = threshold;
         Report report;
-        motion = estimateMotion(type, arrays.points1, arrays.points2, params, mask, report);
+        motion = estimatePoints(type, arrays.points1, arrays.points2, params, mask, report);
         EXPECT_FALSE(motion.empty());
         EXPECT_GT(countNonZero(mask), 50);
     }
@@ -43,7 +43,7 @@ public:
         Mat other;
         Report report;
         EXPECT_TRUE(
-            sameBits(motion, estimateMotion(type, points1, points2, params, other, report)));
+            sameBits(motion, estimatePoints(type, points1, points2, params, other, report)));
         EXPECT_TRUE(sameBits(mask, other));
         other = type == RIGID_3D ? estimateRigid3D(points1, points2, params)
                                  : estimateSimilarity3D(points1, points2, params);
@@ -55,14 +55,6 @@ private:
     Params params;
     Mat motion, mask;
 };
-
-template <class Point>
-std::vector<Point> vectorOf(const Mat& points)
-{
-    std::vector<Point> result;
-    points.reshape(3).copyTo(result);
-    return result;
-}
 
 class Usac_RigidLayouts : public UsacProblem
 {};
@@ -97,67 +89,6 @@ TEST_P(Usac_RigidLayouts, every_shape)
                      a.points2.colRange(0, 3));
 }
 
-//! The coordinates are integers 0 .. 127, which every depth can represent.
-TEST_P(Usac_RigidLayouts, every_depth)
-{
-    RigidSceneOptions options;
-    options.unit = 20;
-    const RigidScene scene = makeRigidScene(options);
-    SpaceArrays a = arraysOf(scene);
-    for (Mat* points : {&a.points1, &a.points2})
-    {
-        double least = 0;
-        minMaxLoc(*points, &least);
-        *points = *points - least;
-        points->convertTo(*points, CV_8U);
-        points->convertTo(*points, CV_64F);
-        *points = cv::min(*points, 127);
-    }
-    const ExpectedMotion expected(problem(), a, scene.threshold + 1);
-    for (int depth : depthsOfIntegers())
-    {
-        SCOPED_TRACE(cv::format("depth %d", depth));
-        Mat p1, p2;
-        a.points1.convertTo(p1, depth);
-        a.points2.convertTo(p2, depth);
-        expected.compare("Nx3", p1, p2);
-        expected.compare("3xN", p1.t(), p2.t());
-        expected.compare("Nx1, 3 channels", p1.reshape(3), p2.reshape(3));
-        expected.compare("Nx1x3", solid(p1, false), solid(p2, false));
-        expected.compare("part of a larger matrix", partOfLarger(p1), partOfLarger(p2));
-        expected.compare("this depth and double", p1, a.points2);
-        expected.compare("double and this depth", a.points1, p2);
-        if (depth == CV_32F)
-            expected.compare("vectors", vectorOf<Point3f>(p1), vectorOf<Point3f>(p2));
-        if (depth == CV_32S)
-            expected.compare("vectors", vectorOf<Point3i>(p1), vectorOf<Vec3i>(p2));
-    }
-}
-
-TEST_P(Usac_RigidLayouts, input_is_unchanged_to_the_bit)
-{
-    const RigidScene scene = makeRigidScene();
-    const SpaceArrays a = arraysOf(scene);
-    for (int depth : {CV_32S, CV_32F, CV_64F})
-    {
-        Mat wide(scene.size(), 8, depth, Scalar(7)), p1 = wide.colRange(1, 4),
-                                                     p2 = wide.colRange(5, 8);
-        a.points1.convertTo(p1, depth, 100);
-        a.points2.convertTo(p2, depth, 100);
-        const Mat before = wide.clone();
-        for (const NamedPreset& preset : allPresets(problem()))
-        {
-            Params params = preset.params;
-            params.threshold = 100 * scene.threshold;
-            params.maxIterations = 100;
-            Mat mask;
-            Report report;
-            estimateMotion(problem(), p1, p2, params, mask, report);
-        }
-        EXPECT_TRUE(sameBits(before, wide)) << "depth " << depth;
-    }
-}
-
 TEST_P(Usac_RigidLayouts, wrong_arguments_are_named)
 {
     const RigidScene scene = makeRigidScene();
@@ -168,7 +99,7 @@ TEST_P(Usac_RigidLayouts, wrong_arguments_are_named)
     const auto refuses = [&](InputArray points1, InputArray points2, const Params& params,
                              const char* words) {
         expectException(
-            [&]() { estimateMotion(problem(), points1, points2, params, mask, report); }, words);
+            [&]() { estimatePoints(problem(), points1, points2, params, mask, report); }, words);
     };
     const Params params;
     const Mat wrong[] = {Mat(count, 2, CV_64F),  Mat(count, 4, CV_64F), Mat(count, 1, CV_64FC2),

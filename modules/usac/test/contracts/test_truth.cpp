@@ -80,36 +80,6 @@ TEST_P(UsacTruth, permuting_exact_points_permutes_the_mask)
     }
 }
 
-TEST_P(UsacTruth, permuting_noisy_points_changes_few_rows)
-{
-    const Scene scene = makeScene(problem());
-    for (uint64 seed = 1; seed <= 10; ++seed)
-        EXPECT_LE(rowsThatDiffer(scene, Params(), seed), 0.04 * scene.size()) << "seed " << seed;
-}
-
-//! Each match occurs twice. Whether a row is an inlier must depend only on the model and on the
-//! row's coordinates, not on its position.
-TEST_P(UsacTruth, copies_of_a_row_have_its_answer)
-{
-    const Scene scene = makeScene(problem());
-    std::vector<Point2d> points1 = scene.points1, points2 = scene.points2;
-    points1.insert(points1.end(), scene.points1.begin(), scene.points1.end());
-    points2.insert(points2.end(), scene.points2.begin(), scene.points2.end());
-    const std::vector<NamedPreset> presets = allPresets(problem());
-    for (size_t i = 0; i < presets.size(); ++i)
-    {
-        Params params = presets[i].params;
-        params.maxIterations = 300;
-        Mat mask;
-        Report report;
-        ASSERT_FALSE(estimatePoints(problem(), points1, points2, params, mask, report).empty())
-            << presets[i].name;
-        EXPECT_TRUE(
-            sameBits(mask.rowRange(0, scene.size()), mask.rowRange(scene.size(), 2 * scene.size())))
-            << presets[i].name;
-    }
-}
-
 TEST_P(UsacTruth, mask_of_the_symmetric_residual)
 {
     for (uint64 seed = 1; seed <= 5; ++seed)
