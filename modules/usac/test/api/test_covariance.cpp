@@ -443,19 +443,5 @@ TEST(Usac_Covariance, any_size_and_origin_of_pixels)
         }
 }
 
-//! The translation can be given as a column or as a row. E is compatible with t and with -t: with
-//! -t, the errors of the translation have the opposite sign, and those of the rotation are the
-//! same.
-TEST(Usac_Covariance, layout_and_sign_of_the_translation)
-{
-    const Mat E = modelOf(ESSENTIAL), C = someCovariance(ESSENTIAL, E);
-    const Mat column = covarianceOfPose(E, C, ROTATION, TRANSLATION);
-    const Mat row = Mat(TRANSLATION).t();
-    EXPECT_EQ(0, cv::norm(column, covarianceOfPose(E, C, ROTATION, row), NORM_INF));
-    const Mat sign = Mat::diag(Mat(Matx61d(1, 1, 1, -1, -1, -1)));
-    EXPECT_LT(cv::norm(sign * column * sign, covarianceOfPose(E, C, ROTATION, -TRANSLATION)),
-              1e-9 * cv::norm(column));
-}
-
 }  // namespace
 }  // namespace opencv_test

@@ -89,33 +89,6 @@ TEST(Usac_Flags, values_are_none_of_OpenCV)
     }
 }
 
-TEST(Usac_Flags, other_ints_are_refused)
-{
-    const int others[] = {0,
-                          1,
-                          -1,
-                          LMEDS,
-                          RANSAC,
-                          RHO,
-                          USAC_DEFAULT,
-                          USAC_PARALLEL,
-                          USAC_FAST,
-                          USAC_ACCURATE,
-                          USAC_PROSAC,
-                          USAC_MAGSAC,
-                          0x3fff,
-                          0x40ff,
-                          INT_MAX,
-                          INT_MIN};
-    for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
-    {
-        EXPECT_FALSE(isUsacV20Method(others[i]));
-        expectException([&]() { methodFromInt(others[i]); }, cv::format("%d", others[i]));
-        expectException([&]() { methodFromInt(others[i]); }, "method");
-        expectException([&]() { Params::fromMethod(others[i]); }, "method");
-    }
-}
-
 //! A cast can convert any number to a flag, for example a flag of OpenCV. Such a value must raise
 //! an exception instead of running as USACV20.
 TEST(Usac_Flags, casts_of_other_ints_are_refused)
@@ -157,30 +130,6 @@ TEST(Usac_Flags, casts_of_other_ints_are_refused)
         };
         expectException(pose, "flags:");
         expectException(pose, value);
-    }
-}
-
-TEST_P(UsacFlags, each_is_its_preset)
-{
-    const Scene scene = hardScene(problem());
-    for (int i = 0; i < FLAG_COUNT; ++i)
-    {
-        const UsacV20Method flag = FLAGS[i];
-        const Wanted wanted(scene, paramsOf(flag, 2, 0.98, 700));
-        Mat mask, model;
-        if (problem() == HOMOGRAPHY)
-            model = findHomography(scene.points1, scene.points2, flag, 2, mask, 700, 0.98);
-        else if (problem() == FUNDAMENTAL)
-            model = findFundamentalMat(scene.points1, scene.points2, flag, 2, 0.98, 700, mask);
-        else if (problem() == AFFINITY)
-            model = estimateAffine2D(scene.points1, scene.points2, mask, flag, 2, 700, 0.98, 100);
-        else if (problem() == SIMILARITY)
-            model = estimateAffinePartial2D(scene.points1, scene.points2, mask, flag, 2, 700, 0.98,
-                                            100);
-        else
-            model = findEssentialMat(scene.points1, scene.points2, scene.K, flag, 0.98, 2, 700,
-                                     mask);
-        wanted.same(cv::format("flag %d", i).c_str(), model, mask);
     }
 }
 
@@ -317,110 +266,39 @@ typedef Mat (*OldHomography)(InputArray, InputArray, int, double, OutputArray, c
 typedef Mat (*OldFundamental)(InputArray, InputArray, int, double, double, int, OutputArray);
 typedef Mat (*OldEssential)(InputArray, InputArray, InputArray, int, double, double, int,
                             OutputArray);
-const OldHomography oldHomography = &cv::findHomography;
-const OldFundamental oldFundamental = &cv::findFundamentalMat;
-const OldEssential oldEssential = &cv::findEssentialMat;
-
-TEST(Usac_Flags, old_homography_calls_reach_calib3d)
+//! Calls without a flag, with a flag of OpenCV or with cv::UsacParams must reach calib3d. (Its USAC
+//! is not deterministic for E.)
+TEST(Usac_Flags, calls_of_calib3d_stay)
 {
-    const Scene s = makeScene(HOMOGRAPHY);
-    Mat mask, old;
-    const int methods[] = {
-        0,         LMEDS,         RANSAC,      RHO,        USAC_DEFAULT,
-        USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};  // without USAC_PARALLEL, which is not
-                                                              // deterministic
-    for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
-    {
-        SCOPED_TRACE(cv::format("method %d", methods[i]));
-        const Mat H = oldHomography(s.points1, s.points2, methods[i], 2, old, 2000, 0.995);
-        EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, methods[i], 2, mask)));
-        EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, mask, methods[i], 2)));
-        EXPECT_FALSE(sameBits(H, cv::findHomography(s.points1, s.points2, USACV20, 2)));
-    }
-    const Mat H = oldHomography(s.points1, s.points2, 0, 3, noArray(), 2000, 0.995);
-    EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2)));
-    EXPECT_TRUE(sameBits(H, cv::findHomography(s.points1, s.points2, mask)));
-    EXPECT_TRUE(sameBits(oldHomography(s.points1, s.points2, RANSAC, 3, noArray(), 2000, 0.995),
-                         // cv::RANSAC as an enumerator, without conversion to int
-                         cv::findHomography(s.points1, s.points2, RANSAC)));
-    cv::UsacParams params;
-    params.threshold = 2;
-    const Mat withParams = cv::findHomography(s.points1, s.points2, mask, params);
-    EXPECT_TRUE(sameBits(withParams, cv::findHomography(s.points1, s.points2, mask, params)));
-    EXPECT_FALSE(sameBits(withParams, cv::findHomography(s.points1, s.points2, mask,
-                                                         Params::fromUsacParams(params))));
-}
-
-TEST(Usac_Flags, old_fundamental_calls_reach_calib3d)
-{
-    const Scene s = makeScene(FUNDAMENTAL);
-    Mat mask, old;
-    const int methods[] = {FM_8POINT, FM_RANSAC,     FM_LMEDS,    USAC_DEFAULT, USAC_FM_8PTS,
-                           USAC_FAST, USAC_ACCURATE, USAC_PROSAC, USAC_MAGSAC};
-    for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
-    {
-        SCOPED_TRACE(cv::format("method %d", methods[i]));
-        const Mat F = oldFundamental(s.points1, s.points2, methods[i], 2, 0.99, 1000, old);
-        EXPECT_TRUE(sameBits(
-            F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, 1000, mask)));
-        EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(
-            sameBits(F, cv::findFundamentalMat(s.points1, s.points2, methods[i], 2, 0.99, mask)));
-        EXPECT_TRUE(
-            sameBits(F, cv::findFundamentalMat(s.points1, s.points2, mask, methods[i], 2, 0.99)));
-        EXPECT_FALSE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, USACV20, 2)));
-    }
-    const Mat F = oldFundamental(s.points1, s.points2, FM_RANSAC, 3, 0.99, 1000, noArray());
-    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2)));
-    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, mask)));
-    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(s.points1, s.points2, FM_RANSAC)));
-    cv::UsacParams params;
-    const Mat withParams = cv::findFundamentalMat(s.points1, s.points2, mask, params);
-    EXPECT_FALSE(sameBits(withParams, cv::findFundamentalMat(s.points1, s.points2, mask,
-                                                             Params::fromUsacParams(params))));
-}
-
-TEST(Usac_Flags, old_essential_calls_reach_calib3d)
-{
-    const Scene s = makeScene(ESSENTIAL);
-    const Point2d pp(s.K(0, 2), s.K(1, 2));
-    const double focal = s.K(0, 0);
-    Mat mask, old;
-    const int methods[] = {LMEDS, RANSAC};  // calib3d's USAC is not deterministic for E
-    for (size_t i = 0; i < sizeof(methods) / sizeof(methods[0]); ++i)
-    {
-        SCOPED_TRACE(cv::format("method %d", methods[i]));
-        const Mat E = oldEssential(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, old);
-        EXPECT_TRUE(sameBits(
-            E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, 1000, mask)));
-        EXPECT_TRUE(sameBits(old, mask));
-        EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i],
-                                                     0.99, 2, 1000, mask)));
-#if CV_VERSION_MAJOR < 5  // OpenCV 5 has no forms with a mask but without maxIters
-        EXPECT_TRUE(sameBits(
-            E, cv::findEssentialMat(s.points1, s.points2, s.K, methods[i], 0.99, 2, mask)));
-        EXPECT_TRUE(sameBits(
-            E, cv::findEssentialMat(s.points1, s.points2, focal, pp, methods[i], 0.99, 2, mask)));
-#endif
-        EXPECT_FALSE(
-            sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, USACV20, 0.99, 2)));
-    }
-    const Mat ours = cv::findEssentialMat(s.points1, s.points2, s.K, USACV20);
-    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, s.K, USAC_DEFAULT)));
-    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, focal, pp, USAC_FAST)));
-    EXPECT_FALSE(sameBits(ours, cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K,
-                                                     noArray(), USAC_FAST)));
-    const Mat E = oldEssential(s.points1, s.points2, s.K, RANSAC, 0.999, 1, 1000, noArray());
-    EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K)));
-    EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, s.K, RANSAC)));
-    EXPECT_TRUE(sameBits(E, cv::findEssentialMat(s.points1, s.points2, focal, pp)));
-    std::vector<Point2d> plane1, plane2;
-    undistortPoints(s.points1, plane1, s.K, noArray());
-    undistortPoints(s.points2, plane2, s.K, noArray());
-    EXPECT_EQ(Size(3, 3), cv::findEssentialMat(plane1, plane2).size());
+    typedef Mat (*Homography)(InputArray, InputArray, int, double, OutputArray, const int,
+                              const double);
+    typedef Mat (*Fundamental)(InputArray, InputArray, int, double, double, int, OutputArray);
+    typedef Mat (*Essential)(InputArray, InputArray, InputArray, int, double, double, int,
+                             OutputArray);
+    const Homography findH = &cv::findHomography;
+    const Fundamental findF = &cv::findFundamentalMat;
+    const Essential findE = &cv::findEssentialMat;
+    const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
+    Mat mask;
+    const Mat H = findH(h.points1, h.points2, 0, 3, noArray(), 2000, 0.995),
+              F = findF(f.points1, f.points2, FM_RANSAC, 3, 0.99, 1000, noArray()),
+              E = findE(e.points1, e.points2, e.K, RANSAC, 0.999, 1, 1000, noArray());
+    EXPECT_TRUE(sameBits(H, cv::findHomography(h.points1, h.points2)));
+    EXPECT_TRUE(sameBits(H, cv::findHomography(h.points1, h.points2, mask)));
+    EXPECT_TRUE(sameBits(findH(h.points1, h.points2, RANSAC, 3, noArray(), 2000, 0.995),
+                         cv::findHomography(h.points1, h.points2, RANSAC)));
+    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(f.points1, f.points2)));
+    EXPECT_TRUE(sameBits(F, cv::findFundamentalMat(f.points1, f.points2, mask)));
+    EXPECT_TRUE(sameBits(E, cv::findEssentialMat(e.points1, e.points2, e.K)));
+    EXPECT_TRUE(sameBits(
+        E, cv::findEssentialMat(e.points1, e.points2, e.K(0, 0), Point2d(e.K(0, 2), e.K(1, 2)))));
+    const cv::UsacParams theirs;
     EXPECT_FALSE(
-        cv::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray()).empty());
+        sameBits(cv::findHomography(h.points1, h.points2, mask, theirs),
+                 cv::findHomography(h.points1, h.points2, mask, Params::fromUsacParams(theirs))));
+    EXPECT_FALSE(sameBits(
+        cv::findFundamentalMat(f.points1, f.points2, mask, theirs),
+        cv::findFundamentalMat(f.points1, f.points2, mask, Params::fromUsacParams(theirs))));
 }
 
 }  // namespace

@@ -234,28 +234,5 @@ TEST_P(Usac_FindAffine, wrongArguments)
     EXPECT_NO_THROW(call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, INT_MAX));
 }
 
-//! Without polishing (refineIters 0), the model must differ from the polished one, which is fitted
-//! once more. But the two must be about equally accurate, because local optimization has already
-//! fitted the model, and the threshold suits the noise.
-TEST_P(Usac_FindAffine, refineIters)
-{
-    const Functions call = functionsOf(problem());
-    double with = 0, without = 0;
-    for (uint64 seed = 1; seed <= 20; ++seed)
-    {
-        SceneOptions options;
-        options.seed = seed;
-        const Scene s = makeScene(problem(), options);
-        const Mat polished = call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99,
-                                        10),
-                  found = call.typed(s.points1, s.points2, noArray(), USACV20, 3, 2000, 0.99, 0);
-        EXPECT_FALSE(sameBits(polished, found));
-        with += modelError(s, polished);
-        without += modelError(s, found);
-    }
-    EXPECT_LT(with, 1.05 * without);
-    EXPECT_LT(without, 1.05 * with);
-}
-
 }  // namespace
 }  // namespace opencv_test

@@ -2,7 +2,6 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include <map>
 #include "support/contracts.hpp"
 #include "support/params_fields.hpp"
 
@@ -172,81 +171,6 @@ TEST(Usac_FlagsAtRunTime, every_form_of_findEssentialMat)
     CHECK_FORM(findEssentialMat, a, b, K, noArray(), K, noArray(), method, 0.9, 2, mask);
 }
 
-//! calib3d's USAC is not deterministic for E. Therefore the test checks only that its models differ
-//! from those of the flags of this module and from those of calib3d's RANSAC and LMedS.
-TEST(Usac_FlagsAtRunTime, usac_of_calib3d_is_reached_for_E)
-{
-    const Scene s = makeScene(ESSENTIAL);
-    const double f = s.K(0, 0);
-    const Point2d pp(s.K(0, 2), s.K(1, 2));
-    std::vector<Mat> others;
-    for (int i = 0; i < OUR_COUNT; ++i)
-        others.push_back(cv::findEssentialMat(s.points1, s.points2, s.K, OURS[i]));
-    others.push_back(cv::findEssentialMat(s.points1, s.points2, s.K, RANSAC));
-    others.push_back(cv::findEssentialMat(s.points1, s.points2, s.K, LMEDS));
-    for (int flag = USAC_DEFAULT; flag <= USAC_MAGSAC; ++flag)
-    {
-        SCOPED_TRACE(cv::format("flag %d", flag));
-        const Mat models[] = {
-            usacv20::findEssentialMat(s.points1, s.points2, s.K, flag),
-            usacv20::findEssentialMat(s.points1, s.points2, f, pp, flag),
-            usacv20::findEssentialMat(s.points1, s.points2, s.K, noArray(), s.K, noArray(), flag)};
-        for (int i = 0; i < 3; ++i)
-        {
-            ASSERT_EQ(Size(3, 3), models[i].size());
-            for (size_t k = 0; k < others.size(); ++k)
-                EXPECT_FALSE(sameBits(others[k], models[i]))
-                    << "form " << i << " gives the same model as others[" << k << "]";
-        }
-    }
-}
-
-//! Part of the next test: a flag must keep its effect when a program stores it as an int in a
-//! variable, a struct of settings, a map, a default argument, a conditional expression or a file.
-Mat byDefaultArgument(const Scene& s, Mat& mask, int method = (int)USACV20)
-{
-    return usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99, mask);
-}
-
-TEST(Usac_FlagsAtRunTime, where_programs_keep_a_flag)
-{
-    const Scene s = makeScene(FUNDAMENTAL);
-    Mat mask, expectedMask;
-    const Mat expected = cv::findFundamentalMat(s.points1, s.points2, USACV20, 2, 0.99,
-                                                expectedMask);
-    const Mat fast = cv::findFundamentalMat(s.points1, s.points2, USACV20_FAST, 2, 0.99);
-    ASSERT_FALSE(sameBits(expected, fast));
-    EXPECT_TRUE(sameBits(expected, byDefaultArgument(s, mask)));
-    EXPECT_TRUE(sameBits(expectedMask, mask));
-
-    struct Settings
-    {
-        int method;
-    } settings = {(int)USACV20};
-    EXPECT_TRUE(sameBits(
-        expected, usacv20::findFundamentalMat(s.points1, s.points2, settings.method, 2, 0.99)));
-    std::map<std::string, int> byName;
-    byName["usac"] = (int)USACV20;
-    byName["ransac"] = RANSAC;
-    EXPECT_TRUE(sameBits(
-        expected, usacv20::findFundamentalMat(s.points1, s.points2, byName["usac"], 2, 0.99)));
-    for (int quick = 0; quick < 2; ++quick)
-    {
-        const int method = quick ? (int)USACV20_FAST : RANSAC;
-        const Mat F = quick ? fast : cv::findFundamentalMat(s.points1, s.points2, RANSAC, 2, 0.99);
-        EXPECT_TRUE(
-            sameBits(F, usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99)));
-    }
-    FileStorage fs("%YAML:1.0\nmethod: 16385\n", FileStorage::READ | FileStorage::MEMORY);
-    int method, other;
-    cv::read(fs["method"], method, (int)USACV20);
-    cv::read(fs["other"], other, (int)USACV20_MAGSAC);
-    EXPECT_EQ((int)USACV20_MAGSAC, other);
-    EXPECT_EQ((int)USACV20_FAST, method);
-    EXPECT_TRUE(sameBits(fast, usacv20::findFundamentalMat(s.points1, s.points2, method, 2, 0.99)));
-    EXPECT_EQ("", Fields::difference(Params::fast(), Params::fromMethod(method)));
-}
-
 TEST(Usac_FlagsAtRunTime, without_a_flag)
 {
     const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
@@ -269,35 +193,6 @@ TEST(Usac_FlagsAtRunTime, without_a_flag)
         E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K, noArray())));
     EXPECT_TRUE(sameBits(cv::findEssentialMat(e.points1, e.points2, 1., Point2d(), USACV20),
                          usacv20::findEssentialMat(e.points1, e.points2)));
-}
-
-//! The functions of cv::usacv20 also accept a UsacV20Method. An unqualified call must not be
-//! ambiguous although both namespaces, cv and cv::usacv20, are visible by using-directives.
-TEST(Usac_FlagsAtRunTime, the_flag_itself)
-{
-    const Scene h = makeScene(HOMOGRAPHY), f = makeScene(FUNDAMENTAL), e = makeScene(ESSENTIAL);
-    const UsacV20Method flag = USACV20_FAST;
-    const Point2d pp(e.K(0, 2), e.K(1, 2));
-    const double focal = e.K(0, 0);
-    Mat mask;
-    const Mat H = cv::findHomography(h.points1, h.points2, flag, 2);
-    EXPECT_TRUE(sameBits(H, usacv20::findHomography(h.points1, h.points2, flag, 2, mask)));
-    EXPECT_TRUE(sameBits(H, usacv20::findHomography(h.points1, h.points2, mask, flag, 2)));
-    const Mat F = cv::findFundamentalMat(f.points1, f.points2, flag, 2, 0.9);
-    EXPECT_TRUE(
-        sameBits(F, usacv20::findFundamentalMat(f.points1, f.points2, flag, 2, 0.9, 1000, mask)));
-    EXPECT_TRUE(sameBits(F, usacv20::findFundamentalMat(f.points1, f.points2, flag, 2, 0.9, mask)));
-    EXPECT_TRUE(sameBits(F, usacv20::findFundamentalMat(f.points1, f.points2, mask, flag, 2, 0.9)));
-    EXPECT_TRUE(sameBits(F, findFundamentalMat(f.points1, f.points2, flag, 2, 0.9, noArray())));
-    const Mat E = cv::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2);
-    EXPECT_TRUE(sameBits(
-        E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, 1000, mask)));
-    EXPECT_TRUE(
-        sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, flag, 0.9, 2, mask)));
-    EXPECT_TRUE(
-        sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, focal, pp, flag, 0.9, 2)));
-    EXPECT_TRUE(sameBits(E, usacv20::findEssentialMat(e.points1, e.points2, e.K, noArray(), e.K,
-                                                      noArray(), flag, 0.9, 2)));
 }
 
 TEST(Usac_FlagsAtRunTime, numbers_of_nobody_are_refused)

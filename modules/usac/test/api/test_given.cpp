@@ -365,23 +365,6 @@ TEST_P(UsacGiven, mistakes)
     expectMistake([&] { matches.errors(infinite); }, "model");
 }
 
-//! OpenCV's method 0 minimizes the same error over all points, so that both sums of squares must be
-//! nearly equal. The sum of fitModel() must not be larger.
-TEST(Usac_Given, homography_of_OpenCV)
-{
-    for (uint64 seed = 1; seed <= 20; ++seed)
-    {
-        const Matches matches(HOMOGRAPHY, 3, 1, seed);
-        Report report;
-        const Mat own = matches.fit(report),
-                  theirs = cv::findHomography(matches.first, matches.second, 0);
-        const double least = sumOfSquares(matches.errors(own), matches.truth),
-                     other = sumOfSquares(matches.errors(theirs), matches.truth);
-        EXPECT_LE(least, other * (1 + 1e-9)) << seed;
-        EXPECT_GE(least, other * 0.999) << seed;
-    }
-}
-
 TEST(Usac_Given, sample_of_the_report)
 {
     for (int problem : ALL_PROBLEMS)

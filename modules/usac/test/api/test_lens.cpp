@@ -86,28 +86,6 @@ TEST(Usac_Lens, oracle)
     EXPECT_EQ(LensOracle::NOT_SEEN, LensOracle(Mat(Vec4d(-0.25, 0, 0, 0))).invert(x, y));
 }
 
-TEST(Usac_Lens, layouts)
-{
-    const Mat distortion = lens(5);
-    std::vector<Point2d> ideal, taken;
-    makePoints(distortion, ideal, taken);
-    const Mat found = removeDistortion(taken, LENS_CAMERA, distortion),
-              rows = column(taken).reshape(1);
-    EXPECT_TRUE(sameBits(found, removeDistortion(rows, Mat(LENS_CAMERA), distortion.t())));
-    EXPECT_TRUE(sameBits(found, removeDistortion(rows.t(), Mat(LENS_CAMERA) * 2, distortion)));
-    std::vector<Point3d> homogeneous;
-    for (const Point2d& p : taken)
-        homogeneous.push_back(Point3d(2 * p.x, 2 * p.y, 2));
-    EXPECT_TRUE(sameBits(found, removeDistortion(homogeneous, LENS_CAMERA, distortion)));
-    Mat single, changed = rows.clone();
-    rows.convertTo(single, CV_32F);
-    EXPECT_LT(cvtest::norm(removeDistortion(single, LENS_CAMERA, distortion), found, NORM_INF),
-              1e-3);
-    removeDistortion(changed, LENS_CAMERA, distortion);
-    EXPECT_TRUE(sameBits(rows, changed));
-    EXPECT_EQ(0, removeDistortion(std::vector<Point2d>(), LENS_CAMERA, distortion).rows);
-}
-
 //! The distorted radius r (1 - 0.25 r^2) has its maximum, 0.77, at r^2 = 4 / 3. Points with a
 //! larger distorted radius are not seen by the lens and must become NaN, as must points that are
 //! not finite.

@@ -6,7 +6,7 @@
 #include "support/scene_geometry.hpp"
 
 // A field of Params must have an effect when only this field is changed. This file tests the
-// fields of verification, local optimization, termination, degeneracy and polishing;
+// fields of local optimization, verification and polishing;
 // test_params_effects.cpp tests other fields.
 
 namespace opencv_test {
@@ -14,56 +14,6 @@ namespace {
 
 typedef UsacProblem UsacComponents;
 INSTANTIATE_TEST_CASE_P(/**/, UsacComponents, testing::ValuesIn(TWO_VIEW_PROBLEMS));
-
-//! Counts the points whose errors are computed in single precision, as in the search.
-class CountingResidual : public Residual
-{
-public:
-    explicit CountingResidual(const Ptr<Residual>& residual_) : points(0), residual(residual_) {}
-
-    void squaredErrors(const Correspondences& p, const Model& model, int begin, int end,
-                       float* errors) const CV_OVERRIDE
-    {
-        points += end - begin;
-        residual->squaredErrors(p, model, begin, end, errors);
-    }
-
-    void squaredErrors(const Model& model, const double* const* columns, int count,
-                       double* errors) const CV_OVERRIDE
-    {
-        residual->squaredErrors(model, columns, count, errors);
-    }
-
-    mutable int64 points;
-
-private:
-    Ptr<Residual> residual;
-};
-
-//! Number of point errors that a run without local optimization computes in single precision.
-int64 pointsTested(const Scene& scene, VerificationType verification)
-{
-    Params params;
-    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    params.quality = QUALITY_INLIERS;
-    params.verification = verification;
-    params.termination = 0;
-    params.maxIterations = 500;
-    Ptr<Usac> usac = createUsac(scene, params);
-    const Ptr<CountingResidual> counter = makePtr<CountingResidual>(usac->components().residual);
-    usac->components().residual = counter;
-    EXPECT_FALSE(usac->run().empty());
-    return counter->points;
-}
-
-TEST_P(UsacComponents, verification)
-{
-    const Scene scene = makeScene(problem(), 1000, 1000, 3);
-    const int64 all = pointsTested(scene, VERIFICATION_NONE),
-                sprt = pointsTested(scene, VERIFICATION_SPRT);
-    EXPECT_GT(sprt, 0);
-    EXPECT_LT(sprt, 0.75 * all);
-}
 
 //! Records the sizes of the point sets to which models are fitted.
 class FitRecorder : public NonMinimalSolver
@@ -108,20 +58,6 @@ std::vector<int> localFits(const Scene& scene, Params params, Report* report = 0
     usac->components().nonMinimalSolver = recorder;
     usac->run(noArray(), report);
     return recorder->sizes;
-}
-
-TEST_P(UsacComponents, localOptimization)
-{
-    const Scene scene = makeScene(problem(), 200, 200, 3);
-    Params params;
-    Report with, without;
-    EXPECT_FALSE(localFits(scene, params, &with).empty());
-    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    EXPECT_TRUE(localFits(scene, params, &without).empty());
-    EXPECT_GT(with.localOptimizations, 0);
-    EXPECT_GT(with.localImprovements, 0);
-    EXPECT_EQ(0, without.localOptimizations);
-    EXPECT_LT(with.cost, without.cost);
 }
 
 //! The fits make only a fifth of the step to the optimum, so that one iteration does not converge.
@@ -199,120 +135,6 @@ TEST_P(UsacComponents, spatialWeight)
         EXPECT_NE(before, sizes) << "the weight must change the inliers";
         before = sizes;
     }
-}
-
-TEST_P(UsacComponents, termination)
-{
-    const Scene scene = makeScene(problem(), 150, 150, 3);
-    Params params;
-    params.termination = TERMINATION_STANDARD;
-    EXPECT_EQ((int)STOP_STANDARD, reportOf(scene, params).stop);
-    params.termination = TERMINATION_SPRT;
-    EXPECT_EQ((int)STOP_SPRT, reportOf(scene, params).stop);
-    params.termination = TERMINATION_P_NAPSAC;
-    EXPECT_EQ((int)STOP_P_NAPSAC, reportOf(scene, params).stop);
-    params.termination = 0;
-    params.maxIterations = 500;
-    const Report all = reportOf(scene, params);
-    EXPECT_EQ((int)STOP_MAX_ITERATIONS, all.stop);
-    EXPECT_EQ(500, all.iterations);
-    params.termination = 7;
-    params.maxIterations = 5000;
-    const Report first = reportOf(scene, params);
-    // with samples of one point, all criteria are fulfilled in the first batch of samples
-    if (sampleSizeOf(problem()) > 1)
-    {
-        EXPECT_EQ((int)STOP_P_NAPSAC, first.stop) << "the criterion that is fulfilled first";
-    }
-    EXPECT_LT(first.iterations, 5000);
-}
-
-TEST_P(UsacComponents, relaxation)
-{
-    const Scene scene = makeScene(problem(), 100, 200, 3);
-    int before = INT_MAX;
-    const double relaxations[] = {0, 0.2, 0.6};
-    for (int i = 0; i < 3; ++i)
-    {
-        Params params;
-        params.termination = TERMINATION_P_NAPSAC;
-        params.sampler = SAMPLER_UNIFORM;
-        params.maxIterations = 1000000;
-        params.relaxation = relaxations[i];
-        const int iterations = reportOf(scene, params).iterations;
-        EXPECT_LT(iterations, before);
-        before = iterations;
-    }
-}
-
-TEST_P(UsacComponents, degeneracy_orientation)
-{
-    const Scene scene = makeScene(problem(), 100, 200, 3);
-    Params params;
-    params.termination = 0;
-    params.maxIterations = 300;
-    params.degeneracy = DEGENERACY_ORIENTATION;
-    const Report with = reportOf(scene, params);
-    params.degeneracy = 0;
-    const Report without = reportOf(scene, params);
-    EXPECT_EQ(0, without.rejectedModels);
-    if (problem() == HOMOGRAPHY)
-    {
-        EXPECT_GT(with.rejectedSamples, without.rejectedSamples + 50);
-    }
-    else if (isAffine(problem()))
-    {
-        EXPECT_EQ(without.rejectedSamples, with.rejectedSamples) << "all orientations are valid";
-        EXPECT_EQ(0, with.rejectedModels);
-    }
-    else
-    {
-        EXPECT_GT(with.rejectedModels, 50);
-    }
-}
-
-TEST(Usac_Components, degeneracy_degensac)
-{
-    double with = 0, without = 0;
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        SceneOptions options;
-        options.planeFraction = 0.9;
-        options.seed = seed;
-        const Scene scene = makeScene(FUNDAMENTAL, options);
-        Params params;
-        Report report;
-        with += std::min(10.,
-                         modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
-        EXPECT_TRUE(report.degenerate);
-        params.degeneracy = DEGENERACY_ORIENTATION;
-        without += std::min(
-            10., modelError(scene, estimate(scene, params, noArray(), &report), OFF_PLANE));
-        EXPECT_FALSE(report.degenerate);
-    }
-    EXPECT_LT(with, without);
-}
-
-TEST_P(UsacComponents, polishing)
-{
-    Params params;
-    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    double with = 0, reweighted = 0, without = 0;
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        SceneOptions options;
-        options.seed = seed;
-        const Scene scene = makeScene(problem(), options);
-        params.polishing = POLISHING_LEAST_SQUARES;
-        with += modelError(scene, estimate(scene, params));
-        params.polishing = POLISHING_ROBUST;
-        reweighted += modelError(scene, estimate(scene, params));
-        params.polishing = POLISHING_NONE;
-        without += modelError(scene, estimate(scene, params));
-    }
-    EXPECT_LT(with, 0.8 * without);
-    EXPECT_LT(reweighted, 0.8 * without);
-    EXPECT_NE(with, reweighted);
 }
 
 //! With persistence p, the number of samples must be about p times that with persistence 1. The

@@ -30,43 +30,6 @@ Params plainParams()
     return params;
 }
 
-TEST_P(UsacEffects, threshold)
-{
-    const Scene scene = makeScene(problem(), 200, 100, 3);
-    int before = 0;
-    const double thresholds[] = {0.3, 0.6, 1.2, 2.4};
-    for (int i = 0; i < 4; ++i)
-    {
-        Params params;
-        params.threshold = thresholds[i];
-        Mat mask;
-        const int inliers = reportOf(scene, params, mask).inliers;
-        EXPECT_GT(inliers, before);
-        EXPECT_EQ(countNonZero(mask), inliers);
-        before = inliers;
-    }
-}
-
-TEST_P(UsacEffects, confidence)
-{
-    // if a sample has only one point, few samples are needed, so the inlier ratio is made lower
-    const bool single = sampleSizeOf(problem()) == 1;
-    const Scene scene = makeScene(problem(), single ? 15 : 150, 150, 3);
-    int before = 0;
-    const double confidences[] = {0.1, 0.9, 0.999999};
-    for (int i = 0; i < 3; ++i)
-    {
-        Params params = plainParams();
-        params.termination = TERMINATION_STANDARD;
-        params.maxIterations = 100000;
-        params.confidence = confidences[i];
-        const Report report = reportOf(scene, params);
-        EXPECT_GT(report.iterations, before);
-        EXPECT_EQ((int)STOP_STANDARD, report.stop);
-        before = report.iterations;
-    }
-}
-
 TEST_P(UsacEffects, maxIterations)
 {
     const Scene scene = makeScene(problem(), 100, 200, 3);
@@ -112,28 +75,6 @@ std::vector<int> samplesOf(const Scene& scene, Params params, int iterations = 1
     usac->run();
     recorder->drawn.resize(iterations * sampleSizeOf(scene.problem));
     return recorder->drawn;
-}
-
-TEST_P(UsacEffects, seed)
-{
-    const Scene scene = makeScene(problem(), 150, 150, 3);
-    Params params;
-    params.scores.assign(scene.size(), 0.5f);
-    params.scoreOrder = SCORES_HIGHER_IS_BETTER;  // required by SAMPLER_IMPORTANCE
-    for (int sampler = SAMPLER_UNIFORM; sampler <= SAMPLER_IMPORTANCE; ++sampler)
-    {
-        params.sampler = (SamplerType)sampler;
-        SCOPED_TRACE(cv::format("sampler %d", params.sampler));
-        std::set<std::vector<int>> sequences;
-        const int seeds[] = {0, 1, 2, -1, INT_MAX, INT_MIN};
-        for (int i = 0; i < 6; ++i)
-        {
-            params.seed = seeds[i];
-            const std::vector<int> samples = samplesOf(scene, params);
-            EXPECT_TRUE(sequences.insert(samples).second) << "seed " << seeds[i];
-            EXPECT_EQ(samples, samplesOf(scene, params));
-        }
-    }
 }
 
 //! Records the threads that call the solver. Until a second thread calls, each of the first 499
@@ -249,30 +190,6 @@ TEST_P(UsacEffects, sampler)
     EXPECT_GT(goodPart(scene, pNapsac), 0.4);
 }
 
-TEST_P(UsacEffects, ordering)
-{
-    const Scene scene = sorted(makeScene(problem(), 60, 240, 3));
-    for (SamplerType sampler : {SAMPLER_PROSAC, SAMPLER_P_NAPSAC})
-    {
-        Params params;
-        params.orderedEvery = 1;
-        params.sampler = sampler;
-        std::vector<int> samples[4];
-        for (int i = ORDERING_AUTO; i <= ORDERING_NONE; ++i)
-        {
-            params.ordering = (OrderingType)i;
-            samples[i] = samplesOf(scene, params);
-        }
-        EXPECT_EQ(samples[ORDERING_AUTO], samples[ORDERING_DENSITY]) << "no scores were given";
-        EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_NONE]);
-        EXPECT_NE(samples[ORDERING_DENSITY], samples[ORDERING_INPUT_ORDER]);
-        EXPECT_GT(goodPart(scene, samples[ORDERING_INPUT_ORDER]),
-                  goodPart(scene, samples[ORDERING_NONE]) + 0.2);
-        EXPECT_GT(goodPart(scene, samples[ORDERING_DENSITY]),
-                  goodPart(scene, samples[ORDERING_NONE]));
-    }
-}
-
 TEST_P(UsacEffects, scores_and_scoreOrder)
 {
     const Scene scene = makeScene(problem(), 60, 240, 3);
@@ -342,28 +259,6 @@ TEST_P(UsacEffects, orderedEvery)
         const double chance = m == 1 ? 0.2 : 0;  // rough probability of a uniform all-inlier sample
         EXPECT_NEAR(ordered + (40 - ordered) * chance, good, m == 1 ? 6 : 2);
     }
-}
-
-TEST_P(UsacEffects, quality)
-{
-    const Scene scene = makeScene(problem(), 150, 150, 3);
-    Params params = plainParams();
-    Mat mask, model;
-    Report report;
-    model = estimate(scene, params, mask, &report);
-    const Matx33d M = squareModel(model);
-    double msac = 0;
-    for (int i = 0; i < scene.size(); ++i)
-    {
-        const double e = pixelError(scene, M, scene.points1[i], scene.points2[i]) /
-                         params.threshold;
-        msac += std::min(1., e * e) / scene.size();
-    }
-    EXPECT_NEAR(msac, report.cost, 1e-3);
-    params.quality = QUALITY_INLIERS;
-    const Report counted = reportOf(scene, params);
-    EXPECT_NEAR(1 - (double)counted.inliers / scene.size(), counted.cost, 0.5 / scene.size());
-    EXPECT_GT(std::abs(report.cost - counted.cost), 0.01);
 }
 
 //! Params::reach is the multiple of the threshold that the search uses. The mask must always use

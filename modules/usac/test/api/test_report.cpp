@@ -215,29 +215,5 @@ TEST(UsacReport_Camera, of_a_pose_is_probably_wrong)
     }
 }
 
-//! Matches of random points. With significance 1, a model must be returned, and the report must say
-//! that the model is no better than chance. With the default, the result must be empty.
-TEST(UsacReport_Chance, random_points)
-{
-    RNG rng(1);
-    std::vector<Point2d> points1, points2;
-    for (int i = 0; i < 200; ++i)
-    {
-        points1.push_back(uniformPoint(rng, 0., 640., 0., 480.));
-        points2.push_back(uniformPoint(rng, 0., 640., 0., 480.));
-    }
-    for (int refuse = 0; refuse < 2; ++refuse)
-    {
-        Params params;
-        params.significance = refuse ? 0 : 1;
-        Mat mask;
-        Report report;
-        const Mat F = estimateFundamental(points1, points2, params, mask, report);
-        EXPECT_EQ(refuse != 0, F.empty());
-        EXPECT_EQ(refuse == 0, ends(report, CHANCE)) << report.describe();
-        EXPECT_FALSE(report.wideThreshold);
-    }
-}
-
 }  // namespace
 }  // namespace opencv_test
