@@ -199,30 +199,6 @@ double errorOf(const Mat& plane)
     return std::min(cv::norm(found - TRUE_PLANE), cv::norm(found + TRUE_PLANE));
 }
 
-TEST(Usac_CustomPlane, everyPreset)
-{
-    const std::vector<Point3d> points = scene(300, 200, 0.01);
-    const std::vector<NamedPreset> presets = allPresets();
-    for (size_t k = 0; k < presets.size(); ++k)
-    {
-        Params params = presets[k].params;
-        params.threshold = 0.04;
-        params.maxIterations = 5000;
-        Mat mask;
-        Report report;
-        const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
-                              ->run(mask, &report);
-        ASSERT_EQ(Size(4, 1), plane.size()) << presets[k].name;
-        EXPECT_LE(errorOf(plane), 0.02) << presets[k].name;
-        EXPECT_EQ(report.inliers, countNonZero(mask)) << presets[k].name;
-        EXPECT_LE(report.chance, 1e-6) << presets[k].name;
-        if (!findsThreshold(params))
-        {
-            EXPECT_NEAR(301, report.inliers, 6) << presets[k].name;
-        }
-    }
-}
-
 //! If a problem has a parameterization but no non-minimal solver, the module must make a solver
 //! from the parameterization. The results must be as good as with the non-minimal solver PlaneFit.
 TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
@@ -246,20 +222,6 @@ TEST(Usac_CustomPlane, parameterizationInPlaceOfAFit)
         EXPECT_LE(errorOf(models[1]), 0.02);
         EXPECT_LE(std::abs(countNonZero(masks[0]) - countNonZero(masks[1])), 2);
     }
-}
-
-//! Among 300 random points, some plane has several inliers by chance. Report::chance, an upper
-//! bound of the probability that this happens, must not be small.
-TEST(Usac_CustomPlane, chanceOfRandomPoints)
-{
-    Params params;
-    params.threshold = 0.04;
-    params.significance = 1;
-    params.maxIterations = 2000;
-    Report report;
-    Usac::create(makePtr<PlaneProblem>(), scene(0, 300, 0), noArray(), params)
-        ->run(noArray(), &report);
-    EXPECT_GE(report.chance, 1e-3);
 }
 
 //! Planes perpendicular to an axis, as the ground is. Report::chance is computed from the errors of
@@ -396,75 +358,6 @@ TEST(Usac_CustomPlane, locationOfNumbers)
         else
             EXPECT_GE(report.chance, 1e-3);
     }
-}
-
-TEST(Usac_CustomPlane, neighborhoodsAndOrderings)
-{
-    std::vector<Point3d> points = scene(100, 300, 0.01);
-    points[7].y = points[150].z = std::numeric_limits<double>::quiet_NaN();
-    for (NeighborhoodType neighborhood : {NEIGHBORHOOD_GRID, NEIGHBORHOOD_KNN, NEIGHBORHOOD_RADIUS})
-        for (OrderingType ordering : {ORDERING_NONE, ORDERING_DENSITY})
-        {
-            Params params;
-            params.threshold = 0.04;
-            params.neighborhood = neighborhood;
-            params.ordering = ordering;
-            params.neighborRadius = 2;
-            Mat mask;
-            const Mat plane = Usac::create(makePtr<PlaneProblem>(), points, noArray(), params)
-                                  ->run(mask);
-            ASSERT_FALSE(plane.empty()) << (int)neighborhood << " " << (int)ordering;
-            EXPECT_LE(errorOf(plane), 0.03);
-            EXPECT_EQ(0, mask.at<uchar>(7) + mask.at<uchar>(150));
-        }
-}
-
-//! The neighbors of a 3-D point must be the point itself and the six points nearest to it, which
-//! the test finds by exhaustive search.
-TEST(Usac_CustomPlane, nearestNeighbors)
-{
-    Params params;
-    params.neighborhood = NEIGHBORHOOD_KNN;
-    params.neighbors = 6;
-    const Ptr<Usac> usac = Usac::create(makePtr<PlaneProblem>(), scene(100, 100, 0.01), noArray(),
-                                        params);
-    const Correspondences& p = usac->points();
-    const RunContext run(p, usac->components(), params);
-    for (int i = 0; i < p.size; ++i)
-    {
-        std::vector<std::pair<double, int>> all;
-        for (int k = 0; k < p.size; ++k)
-        {
-            const Vec3d d(p.exact[0][k] - p.exact[0][i], p.exact[1][k] - p.exact[1][i],
-                          p.exact[2][k] - p.exact[2][i]);
-            all.push_back(std::make_pair(d.dot(d), k));
-        }
-        std::sort(all.begin(), all.end());
-        const int* members = 0;
-        ASSERT_EQ(7, usac->components().neighborhood->members(run, 0, i, members));
-        for (int k = 0; k < 7; ++k)
-            EXPECT_EQ(all[k].second, members[k]) << i;
-    }
-}
-
-TEST(Usac_CustomPlane, layoutsOfPoints)
-{
-    const std::vector<Point3d> points = scene(30, 0, 0.01);
-    const Mat rows = column(points).reshape(1), columns = rows.t();
-    Mat floats, one[5];
-    rows.convertTo(floats, CV_32F);
-    const Mat layouts[] = {Mat(points), rows, columns, Mat(points).reshape(3, 1), floats};
-    Params params;
-    params.threshold = 0.04;
-    for (int k = 0; k < 5; ++k)
-    {
-        one[k] = Usac::create(makePtr<PlaneProblem>(), layouts[k], noArray(), params)->run();
-        EXPECT_LE(cv::norm(one[0], one[k], NORM_INF), k < 4 ? 0. : 1e-5) << k;
-    }
-    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows.colRange(0, 2), noArray(), params),
-                 cv::Exception);
-    EXPECT_THROW(Usac::create(makePtr<PlaneProblem>(), rows, rows, params), cv::Exception)
-        << "a second array";
 }
 
 //! A wrong solver, whose model has 0 rows and 0 columns. The run must raise an exception.

@@ -109,32 +109,6 @@ TEST(Usac_CustomProblem, priorWithoutACovarianceOfThePoints)
     EXPECT_EQ(0, report.priorChance);
 }
 
-TEST(Usac_CustomProblem, anyNumberOfThreads)
-{
-    const AffineScene scene(60, 240, 0.5);
-    Params params;
-    params.threshold = 2;
-    params.maxIterations = 20000;
-    const Mat one = scene.estimate(params);
-    for (params.threads = 2; params.threads <= 4; ++params.threads)
-        EXPECT_EQ(0, cv::norm(one, scene.estimate(params), NORM_INF));
-}
-
-//! The standard termination must use the sample size of the custom problem.
-TEST(Usac_CustomProblem, endsWhereTheConfidenceSays)
-{
-    const AffineScene scene(100, 100, 0.5);
-    Params params = Params::ransac();
-    params.threshold = 2;
-    Report report;
-    EXPECT_FALSE(scene.estimate(params, noArray(), &report).empty());
-    EXPECT_EQ((int)STOP_STANDARD, report.stop);
-    // log(0.01) / log(1 - 0.5^3) = 34.5 samples for an inlier ratio of 0.5; more samples are drawn
-    // before a model with all inliers is found
-    EXPECT_GE(report.iterations, 30);
-    EXPECT_LE(report.iterations, 300);
-}
-
 //! A problem with one of six mistakes, for example a wrong dimension. Usac::create() must raise an
 //! exception that names the problem. `mistake` 6 means none.
 class WrongProblem : public custom::AffineProblem
@@ -174,33 +148,6 @@ TEST(Usac_CustomProblem, mistakesAreNamed)
         }
         EXPECT_EQ(mistake < 6, message.find("problem affine:") == 0) << mistake << " " << message;
     }
-}
-
-TEST(Usac_CustomProblem, impossiblePoints)
-{
-    const std::vector<Point2d> same(50, Point2d(3, 4));
-    std::vector<Point2d> line;
-    for (int i = 0; i < 50; ++i)
-        line.push_back(Point2d(i, 2 * i));
-    Params params;
-    params.maxIterations = 500;
-    const std::vector<Point2d>* cases[] = {&same, &line};
-    for (int i = 0; i < 2; ++i)
-    {
-        Mat mask;
-        Report report;
-        const Ptr<Usac> usac = Usac::create(makePtr<custom::AffineProblem>(), *cases[i], *cases[i],
-                                            params);
-        EXPECT_TRUE(usac->run(mask, &report).empty());
-        EXPECT_EQ(0, countNonZero(mask));
-        EXPECT_EQ((int)(i ? STOP_NO_MODEL : STOP_TOO_FEW_POINTS), report.stop);
-    }
-    const std::vector<Point2d> two(2, Point2d(0, 0));
-    Report report;
-    EXPECT_TRUE(Usac::create(makePtr<custom::AffineProblem>(), two, two, params)
-                    ->run(noArray(), &report)
-                    .empty());
-    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
 }
 
 //! A problem without a least-squares solver: the default of createNonMinimalSolver() makes one only

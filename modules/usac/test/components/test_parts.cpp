@@ -121,25 +121,6 @@ TEST(Usac_Parts, worseModelsAreNotBelieved)
     EXPECT_EQ(0, cvtest::norm(plainMask, mask, NORM_INF));
 }
 
-TEST(Usac_Parts, requiredOnesAreAskedFor)
-{
-    const Scene scene = makeScene(HOMOGRAPHY);
-    for (int missing = 0; missing < 4; ++missing)
-    {
-        const Ptr<Usac> usac = createUsac(scene, Params());
-        Components& parts = usac->components();
-        if (missing == 0)
-            parts.residual.release();
-        else if (missing == 1)
-            parts.score.release();
-        else if (missing == 2)
-            parts.sampler.release();
-        else
-            parts.minimalSolver.release();
-        EXPECT_THROW(usac->run(), cv::Exception) << missing;
-    }
-}
-
 //! Polishing needs a non-minimal solver. A run with neither polishing nor local optimization needs
 //! none.
 TEST(Usac_Parts, fitsNeedASolver)

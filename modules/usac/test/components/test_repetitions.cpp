@@ -37,29 +37,6 @@ struct Points
     std::vector<uchar> mask;
 };
 
-TEST(Usac_Repetitions, independentInliers)
-{
-    Points points;
-    EXPECT_EQ(0, points.independent());
-    for (int i = 0; i < 10; ++i)
-        points.add(5 * i + 0.5, -3 * i + 0.5, 2 * i + 0.5, 7 * i + 0.5);
-    EXPECT_EQ(10, points.independent());
-    for (int i = 0; i < 10; ++i)
-        points.add(5 * i + 0.6, -3 * i + 0.4, 2 * i + 0.7, 7 * i + 0.6);
-    EXPECT_EQ(10, points.independent()) << "more matches in the same cells";
-    for (int i = 0; i < 10; ++i)
-        points.add(100 + 5 * i, 3 * i, 3, 0.5);
-    EXPECT_EQ(11, points.independent()) << "ten points that match one";
-    for (int i = 0; i < 10; ++i)
-        points.add(-3, 0.5, 100 + 5 * i, 3 * i);
-    EXPECT_EQ(21, points.independent()) << "one point that matches ten";
-    for (int i = 0; i < 10; ++i)
-        points.add(500 + 5 * i, i, 500 + 5 * i, i, false);
-    EXPECT_EQ(21, points.independent()) << "outliers";
-    EXPECT_EQ(3, points.independent(1e9, 1)) << "three of the four cells around the origin";
-    EXPECT_EQ(1, points.independent(1, 1e9));
-}
-
 TEST(Usac_Repetitions, independentInliersAgainstASet)
 {
     RNG rng(1);

@@ -86,21 +86,5 @@ TEST(Usac_NonRandomness, chanceOfAMillionPoints)
     }
 }
 
-//! The probability of at least a given number of inliers by chance must decrease with this number,
-//! and increase with the number of points and with the inlier ratio of random models.
-TEST(Usac_NonRandomness, chanceIsMonotone)
-{
-    for (int n = 20; n < 3000; n *= 3)
-        for (double ratio = 1e-4; ratio < 1; ratio *= 5)
-            for (int inliers = 5; inliers < n; ++inliers)
-            {
-                const double chance = chanceOf(inliers, n, 4, ratio);
-                ASSERT_LE(chanceOf(inliers + 1, n, 4, ratio), chance * (1 + 1e-12));
-                ASSERT_GE(chanceOf(inliers, n + 1, 4, ratio), chance * (1 - 1e-12));
-                ASSERT_GE(chanceOf(inliers, n, 4, std::min(1., 1.01 * ratio)),
-                          chance * (1 - 1e-12));
-            }
-}
-
 }  // namespace
 }  // namespace opencv_test

@@ -201,31 +201,6 @@ TEST(Usac_Stop, another_thread_cancels)
     }
 }
 
-TEST(Usac_Stop, scopes_are_asked_the_innermost_first)
-{
-    const Scene scene = hardScene(HOMOGRAPHY);
-    std::vector<int> asked;
-    {
-        const ProgressScope outer([&](const Report&) {
-            asked.push_back(0);
-            return asked.size() < 4;
-        });
-        const ProgressScope inner([&](const Report&) {
-            asked.push_back(1);
-            return true;
-        });
-        estimate(scene, endless(HOMOGRAPHY));
-    }
-    const int expected[] = {1, 0, 1, 0};
-    EXPECT_EQ(std::vector<int>(expected, expected + 4), asked);
-    Params params = endless(HOMOGRAPHY);
-    params.maxIterations = 100;
-    estimate(scene, params);  // both scopes have ended, so no function is called
-    EXPECT_EQ(4u, asked.size());
-    const Progress none;
-    EXPECT_THROW(const ProgressScope empty(none), cv::Exception);
-}
-
 //! Scopes can end in any order. The functions of those that remain must still be called, the
 //! innermost first.
 TEST(Usac_Stop, scopesEndInAnyOrder)
@@ -286,37 +261,6 @@ TEST(Usac_Stop, scopeEndsDuringTheRun)
     usac->run(noArray(), &report);
     EXPECT_EQ((int)STOP_TIME, report.stop);
     EXPECT_EQ(0, calls);
-}
-
-//! After the progress function has canceled a run with 100 000 points, the search and the local
-//! optimization must not go on: the run must end within a second, apart from SLACK.
-TEST(Usac_Stop, many_points)
-{
-    for (int problem : {(int)HOMOGRAPHY, (int)FUNDAMENTAL, (int)ESSENTIAL})
-        for (int preset = 0; preset < 4; ++preset)
-        {
-            SceneOptions options;
-            options.setSize(100000, 0.5);
-            const Scene scene = makeScene((ProblemType)problem, options);
-            Params params = preset == 0   ? Params()
-                            : preset == 1 ? Params::gcRansac()
-                            : preset == 2 ? Params::magsac()
-                                          : Params::ransac();
-            params.maxIterations = INT_MAX;
-            params.termination = 0;
-            const Ptr<Usac> usac = createUsac(scene, params);
-            bool begun = false;
-            Clock::time_point said;
-            const ProgressScope scope([&](const Report& now) {
-                begun = now.localOptimizations > 0 || now.iterations > 50;
-                said = Clock::now();
-                return !begun;
-            });
-            Report report;
-            usac->run(noArray(), &report);
-            EXPECT_EQ((int)STOP_CANCELLED, report.stop);
-            EXPECT_LE(millisecondsSince(said), 1000 + SLACK) << problem << " " << preset;
-        }
 }
 
 //! With many points, the search uses only a random subset. The inlier ratio and the cost that the

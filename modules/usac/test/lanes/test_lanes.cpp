@@ -291,27 +291,6 @@ private:
     const Ptr<MinimalSolver> solver;
 };
 
-TEST(Usac_OwnSolver, solvesSeveralSamplesOneByOne)
-{
-    SceneOptions options;
-    const Ptr<Usac> usac = createUsac(makeScene(HOMOGRAPHY, options), Params());
-    const OwnSolver solver;
-    const int samples[3][4] = {{0, 1, 2, 3}, {4, 4, 5, 6}, {7, 8, 9, 10}};
-    const int* const all[3] = {samples[0], samples[1], samples[2]};
-    Model models[3][MAX_MODELS], own[MAX_MODELS];
-    Model* const places[3] = {models[0], models[1], models[2]};
-    int found[3];
-    EXPECT_EQ(1, solver.together());
-    solver.solveMany(usac->points(), all, 3, places, found);
-    EXPECT_EQ(3, solver.calls);
-    for (int i = 0; i < 3; ++i)
-    {
-        ASSERT_EQ(solver.solve(usac->points(), samples[i], own), found[i]);
-        EXPECT_TRUE(std::equal(own, own + found[i], models[i]));
-    }
-    EXPECT_EQ(0, found[1]);
-}
-
 TEST(Usac_OwnSolver, sameRunAsWithTheBuiltInOne)
 {
     SceneOptions options;

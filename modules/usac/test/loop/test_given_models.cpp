@@ -78,25 +78,6 @@ TEST(Usac_GivenModels, minimalSampleWithoutAFit)
     }
 }
 
-//! If there are fewer points than in a minimal sample, Usac::refine must return no model, also
-//! without a list of chosen points.
-TEST(Usac_GivenModels, refineWithoutEnoughPoints)
-{
-    const Scene scene = makeScene(HOMOGRAPHY, 50, 0);
-    for (int count : {0, 3})
-    {
-        const std::vector<Point2d> first(scene.points1.begin(), scene.points1.begin() + count),
-            second(scene.points2.begin(), scene.points2.begin() + count);
-        const Ptr<Usac> usac = Usac::create(HOMOGRAPHY, first, second, Params());
-        Mat mask;
-        Report report;
-        EXPECT_TRUE(usac->refine(Mat(scene.model), noArray(), mask, &report).empty());
-        EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
-        EXPECT_EQ(count, mask.rows);
-        EXPECT_EQ(0, countNonZero(mask));
-    }
-}
-
 //! With one point fewer than a minimal sample, Usac::refine must return no model, even if the
 //! caller gives a good one. With a minimal sample of points, it must return a model.
 TEST(Usac_GivenModels, refineNeedsAMinimalSample)

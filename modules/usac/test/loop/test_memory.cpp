@@ -24,6 +24,23 @@ long allocationsOf(Usac& usac, Mat& mask, Report& report, bool& found)
     return after - before;
 }
 
+//! Runs the object three times. Each run must allocate only the model that it returns, see
+//! allocationsOfModel(). @return number of runs that have returned a model
+int expectOnlyModels(Usac& usac, long model)
+{
+    Mat mask(usac.points().inputSize, 1, CV_8U);
+    Report report;
+    int found = 0;
+    for (int run = 0; run < 3; ++run)
+    {
+        bool any = false;
+        const long count = allocationsOf(usac, mask, report, any);
+        EXPECT_EQ(any ? model : 0, count) << "run " << run;
+        found += any;
+    }
+    return found;
+}
+
 //! Number of allocations for the matrix that is returned.
 long allocationsOfModel()
 {
@@ -139,15 +156,7 @@ TEST_P(Usac_Memory, nothingButTheModel)
         SCOPED_TRACE(variants[v].name);
         const Params& params = variants[v].params;
         const Ptr<Usac> usac = createUsac(scene, params);
-        Mat mask(scene.size(), 1, CV_8U);
-        Report report;
-        for (int run = 0; run < 3; ++run)
-        {
-            bool any = false;
-            const long count = allocationsOf(*usac, mask, report, any);
-            EXPECT_EQ(any ? model : 0, count) << "run " << run;
-            found += any;
-        }
+        found += expectOnlyModels(*usac, model);
     }
     EXPECT_GT(found, 2 * (int)variants.size());
 }
@@ -185,39 +194,6 @@ TEST_P(Usac_Memory, otherPoints)
             const long count = allocationsOf(*usac, mask, report, found);
             EXPECT_EQ(found ? model : 0, count) << size << " " << kind;
         }
-}
-
-//! A run with 20000 samples must not make more allocations than a run with 200.
-TEST_P(Usac_Memory, nothingInTheLoop)
-{
-    if (!allocationsAreCounted())
-        return;
-    const ProblemType problem = (ProblemType)GetParam();
-    const Scene scene = planarScene(problem, 300);
-    const std::vector<NamedPreset> presets = allPresets(problem);
-    estimate(scene, Params());
-    for (size_t p = 0; p < presets.size(); ++p)
-    {
-        SCOPED_TRACE(presets[p].name);
-        Params params = presets[p].params;
-        params.termination = 0;
-        params.threads = 1;
-        params.spatialWeight = 0;
-        params.neighborhood = NEIGHBORHOOD_GRID;
-        long counts[2];
-        for (int many = 0; many < 2; ++many)
-        {
-            params.maxIterations = many ? 20000 : 200;
-            const Ptr<Usac> usac = createUsac(scene, params);
-            Mat mask(scene.size(), 1, CV_8U);
-            Report report;
-            bool found = false;
-            counts[many] = allocationsOf(*usac, mask, report, found);
-            EXPECT_TRUE(found);
-            EXPECT_EQ(params.maxIterations, report.iterations);
-        }
-        EXPECT_EQ(counts[0], counts[1]);
-    }
 }
 
 //! OpenCV itself allocates memory: a growing list for each graph cut (maximum flow), and results
@@ -278,15 +254,7 @@ TEST(Usac_Memory_Pose, nothingButTheModel)
             const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, scene.object, scene.image,
                                                 variants[v].params, scene.K, noArray(),
                                                 scene.distortion);
-            Mat mask(scene.size(), 1, CV_8U);
-            Report report;
-            for (int run = 0; run < 3; ++run)
-            {
-                bool any = false;
-                const long count = allocationsOf(*usac, mask, report, any);
-                EXPECT_EQ(any ? model : 0, count) << "run " << run;
-                found += any;
-            }
+            found += expectOnlyModels(*usac, model);
         }
         EXPECT_GT(found, 2 * (int)variants.size());
     }
@@ -314,15 +282,8 @@ TEST(Usac_Memory_Space, nothingButTheModel)
             Params params = variant.params;
             params.threshold = scene.threshold;
             const Ptr<Usac> usac = Usac::create(problem, scene.points1, scene.points2, params);
-            Mat mask(scene.size(), 1, CV_8U);
-            Report report;
-            for (int run = 0; run < 3; ++run, ++runs)
-            {
-                bool any = false;
-                const long count = allocationsOf(*usac, mask, report, any);
-                EXPECT_EQ(any ? model : 0, count) << "run " << run;
-                found += any;
-            }
+            found += expectOnlyModels(*usac, model);
+            runs += 3;
             if (!params.scores.empty())
                 continue;
             const long before = allocationsSoFar();

@@ -21,24 +21,6 @@ Answer answer(const Scene& scene, const Params& params)
     return result;
 }
 
-void expectSameBits(const Answer& a, const Answer& b)
-{
-    ASSERT_EQ(a.model.size(), b.model.size());
-    if (!a.model.empty())
-    {
-        EXPECT_EQ(0, memcmp(a.model.data, b.model.data, a.model.total() * sizeof(double)));
-    }
-    EXPECT_EQ(0, cvtest::norm(a.mask, b.mask, NORM_INF));
-    EXPECT_EQ(a.report.stop, b.report.stop);
-    EXPECT_EQ(a.report.iterations, b.report.iterations);
-    EXPECT_EQ(a.report.inliers, b.report.inliers);
-    EXPECT_EQ(a.report.cost, b.report.cost);
-    EXPECT_EQ(a.report.rejectedSamples, b.report.rejectedSamples);
-    EXPECT_EQ(a.report.localOptimizations, b.report.localOptimizations);
-    EXPECT_EQ(a.report.localImprovements, b.report.localImprovements);
-    EXPECT_EQ(a.report.degenerate, b.report.degenerate);
-}
-
 Scene sceneWith(ProblemType problem, double inlierRatio, uint64 seed, int size = 400)
 {
     SceneOptions options;
@@ -66,52 +48,6 @@ std::vector<Params> variants()
 }
 
 typedef testing::TestWithParam<int> Usac_Ransac;
-
-TEST_P(Usac_Ransac, sameBitsWithAnyNumberOfThreads)
-{
-    const std::vector<Params> all = variants();
-    for (size_t v = 0; v < all.size(); ++v)
-        for (uint64 seed = 1; seed <= 4; ++seed)
-        {
-            const Scene scene = sceneWith((ProblemType)GetParam(), 0.25 + 0.15 * seed, seed);
-            Params params = all[v];
-            params.seed = (int)seed;
-            params.maxIterations = std::min(params.maxIterations, 1000);
-            const Answer one = answer(scene, params);
-            const int threads[] = {2, 8, 0};
-            for (int k = 0; k < 3; ++k)
-            {
-                SCOPED_TRACE(
-                    cv::format("variant %d seed %d threads %d", (int)v, (int)seed, threads[k]));
-                params.threads = threads[k];
-                expectSameBits(one, answer(scene, params));
-            }
-        }
-}
-
-//! OpenCV's global random generator must not change the result, but the seed must.
-TEST_P(Usac_Ransac, repeatable)
-{
-    const Scene scene = sceneWith((ProblemType)GetParam(), 0.4, 7);
-    Params params;
-    const Answer first = answer(scene, params);
-    theRNG().next();
-    estimate(sceneWith(HOMOGRAPHY, 0.5, 3), params);
-    expectSameBits(first, answer(scene, params));
-    params.termination = 0;
-    params.maxIterations = 20;
-    params.polishing = POLISHING_NONE;
-    params.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    const Answer a = answer(scene, params);
-    int different = 0;
-    for (int seed = 1; seed <= 5; ++seed)
-    {
-        params.seed = seed;
-        const Answer b = answer(scene, params);
-        different += b.model.size() != a.model.size() || cvtest::norm(a.mask, b.mask, NORM_INF) > 0;
-    }
-    EXPECT_GT(different, 0);
-}
 
 TEST_P(Usac_Ransac, reportIsConsistent)
 {
@@ -153,28 +89,6 @@ TEST_P(Usac_Ransac, reportIsConsistent)
             EXPECT_TRUE(r.setupMs >= 0 && r.searchMs >= 0 && r.localMs >= 0 && r.polishMs >= 0);
             EXPECT_FALSE(r.describe().empty());
         }
-}
-
-TEST_P(Usac_Ransac, maskBelongsToTheModel)
-{
-    for (uint64 seed = 1; seed <= 20; ++seed)
-    {
-        const Scene scene = sceneWith((ProblemType)GetParam(), 0.5, seed);
-        Params params;
-        params.threshold = 0.5 + 0.1 * seed;
-        const Answer found = answer(scene, params);
-        ASSERT_FALSE(found.model.empty());
-        const Matx33d model = squareModel(found.model);
-        for (int i = 0; i < scene.size(); ++i)
-        {
-            const double error = pixelError(scene, model, scene.points1[i], scene.points2[i]);
-            if (std::abs(error - params.threshold) > 1e-7)
-            {
-                ASSERT_EQ(error < params.threshold, found.mask.at<uchar>(i) != 0)
-                    << "row " << i << " error " << error;
-            }
-        }
-    }
 }
 
 TEST_P(Usac_Ransac, recoversTheModel)
@@ -222,18 +136,6 @@ TEST_P(Usac_Ransac, exactWithoutNoise)
     }
 }
 
-TEST_P(Usac_Ransac, duplicates)
-{
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        SceneOptions options;
-        options.duplicates = 150;
-        options.seed = seed;
-        const Scene scene = makeScene((ProblemType)GetParam(), options);
-        EXPECT_LT(modelError(scene, answer(scene, Params()).model), 2) << "seed " << seed;
-    }
-}
-
 INSTANTIATE_TEST_CASE_P(All, Usac_Ransac, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 Params stopBy(int termination)
@@ -255,99 +157,6 @@ TEST(Usac_Ransac_Stop, reasons)
     const Report report = answer(scene, params).report;
     EXPECT_EQ((int)STOP_MAX_ITERATIONS, report.stop);
     EXPECT_EQ(321, report.iterations);
-}
-
-TEST(Usac_Ransac_Stop, withoutAModel)
-{
-    Scene scene = sceneWith(FUNDAMENTAL, 0.6, 1, 20);
-    scene.points1.resize(6);
-    scene.points2.resize(6);
-    const Answer few = answer(scene, Params());
-    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, few.report.stop);
-    EXPECT_EQ(0, few.report.iterations);
-    EXPECT_TRUE(few.model.empty());
-    EXPECT_EQ(Size(1, 6), few.mask.size());
-    EXPECT_EQ(0, countNonZero(few.mask));
-    scene.points1.assign(50, Point2d(5, 7));
-    scene.points2.assign(50, Point2d(3, 4));
-    const Answer equal = answer(scene, Params());
-    EXPECT_EQ((int)STOP_TOO_FEW_POINTS, equal.report.stop);
-    EXPECT_TRUE(equal.model.empty());
-    EXPECT_EQ(0, countNonZero(equal.mask));
-}
-
-//! The number of samples must be at least that of the standard criterion for the final number of
-//! inliers, within 5 %. It is larger if the best model was found late, but must be equal (within
-//! 5 %) for most seeds.
-TEST(Usac_Ransac_Stop, standardNumberOfSamples)
-{
-    Params params = Params::ransac();
-    params.confidence = 0.95;
-    params.maxIterations = 1000000;
-    params.polishing = POLISHING_NONE;
-    for (int withoutRepetition = 0; withoutRepetition < 2; ++withoutRepetition)
-    {
-        params.termination = TERMINATION_STANDARD | (withoutRepetition ? TERMINATION_EXACT : 0);
-        int exact = 0;
-        for (uint64 seed = 1; seed <= 20; ++seed)
-        {
-            const Scene scene = sceneWith(HOMOGRAPHY, 0.3, seed);
-            const Report report = answer(scene, params).report;
-            EXPECT_EQ((int)STOP_STANDARD, report.stop);
-            double good = 1;
-            for (int i = 0; i < 4; ++i)
-                good *= (report.inliers - i * withoutRepetition) /
-                        (double)(scene.size() - i * withoutRepetition);
-            const double needed = std::ceil(std::log(0.05) / std::log1p(-good));
-            EXPECT_GE(report.iterations, 0.95 * needed) << "seed " << seed;
-            exact += std::abs(report.iterations - needed) <= 0.05 * needed;
-        }
-        EXPECT_GE(exact, 12);
-    }
-}
-
-//! For random matches, the false-alarm probability (Report::chance) must exceed 0.01. Copies of a
-//! match must count as one independent inlier.
-TEST(Usac_Ransac_Report, nonRandomness)
-{
-    for (int problem : TWO_VIEW_PROBLEMS)
-    {
-        SceneOptions options;
-        options.inliers = 1;
-        options.outliers = 200;
-        const Answer random = answer(makeScene((ProblemType)problem, options), Params());
-        EXPECT_GT(random.report.chance, 0.01) << problem;
-        options.inliers = 30;
-        options.outliers = 0;
-        Scene repeated = makeScene((ProblemType)problem, options);
-        for (int k = 0; k < 20; ++k)
-        {
-            repeated.points1.push_back(repeated.points1[0]);
-            repeated.points2.push_back(repeated.points2[0]);
-        }
-        Params params;
-        params.threshold = 3;
-        const Report report = answer(repeated, params).report;
-        EXPECT_GE(report.inliers, 45) << problem;
-        EXPECT_LE(report.independentInliers, 30) << problem;
-        EXPECT_GE(report.independentInliers, 20) << problem;
-    }
-}
-
-//! LMedS estimates its threshold, and the mask must use this threshold.
-TEST(Usac_Ransac_Report, thresholdOfLmeds)
-{
-    const Scene scene = sceneWith(HOMOGRAPHY, 0.7, 1);
-    Params params = Params::lmeds();
-    params.threshold = 1e-3;
-    const Answer found = answer(scene, params);
-    EXPECT_GT(found.report.threshold, 0.5);
-    EXPECT_LT(found.report.threshold, 8);
-    const Matx33d H(found.model.ptr<double>());
-    for (int i = 0; i < scene.size(); ++i)
-        EXPECT_EQ(pixelError(scene, H, scene.points1[i], scene.points2[i]) <=
-                      found.report.threshold,
-                  found.mask.at<uchar>(i) != 0);
 }
 
 //! With two criteria, the search must end when the first of them is fulfilled.

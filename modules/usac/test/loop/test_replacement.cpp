@@ -116,29 +116,6 @@ TEST(Usac_Replacement, residualAndBack)
     EXPECT_GT(cv::norm(first, back), 1e-5);
 }
 
-//! The default of Residual::linearize(), by finite differences, must agree with the analytic
-//! derivative.
-TEST(Usac_Replacement, derivativeByDifferences)
-{
-    RNG rng(3);
-    const LineDistance derived(true), plain(false);
-    for (int i = 0; i < 100; ++i)
-    {
-        Model F(3, 3);
-        for (int k = 0; k < 9; ++k)
-            F.val[k] = rng.gaussian(1);
-        const double match[] = {rng.gaussian(1), rng.gaussian(1), rng.gaussian(1), rng.gaussian(1)};
-        double a, b, exact[9], differences[9];
-        EXPECT_EQ(1, derived.linearize(F, match, &a, exact));
-        EXPECT_EQ(1, plain.linearize(F, match, &b, differences));
-        EXPECT_NEAR(a, b, 1e-12 * (1 + std::abs(a)));
-        const double length = std::hypot(F.val[0] * match[0] + F.val[1] * match[1] + F.val[2],
-                                         F.val[3] * match[0] + F.val[4] * match[1] + F.val[5]);
-        for (int k = 0; k < 9 && length > 0.1; ++k)
-            EXPECT_NEAR(exact[k], differences[k], 1e-6 * (1 + a * a) / std::pow(length, 3));
-    }
-}
-
 //! Draws uniform samples, whatever Params::sampler is. With `mistake` 1 to 3, the samples are
 //! invalid.
 class OwnSampler : public Sampler
@@ -266,41 +243,6 @@ TEST(Usac_Replacement, uniformSampler)
         }
         EXPECT_GE(asComputed, 15);
     }
-}
-
-//! A verifier that keeps all models, but reports that it keeps only the fraction `kept_` of the
-//! good ones, so that more samples are needed.
-class DroppingVerifier : public Verifier
-{
-public:
-    explicit DroppingVerifier(double kept_) : kept(kept_) {}
-    int nextBlock(int) const CV_OVERRIDE { return 256; }
-    bool proceed(int, int) const CV_OVERRIDE { return true; }
-    double keptProbability(const Context&, double, bool) const CV_OVERRIDE { return kept; }
-    void sampleTested(State&, int, int) CV_OVERRIDE {}
-    void adapt(const Context&, State&) CV_OVERRIDE {}
-
-private:
-    const double kept;
-};
-
-TEST(Usac_Replacement, verifierThatDropsGoodModels)
-{
-    const Scene scene = makeScene(HOMOGRAPHY);
-    Params params = Params::ransac();
-    params.confidence = 0.999999;
-    params.maxIterations = 1000000;
-    int iterations[2];
-    for (int drops = 0; drops < 2; ++drops)
-    {
-        const Ptr<Usac> usac = createUsac(scene, params);
-        usac->components().verifier = makePtr<DroppingVerifier>(drops ? 0.01 : 1.);
-        Report report;
-        EXPECT_FALSE(usac->run(noArray(), &report).empty());
-        EXPECT_EQ((int)STOP_STANDARD, report.stop);
-        iterations[drops] = report.iterations;
-    }
-    EXPECT_GT(iterations[1], 50 * iterations[0]);
 }
 
 //! A score that counts no inliers, whose cost is out of range, or that overwrites the sums.
