@@ -131,16 +131,6 @@ TEST_P(Usac_Solvers_Problem, exactWithoutNoise)
 
 INSTANTIATE_TEST_CASE_P(All, Usac_Solvers_Problem, testing::Values(0, 1, 2));
 
-TEST(Usac_Solvers, essentialOfAPlane)
-{
-    Exactness result;
-    for (uint64 seed = 1; seed <= 10; ++seed)
-        solveScene(ESSENTIAL, seed, 1, result);
-    EXPECT_LE(result.unsolved, 10);
-    EXPECT_LE(result.missed, 20);
-    EXPECT_LE(quantile(result.constraint, 1), 1e-8);
-}
-
 void randomPoints(RNG& rng, int count, std::vector<Point2d>& points1, std::vector<Point2d>& points2)
 {
     points1.clear();
@@ -209,50 +199,6 @@ TEST(Usac_Solvers, allFundamentalMatrices)
     }
     EXPECT_GT(compared, 900);
     EXPECT_GT(three, 100);
-}
-
-//! All essential matrices that calib3d's solver for five points returns. This solver finds the
-//! roots of its polynomial by iteration in the complex plane.
-std::vector<Matx33d> essentialByCalib3d(const std::vector<Point2d>& points1,
-                                        const std::vector<Point2d>& points2)
-{
-    const Mat all = cv::findEssentialMat(points1, points2, 1., Point2d(0, 0), LMEDS);
-    std::vector<Matx33d> result;
-    for (int i = 0; i + 3 <= all.rows; i += 3)
-    {
-        const Matx33d E((const double*)Mat(all.rowRange(i, i + 3)).clone().data);
-        result.push_back(E * (1 / cv::norm(E)));
-    }
-    return result;
-}
-
-TEST(Usac_Solvers, allEssentialMatrices)
-{
-    RNG rng(4);
-    const Ptr<MinimalSolver> solver = createEssential5Solver();
-    int same = 0, more = 0, missed = 0, total = 0;
-    for (int i = 0; i < 1000; ++i)
-    {
-        std::vector<Point2d> points1, points2;
-        randomPoints(rng, 5, points1, points2);
-        const OwnPoints points(ESSENTIAL, points1, points2);
-        const std::vector<Model> found = solveFirst(*solver, points.view());
-        const std::vector<Matx33d> expected = essentialByCalib3d(points1, points2);
-        same += found.size() == expected.size();
-        more += found.size() > expected.size();
-        total += (int)expected.size();
-        for (size_t e = 0; e < expected.size(); ++e)
-        {
-            double closest = 2;
-            for (size_t k = 0; k < found.size(); ++k)
-                closest = std::min(closest, modelDistance(found[k], expected[e]));
-            missed += closest > 1e-4;
-        }
-    }
-    EXPECT_GT(total, 2000);
-    EXPECT_LE(missed, total / 500);
-    EXPECT_GE(same + more, 995);
-    EXPECT_GE(same, 980);
 }
 
 void copyPoint(std::vector<Point2d>& points1, std::vector<Point2d>& points2, int from, int to)

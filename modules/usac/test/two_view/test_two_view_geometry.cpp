@@ -466,22 +466,5 @@ TEST(Usac_TwoViewGeometry, homography_that_is_a_rotation)
     }
 }
 
-//! A TwoViewPair can be created empty and filled field by field.
-TEST(Usac_TwoViewGeometry, pair_without_arguments)
-{
-    TwoViewPair pair;
-    EXPECT_EQ("0 matches, 15 are needed", estimateTwoViewGeometry(pair).reason);
-    const TwoViewPair given = pairOf(twoViewScene(1));
-    pair.points1 = given.points1;
-    pair.points2 = given.points2;
-    EXPECT_EQ((int)TWO_VIEW_UNCALIBRATED, estimateTwoViewGeometry(pair).configuration);
-    pair.cameraMatrix1 = given.cameraMatrix1;
-    pair.cameraMatrix2 = given.cameraMatrix2;
-    const TwoViewGeometry expected = estimateTwoViewGeometry(given),
-                          found = estimateTwoViewGeometry(pair);
-    EXPECT_EQ((int)TWO_VIEW_CALIBRATED, found.configuration);
-    EXPECT_EQ(0, cv::norm(expected.E, found.E));
-}
-
 }  // namespace
 }  // namespace opencv_test

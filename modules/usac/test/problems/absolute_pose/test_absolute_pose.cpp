@@ -209,93 +209,6 @@ TEST(Usac_AbsolutePose, second_pose_of_a_plane)
     }
 }
 
-TEST(Usac_AbsolutePose, exact_points)
-{
-    for (int coefficients : COEFFICIENTS)
-        for (double scale : {1e-4, 1., 1e5})
-        {
-            SCOPED_TRACE(cv::format("%d coefficients, scale %g", coefficients, scale));
-            PoseSceneOptions options;
-            options.noise = 0;
-            options.coefficients = coefficients;
-            options.scale = scale;
-            options.offset = Vec3d(20, -30, 50) * scale;
-            const PoseScene scene = makePoseScene(options);
-            expectRight(scene, estimate(scene), Params(), 1e-5, 1e-6);
-        }
-}
-
-TEST(Usac_AbsolutePose, points_behind_the_camera_are_no_inliers)
-{
-    PoseSceneOptions options;
-    options.behind = 40;
-    options.atCenter = 10;
-    options.inlierRatio = 0.6;
-    const PoseScene scene = makePoseScene(options);
-    const Estimate found = estimate(scene);
-    expectRight(scene, found, Params(), 0.5, 0.02);
-}
-
-//! The object points are on a line, all equal or all not finite, or the image points are all equal.
-//! With every preset, there must be no exception and no pose; for the line a finite pose is
-//! allowed.
-TEST(Usac_AbsolutePose, degenerate_points)
-{
-    PoseSceneOptions options;
-    options.shape = POSE_LINE;
-    options.noise = 0;
-    std::vector<PoseScene> scenes(1, makePoseScene(options));
-    scenes.push_back(makePoseScene());
-    std::fill(scenes[1].object.begin(), scenes[1].object.end(), Point3d(1, 2, 3));
-    scenes.push_back(makePoseScene());
-    std::fill(scenes[2].image.begin(), scenes[2].image.end(), Point2d(100, 200));
-    scenes.push_back(makePoseScene());
-    for (Point3d& point : scenes[3].object)
-        point = Point3d(NAN, 0, 0);
-    for (size_t s = 0; s < scenes.size(); ++s)
-        for (NamedPreset preset : allPresets(ABSOLUTE_POSE))
-        {
-            SCOPED_TRACE(cv::format("scene %d, %s", (int)s, preset.name));
-            preset.params.maxIterations = 300;
-            const Estimate found = estimate(scenes[s], preset.params);
-            if (s != 0)  // scene 0, the line: rounding can make it solvable
-            {
-                EXPECT_TRUE(found.model.empty());
-            }
-            if (found.model.empty())
-            {
-                EXPECT_EQ(0, countNonZero(found.mask));
-            }
-            else
-            {
-                EXPECT_TRUE(checkRange(found.model));
-            }
-            EXPECT_EQ(scenes[s].size(), found.mask.rows);
-        }
-}
-
-TEST(Usac_AbsolutePose, near_lines_clusters_and_copies)
-{
-    for (PoseShape shape : {POSE_NEAR_LINE, POSE_CLUSTER})
-        for (int copies : {1, 3})
-        {
-            SCOPED_TRACE(cv::format("shape %d, %d copies", shape, copies));
-            PoseSceneOptions options;
-            options.shape = shape;
-            options.copies = copies;
-            const PoseScene scene = makePoseScene(options);
-            const Estimate found = estimate(scene);
-            ASSERT_FALSE(found.model.empty());
-            int agree = 0, right = 0;  // the pose itself is hardly determined
-            for (int i = 0; i < scene.size(); ++i)
-            {
-                right += scene.truth[i];
-                agree += scene.truth[i] && found.mask.at<uchar>(i);
-            }
-            EXPECT_GE(agree, 0.9 * right);
-        }
-}
-
 //! The camera matrix has two different focal lengths, skew or a negative focal length, or it is the
 //! identity. The pose must be found, and the mask must be right.
 TEST(Usac_AbsolutePose, any_camera_matrix)
@@ -332,63 +245,6 @@ TEST(Usac_AbsolutePose, any_camera_matrix)
             EXPECT_EQ(q[2] > 0 && error <= params.threshold ? 1 : 0, mask.at<uchar>(i)) << error;
         }
     }
-}
-
-TEST(Usac_AbsolutePose, threads_and_layouts_give_the_same_bits)
-{
-    PoseSceneOptions options;
-    options.size = 1000;
-    options.inlierRatio = 0.25;
-    options.coefficients = 8;
-    const PoseScene scene = makePoseScene(options);
-    const Estimate first = estimate(scene);
-    ASSERT_FALSE(first.model.empty());
-    for (int threads : {2, 4})
-    {
-        Params params;
-        params.threads = threads;
-        const Estimate other = estimate(scene, params);
-        EXPECT_EQ(0, cvtest::norm(first.model, other.model, NORM_INF));
-        EXPECT_EQ(0, cvtest::norm(first.mask, other.mask, NORM_INF));
-    }
-    const Mat rows = column(scene.object).reshape(1), image = column(scene.image).reshape(1);
-    const Mat layouts[][2] = {
-        {rows, image}, {rows.t(), image.t()}, {rows.reshape(3, 1), image.reshape(2, 1)}};
-    for (const Mat(&points)[2] : layouts)
-    {
-        Mat mask;
-        const Mat model = estimateAbsolutePose(points[0], points[1], scene.K, scene.distortion,
-                                               Params(), mask);
-        EXPECT_EQ(0, cvtest::norm(first.model, model, NORM_INF));
-        EXPECT_EQ(0, cvtest::norm(first.mask, mask, NORM_INF));
-    }
-}
-
-TEST(Usac_AbsolutePose, wrong_arguments_are_named)
-{
-    const PoseScene s = makePoseScene();
-    const Mat object = column(s.object).reshape(1), image = column(s.image).reshape(1), K(s.K),
-              none;
-    const Params params;
-    Params symmetric, degensac;
-    symmetric.residual = RESIDUAL_SYMMETRIC;
-    degensac.degeneracy = DEGENERACY_DEGENSAC;
-    expectException([&]() { estimateAbsolutePose(image, image, K); }, "objectPoints");
-    expectException([&]() { estimateAbsolutePose(object, Mat(10, 5, CV_64FC3), K); },
-                    "imagePoints");
-    expectException([&]() { estimateAbsolutePose(object.rowRange(0, 9), image, K); },
-                    "objectPoints and imagePoints");
-    expectException([&]() { estimateAbsolutePose(object, image, none); }, "cameraMatrix");
-    expectException([&]() { estimateAbsolutePose(object, image, Mat::zeros(3, 3, CV_64F)); },
-                    "cameraMatrix");
-    expectException([&]() { estimateAbsolutePose(object, image, K, Mat::ones(1, 7, CV_64F)); },
-                    "distCoeffs");
-    expectException(
-        [&]() { estimateAbsolutePose(object, image, K, Mat(1, 4, CV_64F, Scalar(NAN))); },
-        "distCoeffs");
-    expectException([&]() { estimateAbsolutePose(object, image, K, none, symmetric); }, "residual");
-    expectException([&]() { estimateAbsolutePose(object, image, K, none, degensac); },
-                    "degeneracy");
 }
 
 //! A residual that a caller might write. It has the errors that the search uses, which do not
@@ -450,22 +306,6 @@ TEST(Usac_AbsolutePose, replaced_residual_makes_the_mask)
     usac->components().nonMinimalSolver = solver;
     ASSERT_FALSE(usac->run(again).empty());
     EXPECT_EQ(0, cvtest::norm(lens, again, NORM_INF));
-}
-
-TEST(Usac_AbsolutePose, too_few_points)
-{
-    const PoseScene scene = makePoseScene();
-    for (int count = 0; count < 3; ++count)
-    {
-        const std::vector<Point3d> object(scene.object.begin(), scene.object.begin() + count);
-        const std::vector<Point2d> image(scene.image.begin(), scene.image.begin() + count);
-        Mat mask;
-        Report report;
-        EXPECT_TRUE(estimateAbsolutePose(object, image, scene.K, noArray(), Params(), mask, report)
-                        .empty());
-        EXPECT_EQ((int)STOP_TOO_FEW_POINTS, report.stop);
-        EXPECT_EQ(count, mask.rows);
-    }
 }
 
 }  // namespace

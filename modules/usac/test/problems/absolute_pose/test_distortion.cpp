@@ -96,20 +96,6 @@ TEST(Usac_Distortion, ends_where_the_lens_folds)
     EXPECT_FALSE(distortion.none());
 }
 
-TEST(Usac_Distortion, of_any_depth_and_shape)
-{
-    const Mat row = lens(8);
-    Mat column = row.t(), single;
-    row.convertTo(single, CV_32F);
-    const Vec2d p(0.3, -0.2);
-    Vec2d a, b, c;
-    ASSERT_TRUE(Distortion(row).distort(p, a));
-    ASSERT_TRUE(Distortion(column).distort(p, b));
-    ASSERT_TRUE(Distortion(single).distort(p, c));
-    EXPECT_EQ(a, b);
-    EXPECT_LE(cv::norm(a - c), 1e-7);
-}
-
 //! Checks a residual with a lens: its derivatives, the agreement of linearize() and
 //! squaredErrors(), and that points behind the camera have infinite errors.
 void checkResidual(const Residual& residual, const Matx33d& camera)

@@ -87,13 +87,6 @@ void expectTruth(int samples)
 
 TEST(Usac_P3P, exact) { expectTruth(20000); }
 
-//! Run with --gtest_filter=Usac_P3P.exactMillion --test_tag_enable=verylong.
-TEST(Usac_P3P, exactMillion)
-{
-    applyTestTag(CV_TEST_TAG_VERYLONG);
-    expectTruth(1000000);
-}
-
 //! The poses of OpenCV's solver that reproject the points with errors below 1e-9.
 std::vector<Matx34d> posesOfOpenCV(const PoseSample& s, int method)
 {
@@ -209,70 +202,6 @@ TEST(Usac_P3P, symmetric)
     tally.expectSound("symmetric");
 }
 
-//! The camera center is in the plane of the triangle. The true pose must be found nevertheless.
-TEST(Usac_P3P, coplanarWithTheCenter)
-{
-    const Ptr<MinimalSolver> solver = createP3PSolver();
-    RNG rng(7);
-    Tally tally;
-    for (int i = 0; i < 3000; ++i)
-    {
-        Vec3d Y[3];
-        do
-            for (int k = 0; k < 3; ++k)
-                Y[k] = uniformVector(rng, Vec3d(-1, 0, 1), Vec3d(1, 0, 3));
-        while (flatness(Y) < 1);
-        const PoseSample s = poseSampleOf(Y, rng);
-        tally.add(s, solve(*solver, s.X, s.image), DOUBLE_SOLUTION);
-    }
-    EXPECT_EQ(0, tally.missed);
-    tally.expectSound("coplanar");
-}
-
-//! The set of solutions must not depend on the order of the points.
-TEST(Usac_P3P, anyOrder)
-{
-    const Ptr<MinimalSolver> solver = createP3PSolver();
-    const int orders[][3] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-    for (int kind = 0; kind < POSE_SAMPLE_KINDS; ++kind)
-    {
-        RNG rng(200 + kind);
-        int lacking = 0;
-        for (int i = 0; i < 200; ++i)
-        {
-            const PoseSample s = randomPoseSample((PoseSampleKind)kind, rng);
-            const std::vector<Matx34d> poses = solve(*solver, s.X, s.image);
-            for (const int(&order)[3] : orders)
-            {
-                PoseSample other = s;
-                for (int k = 0; k < 3; ++k)
-                {
-                    other.X[k] = s.X[order[k]];
-                    other.image[k] = s.image[order[k]];
-                }
-                const std::vector<Matx34d> again = solve(*solver, other.X, other.image);
-                lacking += countLacking(s, poses, again) + countLacking(s, again, poses);
-            }
-        }
-        EXPECT_EQ(0, lacking) << POSE_SAMPLE_NAMES[kind];
-    }
-}
-
-//! A sample whose third point has been moved near or onto the line through the first two points.
-//! `height` is the distance of the third point from this line, divided by the distance between the
-//! first two points.
-PoseSample flatSample(double height, RNG& rng)
-{
-    PoseSample s = randomPoseSample(CUBE, rng);
-    const Vec3d side = s.X[1] - s.X[0], any = uniformVector(rng, -1., 1.);
-    const Vec3d across = side.cross(any);
-    s.X[2] = s.X[0] + rng.uniform(0.1, 0.9) * side +
-             (height * cv::norm(side) / cv::norm(across)) * across;
-    const Vec3d y = s.pose * Vec4d(s.X[2][0], s.X[2][1], s.X[2][2], 1);
-    s.image[2] = Point2d(y[0] / y[2], y[1] / y[2]);
-    return s;
-}
-
 //! If the points are collinear, two points coincide or two rays are equal, there must be no model,
 //! even if this holds only up to rounding.
 TEST(Usac_P3P, degenerate)
@@ -303,37 +232,6 @@ TEST(Usac_P3P, degenerate)
     }
 }
 
-//! Collinear points at most 4e-8 apart, whose distance from the origin is more than 1. They form a
-//! triangle only because of rounding, so that there must be no model.
-TEST(Usac_P3P, smallAndFlat)
-{
-    const Ptr<MinimalSolver> solver = createP3PSolver();
-    RNG rng(12);
-    for (int i = 0; i < 3000; ++i)
-    {
-        PoseSample s = flatSample(0, rng);
-        for (int k = 0; k < 3; ++k)
-            s.X[k] = Vec3d(0.9, -0.7, 0.8) + 1e-8 * s.X[k];
-        EXPECT_EQ(0u, solve(*solver, s.X, s.image).size());
-    }
-}
-
-//! For triangles that are nearly lines, every returned pose must consist of a rotation and a
-//! translation and must reproject the points.
-TEST(Usac_P3P, nearlyFlat)
-{
-    const Ptr<MinimalSolver> solver = createP3PSolver();
-    RNG rng(13);
-    Tally tally;
-    for (int i = 0; i < 20000; ++i)
-    {
-        const PoseSample s = flatSample(std::pow(10., -rng.uniform(2., 8.5)), rng);
-        tally.add(s, solve(*solver, s.X, s.image), 0);
-    }
-    EXPECT_GT(tally.solutions, 10000);
-    tally.expectSound("nearly flat");
-}
-
 //! Input that is not finite, or whose squares are not finite, must give no model.
 TEST(Usac_P3P, notFinite)
 {
@@ -353,30 +251,6 @@ TEST(Usac_P3P, notFinite)
                 EXPECT_EQ(0u, solve(*solver, other.X, other.image).size()) << value << " at " << k;
             }
     }
-}
-
-//! The image points come from other object points, so that there is often no pose. Every returned
-//! pose must nevertheless reproject the object points onto the image points.
-TEST(Usac_P3P, wrongMatches)
-{
-    const Ptr<MinimalSolver> solver = createP3PSolver();
-    RNG rng(10);
-    Tally tally;
-    int none = 0;
-    for (int i = 0; i < 20000; ++i)
-    {
-        PoseSample s = randomPoseSample((PoseSampleKind)(i % POSE_SAMPLE_KINDS), rng);
-        const PoseSample other = randomPoseSample(
-            (PoseSampleKind)(i / POSE_SAMPLE_KINDS % POSE_SAMPLE_KINDS), rng);
-        std::copy(other.image, other.image + 3, s.image);
-        const std::vector<Matx34d> poses = solve(*solver, s.X, s.image);
-        none += poses.empty();
-        tally.add(s, poses, 1e-6);
-    }
-    EXPECT_GT(none, 1000);
-    EXPECT_GT(tally.solutions, 10000);
-    EXPECT_LE(tally.most, 4);
-    tally.expectSound("wrong matches");
 }
 
 //! Small integer coordinates make right angles, equal sides, equal points and other special cases.

@@ -48,28 +48,6 @@ void expectSolutions(const Triangle& T, int count, const TriangleDepths* depths)
     }
 }
 
-TEST(Usac_TriangleDepths, solutionsFit)
-{
-    RNG rng(1);
-    int total = 0;
-    for (int i = 0; i < 20000; ++i)
-    {
-        const double along = rng.uniform(0., 1.), height = rng.uniform(0.05, 0.8);
-        const double power = rng.uniform(0., 5.);
-        const Point2d sides = uniformPoint(rng, 0.1, 1.);
-        Triangle T = isosceles(0, sides.x, sides.y, std::pow(10., -power));
-        T.a12 = along * along + height * height;
-        T.a13 = (1 - along) * (1 - along) + height * height;
-        T.s13 *= rng.uniform(0.5, 1.);
-        TriangleDepths depths[MAX_TRIANGLE_DEPTHS];
-        const int count = solveTriangle(T, depths);
-        ASSERT_LE(count, (int)MAX_TRIANGLE_DEPTHS);
-        expectSolutions(T, count, depths);
-        total += count;
-    }
-    EXPECT_GT(total, 20000);
-}
-
 /** For an isosceles triangle, the two conics a23 Q12 - a12 Q23 and a23 Q13 - a13 Q23 are mirror
 images. If one is degenerate, so is the other, and the cubic of their pencil has neither a constant
 nor a leading coefficient. The number of solutions must nevertheless be that of a nearby

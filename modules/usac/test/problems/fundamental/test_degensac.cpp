@@ -71,19 +71,6 @@ TEST(Usac_Degensac, dominantPlanes)
     EXPECT_GE(with, without + 5 * SCENES / 10) << "of " << 5 * SCENES;
 }
 
-//! Without local optimization, DEGENSAC (plane and parallax) must still increase the number of
-//! successes.
-TEST(Usac_Degensac, withoutLocalOptimization)
-{
-    SceneOptions options;
-    options.planeFraction = 0.85;
-    options.outliers = 60;
-    Params with = paramsWith(WITH), without = paramsWith(WITHOUT);
-    with.localOptimization = without.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    const Outcome a = estimateScenes(options, 60, with), b = estimateScenes(options, 60, without);
-    EXPECT_GE(a.successes, b.successes + 6);
-}
-
 TEST(Usac_Degensac, generalScenesAreNotWorse)
 {
     const int SCENES = 80;

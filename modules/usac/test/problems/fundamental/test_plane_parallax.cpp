@@ -204,66 +204,6 @@ TEST(Usac_PlaneParallax, wantedInliersShortenTheSearch)
     EXPECT_LE(quality.cost, p.context.rate(p.truth).cost + 5);
 }
 
-//! More points are off the plane than can vote for an epipole (MAX_POINTS). The search must succeed
-//! nevertheless.
-TEST(Usac_PlaneParallax, manyPointsOffThePlane)
-{
-    const Parallax p(planarScene(6000, 0.8, 0.5, 5));
-    Model model;
-    Quality quality;
-    PlaneParallax parallax;
-    p.begin(parallax, model, quality);
-    EXPECT_EQ(PlaneParallax::MAX_POINTS, parallax.size());
-    EXPECT_TRUE(parallax.search(p.context, 0.01, 0, model, quality));
-    EXPECT_LE(quality.cost, p.context.rate(p.truth).cost * 1.01);
-    EXPECT_LT(parallax.lines(), 300);
-}
-
-//! The search must find the epipole in at least 38 of 40 scenes, even if many wrong matches share a
-//! point or all matches occur four times.
-TEST(Usac_PlaneParallax, repeatedPoints)
-{
-    int found = 0;
-    const int SCENES = 40;
-    for (int i = 0; i < SCENES; ++i)
-    {
-        SceneOptions options = planarScene(400, 0.85, 0.6, 70 + i);
-        if (i % 2)
-            options.outlierModel = OUTLIERS_MANY_TO_ONE;
-        else
-        {
-            options.setSize(100, 0.6);
-            options.copies = 4;
-        }
-        const Parallax p(options);
-        Model model;
-        Quality quality;
-        PlaneParallax parallax;
-        p.begin(parallax, model, quality);
-        parallax.search(p.context, 0.01, 0, model, quality);
-        found += quality.cost <= p.context.rate(p.truth).cost + 8;
-    }
-    EXPECT_GE(found, SCENES - 2);
-    // one match that occurs fifty times gives fifty equal lines and thus no epipole
-    const std::vector<cv::Point2d> same1(50, cv::Point2d(0.5, 0.5)),
-        same2(50, cv::Point2d(-0.5, 0.25));
-    const OwnPoints own(FUNDAMENTAL, same1, same2, 0.01);
-    const Params params;
-    const Components none;
-    Arena arena;
-    const Context context(own.view(), none, params, arena);
-    std::vector<int> all;
-    for (int i = 0; i < 50; ++i)
-        all.push_back(i);
-    PlaneParallax parallax;
-    parallax.setPlane(context, all.data(), 50, cv::Matx33d::eye());
-    Model model = Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0);
-    Quality quality(50, 0);
-    EXPECT_FALSE(parallax.search(context, 0.01, 0, model, quality));
-    EXPECT_EQ(50, parallax.lines());
-    EXPECT_EQ(0, parallax.fits());
-}
-
 //! Number of epipoles whose fit continues after two steps (PlaneParallax::fits()) if 200 matches
 //! share the point `common` of image 2 and only these matches vote. Their points in image 1 are
 //! random, and so are both points of 600 other matches.

@@ -10,8 +10,6 @@
 #include "problems/rigid_motion/rigid_motion.hpp"
 #include "problems/rigid_motion/rigid_parameterization.hpp"
 
-#include <numeric>
-
 // Tests of least squares in closed form for rigid motions and 3-D similarities, and of the
 // parameterization of these motions.
 
@@ -119,25 +117,6 @@ TEST(Usac_RigidLeastSquares, isTheMinimum)
                 expectMinimum<false>(scene, none);
                 expectMinimum<true>(scene, none);
             }
-}
-
-TEST(Usac_RigidLeastSquares, sameAsOpenCV)
-{
-    for (RigidShape shape : SHAPES)
-        for (int seed = 1; seed <= 10; ++seed)
-        {
-            const RigidScene scene = sceneOf(shape, 0.01, seed, 0.5);
-            double scale = 0;
-            const Mat scaled = cv::estimateAffine3D(scene.points1, scene.points2, &scale, true);
-            const Mat rigid = cv::estimateAffine3D(scene.points1, scene.points2, (double*)0, true);
-            const Fit own(true, scene), ownRigid(false, scene);
-            ASSERT_TRUE(own.found && ownRigid.found);
-            const Matx34d expected(scaled);
-            const Vec3d t(expected(0, 3), expected(1, 3), expected(2, 3));
-            EXPECT_LE(cv::norm(own.motion - motionFrom(scale, expected.get_minor<3, 3>(0, 0), t)),
-                      1e-11);
-            EXPECT_LE(cv::norm(ownRigid.motion - Matx34d(rigid)), 1e-11);
-        }
 }
 
 //! The error of the problem in three components, as a residual that a caller might write. With such
@@ -285,76 +264,6 @@ TEST(Usac_RigidLeastSquares, mirrored)
         expectMinimum<false>(scene, std::vector<double>());
         expectMinimum<true>(scene, std::vector<double>());
     }
-}
-
-//! A matrix with an entry that is not finite has no closest rotation; the result must not be
-//! finite.
-TEST(Usac_RigidLeastSquares, closestRotationOfNoNumbers)
-{
-    for (double value : {NAN, INFINITY, -INFINITY})
-        for (int k = 0; k < 9; ++k)
-        {
-            Eigen::Matrix3d M = Eigen::Matrix3d::Identity();
-            M(k / 3, k % 3) = value;
-            const ClosestRotation closest(M);
-            EXPECT_FALSE(closest.rotation.allFinite());
-            EXPECT_FALSE(closest.singularValues.allFinite());
-            EXPECT_FALSE(std::abs(closest.scale) <= DBL_MAX);
-        }
-}
-
-template <bool SCALED>
-void checkParameters()
-{
-    typedef RigidParameterization<SCALED> Parameters;
-    RNG rng(4);
-    const Matx33d R = randomRotation(rng);
-    const Model model = motionFrom(SCALED ? 1.7 : 1, R, Vec3d(0.3, -0.8, 0.5));
-    const Parameters here(model);
-    const Model same = here.model();
-    for (int k = 0; k < 12; ++k)
-        EXPECT_NEAR(model.val[k], same.val[k], 1e-14);
-    const typename Parameters::Basis basis = here.tangent();
-    const double h = 1e-5;
-    for (int k = 0; k < Parameters::DIMENSION; ++k)
-    {
-        typename Parameters::Step step = Parameters::Step::Zero();
-        step[k] = h;
-        const Model ahead = here.plus(step).model(), behind = here.plus(-step).model();
-        for (int i = 0; i < 12; ++i)
-            EXPECT_NEAR(basis(i, k), (ahead.val[i] - behind.val[i]) / (2 * h), 1e-9)
-                << k << " " << i;
-    }
-    SpaceEquations sums;
-    sums.JtJ.setRandom();
-    sums.JtJ = (sums.JtJ * sums.JtJ.transpose()).eval();
-    sums.Jtr.setRandom();
-    typename Parameters::Matrix A;
-    typename Parameters::Step b;
-    here.project(sums, A, b);
-    EXPECT_LE((A - basis.transpose() * sums.JtJ * basis).norm(), 1e-12 * A.norm());
-    EXPECT_LE((b - basis.transpose() * sums.Jtr).norm(), 1e-12 * b.norm());
-    EXPECT_TRUE(here.hasFullRank());
-    // for a matrix that is not a motion, the parameters must be those of the closest motion
-    Matx34d rough = Matx34d(model);
-    for (int k = 0; k < 12; ++k)
-        rough.val[k] += rng.gaussian(0.05);
-    const Matx34d closest = Parameters(Model(rough)).model();
-    for (int trial = 0; trial < 100; ++trial)
-    {
-        typename Parameters::Step step;
-        for (int k = 0; k < Parameters::DIMENSION; ++k)
-            step[k] = k >= 3 && k < 6 ? 0 : rng.gaussian(0.1);
-        const Matx34d other = Parameters(Model(closest)).plus(step).model();
-        EXPECT_LE(cv::norm(closest - rough), cv::norm(other - rough));
-    }
-}
-
-TEST(Usac_RigidParameterization, tangentsAndSteps)
-{
-    checkParameters<false>();
-    checkParameters<true>();
-    EXPECT_FALSE(RigidParameterization<true>(Model(Matx34d::zeros())).hasFullRank());
 }
 
 }  // namespace

@@ -2,12 +2,18 @@
 // It is subject to the license terms in the LICENSE file found in the top-level directory
 // of this distribution and at http://opencv.org/license.html.
 
-#include "contracts/rigid_contracts.hpp"
+#include "contracts/space_contracts.hpp"
+#include "support/run_context.hpp"
 
 // Tests of 3-D motions on synthetic scenes of every shape, with every preset.
 
 namespace opencv_test {
 namespace {
+
+Estimate estimate(ProblemType type, const RigidScene& scene, const Params& params)
+{
+    return estimate(callOf(type, scene, params));
+}
 
 Estimate estimate(ProblemType type, const RigidScene& scene)
 {
@@ -80,15 +86,6 @@ TEST_P(Usac_RigidMotion, every_shape_and_kind_of_outliers)
             }
 }
 
-//! The rotation of a small ball is less accurate, because the noise is larger relative to its size.
-TEST_P(Usac_RigidMotion, clusters)
-{
-    RigidSceneOptions options = optionsOf(problem());
-    options.shape = RIGID_CLUSTER;
-    const RigidScene scene = makeRigidScene(options);
-    expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 5, 0.005);
-}
-
 TEST_P(Usac_RigidMotion, every_preset)
 {
     RigidSceneOptions options = optionsOf(problem());
@@ -130,48 +127,6 @@ TEST_P(Usac_RigidMotion, inlier_ratios_and_sizes)
         }
 }
 
-TEST_P(Usac_RigidMotion, a_hundred_thousand_points)
-{
-    RigidSceneOptions options = optionsOf(problem());
-    options.size = 100000;
-    options.inlierRatio = 0.3;
-    const RigidScene scene = makeRigidScene(options);
-    expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 0.02, 0.001);
-}
-
-//! There are only true matches, from three (as many as in a sample) to 20. The motion must be
-//! found. With fewer than three points there must be no model.
-TEST_P(Usac_RigidMotion, few_points)
-{
-    for (int size : {3, 4, 5, 20})
-        for (int seed = 1; seed <= 10; ++seed)
-        {
-            SCOPED_TRACE(cv::format("%d points, seed %d", size, seed));
-            RigidSceneOptions options = optionsOf(problem());
-            options.size = std::max(size, 4);
-            options.inlierRatio = 1;
-            options.noise = 1e-4;
-            options.seed = seed;
-            RigidScene scene = makeRigidScene(options);
-            scene.points1.resize(size);
-            scene.points2.resize(size);
-            scene.truth.resize(size);
-            scene.threshold *= 2;
-            expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 1, 0.005);
-        }
-    for (int size = 0; size < 3; ++size)
-    {
-        const std::vector<Point3d> points(size, Point3d(1, 2, 3));
-        RigidScene scene;
-        scene.points1 = scene.points2 = points;
-        scene.threshold = 1;
-        const Estimate found = estimate(problem(), scene);
-        EXPECT_TRUE(found.model.empty());
-        EXPECT_EQ((int)STOP_TOO_FEW_POINTS, found.report.stop);
-        EXPECT_EQ(size, found.mask.rows);
-    }
-}
-
 //! The mean error must be at most 1.05 times that of least squares over the true matches.
 TEST_P(Usac_RigidMotion, as_accurate_as_least_squares)
 {
@@ -197,93 +152,6 @@ TEST_P(Usac_RigidMotion, as_accurate_as_least_squares)
         own += motionError(scene, estimate(problem(), scene).motion());
     }
     EXPECT_LE(own, 1.05 * best);
-}
-
-TEST_P(Usac_RigidMotion, exact_points)
-{
-    for (double unit : {1e-4, 1., 1e5})
-        for (double offset : {0., 1e3})
-        {
-            SCOPED_TRACE(cv::format("unit %g, offset %g", unit, offset));
-            RigidSceneOptions options = optionsOf(problem());
-            options.noise = 0;
-            options.unit = unit;
-            options.offset1 = Vec3d(2, -3, 5) * (offset * unit);
-            options.offset2 = Vec3d(-7, 3, 1) * (offset * unit);
-            const RigidScene scene = makeRigidScene(options);
-            expectRight(problem(), scene, estimate(problem(), scene), scene.threshold, 1e-5,
-                        1e-9 * (1 + offset));
-        }
-}
-
-/** The unit and the origin of the points change, and the threshold changes with the unit. The mask
-must be the same. A unit that is a power of two changes no bit of the search; other units and the
-offsets could change the mask only where the error equals the threshold up to rounding. */
-TEST_P(Usac_RigidMotion, units_and_origins)
-{
-    for (int seed = 1; seed <= 5; ++seed)
-    {
-        RigidSceneOptions options = optionsOf(problem());
-        options.seed = seed;
-        options.inlierRatio = 0.4;
-        const Estimate first = estimate(problem(), makeRigidScene(options));
-        for (double unit : {std::ldexp(1., -20), std::ldexp(1., 20), 1e-6, 1e-3, 1e3, 1e6})
-            for (double offset : {0., 1., 1e4})
-            {
-                SCOPED_TRACE(cv::format("seed %d, unit %g, offset %g", seed, unit, offset));
-                options.unit = unit;
-                options.offset1 = Vec3d(-1, 3, 2) * (unit * offset);
-                options.offset2 = Vec3d(2, 5, -1) * (unit * offset);
-                const RigidScene scene = makeRigidScene(options);
-                const Estimate other = estimate(problem(), scene);
-                ASSERT_FALSE(other.model.empty());
-                EXPECT_EQ(0, cvtest::norm(first.mask, other.mask, NORM_L1));
-                options.unit = 1;
-                options.offset1 = options.offset2 = Vec3d();
-            }
-    }
-}
-
-TEST_P(Usac_RigidMotion, threads_give_the_same_bits)
-{
-    RigidSceneOptions options = optionsOf(problem());
-    options.size = 1000;
-    options.inlierRatio = 0.2;
-    const RigidScene scene = makeRigidScene(options);
-    for (const NamedPreset& preset : allPresets(problem()))
-    {
-        SCOPED_TRACE(preset.name);
-        Params params = preset.params;
-        params.threshold = scene.threshold;
-        params.threads = 1;
-        const Estimate first = estimate(problem(), scene, params);
-        for (params.threads = 2; params.threads <= 4; ++params.threads)
-        {
-            const Estimate other = estimate(problem(), scene, params);
-            EXPECT_TRUE(sameBits(first.model, other.model)) << params.threads;
-            EXPECT_TRUE(sameBits(first.mask, other.mask)) << params.threads;
-        }
-    }
-}
-
-//! Some rows are not finite, as happens where a depth camera measures no depth. These rows must not
-//! be inliers.
-TEST_P(Usac_RigidMotion, rows_of_no_numbers)
-{
-    RigidScene scene = makeRigidScene(optionsOf(problem()));
-    const Estimate whole = estimate(problem(), scene);
-    for (int i = 0; i < scene.size(); i += 3)
-    {
-        double* const numbers[] = {&scene.points1[i].x, &scene.points1[i].z, &scene.points2[i].y,
-                                   &scene.points2[i].z};
-        *numbers[i % 4] = i % 2 ? NAN : i % 5 ? INFINITY : -INFINITY;
-        scene.truth[i] = 0;
-    }
-    const Estimate found = estimate(problem(), scene);
-    expectRight(problem(), scene, found, scene.threshold, 0.5, 0.006);
-    EXPECT_LT(found.report.inliers, whole.report.inliers);
-    for (int i = 0; i < scene.size(); i += 3)
-        EXPECT_EQ(0, found.mask.at<uchar>(i));
 }
 
 //! For equal, collinear or random points there must be no model (except for random points with
@@ -328,6 +196,81 @@ TEST_P(Usac_RigidMotion, impossible_points)
             EXPECT_NE("", found.report.describe());
         }
     EXPECT_GE(notSignificant, 10);
+}
+
+//! With 90 % outliers, a single sample finds no motion, so that the correct motion must come from
+//! the initial model. With many samples, a wrong initial model must do no harm.
+TEST_P(Usac_RigidMotion, initial_model)
+{
+    RigidSceneOptions options = optionsOf(problem());
+    options.inlierRatio = 0.1;
+    options.size = 1000;
+    const RigidScene scene = makeRigidScene(options);
+    for (double widestReach : {1., 8.})
+    {
+        Params params;
+        params.threshold = scene.threshold;
+        params.maxIterations = 200000;
+        params.widestReach = widestReach;
+        const Estimate first = estimate(problem(), scene, params);
+        ASSERT_FALSE(first.model.empty());
+        Params tracking = params;
+        tracking.maxIterations = 1;
+        // the motion of the previous frame differs slightly
+        const Matx33d turn(1, -0.004, 0, 0.004, 1, 0, 0, 0, 1);
+        Matx34d before = motionFrom(1, turn * first.motion().get_minor<3, 3>(0, 0),
+                                    moved(first.motion(), Point3d()));
+        before(0, 3) += 0.005 * scene.unit;
+        for (const Matx34d& given : {first.motion(), before})
+        {
+            tracking.setInitialModel(given);
+            const Estimate tracked = checkedEstimate(callOf(problem(), scene, tracking));
+            ASSERT_FALSE(tracked.model.empty());
+            EXPECT_LE(tracked.report.iterations, 1);
+            EXPECT_GE(tracked.report.inliers, 0.98 * first.report.inliers);
+        }
+        RNG rng(3);
+        for (int trial = 0; trial < 10; ++trial)  // wrong initial models
+        {
+            Mat wrong(3, 4, CV_64F);
+            rng.fill(wrong, RNG::NORMAL, 0, 1);
+            params.setInitialModel(trial ? wrong : Mat::zeros(3, 4, CV_64F));
+            const Estimate other = checkedEstimate(callOf(problem(), scene, params));
+            EXPECT_GE(other.report.inliers, 0.95 * first.report.inliers);
+        }
+    }
+}
+
+//! The neighbors must be those with the smallest distances, found by exhaustive search. For rigid
+//! motions, distances are measured in both spaces; for similarities only in space 2, because space
+//! 1 can have a different unit.
+TEST_P(Usac_RigidMotion, nearest_neighbors)
+{
+    const RigidScene scene = makeRigidScene(optionsOf(problem()));
+    Params params;
+    params.threshold = scene.threshold;
+    params.neighborhood = NEIGHBORHOOD_KNN;
+    params.neighbors = 6;
+    const Ptr<Usac> usac = Usac::create(problem(), scene.points1, scene.points2, params);
+    const Correspondences& p = usac->points();
+    const RunContext run(p, usac->components(), params);
+    for (int i = 0; i < p.size; ++i)
+    {
+        std::vector<std::pair<double, int>> all;
+        for (int k = 0; k < p.size; ++k)
+        {
+            const int a = p.inputIndex[i], b = p.inputIndex[k];
+            const Point3d off1 = scene.points1[a] - scene.points1[b],
+                          off2 = scene.points2[a] - scene.points2[b];
+            all.push_back(
+                std::make_pair((problem() == RIGID_3D ? off1.dot(off1) : 0) + off2.dot(off2), k));
+        }
+        std::sort(all.begin(), all.end());
+        const int* members = 0;
+        ASSERT_EQ(7, usac->components().neighborhood->members(run, 0, i, members));
+        for (int k = 0; k < 7; ++k)
+            EXPECT_EQ(all[k].second, members[k]) << i;
+    }
 }
 
 }  // namespace

@@ -176,13 +176,6 @@ void expectTruth(int samples)
 
 TEST(Usac_TriangleSolver, exact) { expectTruth(20000); }
 
-//! Run with --gtest_filter=Usac_TriangleSolver.exactMillion --test_tag_enable=verylong.
-TEST(Usac_TriangleSolver, exactMillion)
-{
-    applyTestTag(CV_TEST_TAG_VERYLONG);
-    expectTruth(1000000);
-}
-
 double costOf(const Matx34d& motion, const Triangle& from, const Triangle& to)
 {
     double sum = 0;
@@ -217,46 +210,6 @@ TEST(Usac_TriangleSolver, leastSquaresOfAnyTriangles)
             EXPECT_NEAR(cost, costOf(found, from, to), 1e-13 * (1 + cost)) << i;
             EXPECT_LE(motionDistance(found, best, from), 1e-13 / thin) << i;
             EXPECT_GT(determinant(found.get_minor<3, 3>(0, 0)), 0) << i;
-        }
-    }
-}
-
-//! The mirror image of a triangle is a rotated triangle, so that an exact motion must be found.
-TEST(Usac_TriangleSolver, mirrored)
-{
-    RNG rng(21);
-    for (int i = 0; i < 3000; ++i)
-    {
-        const Triangle from = randomTriangle(CUBE, rng);
-        const Matx34d motion = randomMotion(true, rng);
-        Triangle to = movedCorners(motion, from);
-        for (Vec3d& corner : to)
-            corner[0] = -corner[0];
-        Matx34d found;
-        ASSERT_TRUE(solve(true, from, to, found));
-        EXPECT_GT(determinant(found.get_minor<3, 3>(0, 0)), 0);
-        EXPECT_LE(std::sqrt(costOf(found, from, to)), 1e-11 * cv::norm(motion));
-    }
-}
-
-TEST(Usac_TriangleSolver, anyOrderOfTheCorners)
-{
-    const int orders[][3] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-    RNG rng(22);
-    for (int i = 0; i < 3000; ++i)
-    {
-        const bool scaled = i % 2 != 0;
-        const Triangle from = randomTriangle((Kind)(i % THIN), rng),
-                       to = randomTriangle((Kind)(i / THIN % THIN), rng);
-        Matx34d first, other;
-        ASSERT_TRUE(solve(scaled, from, to, first));
-        for (const int(&order)[3] : orders)
-        {
-            const Triangle a = {from[order[0]], from[order[1]], from[order[2]]};
-            const Triangle b = {to[order[0]], to[order[1]], to[order[2]]};
-            ASSERT_TRUE(solve(scaled, a, b, other));
-            EXPECT_LE(motionDistance(other, first, from),
-                      1e-13 / (thicknessOf(from) * thicknessOf(to)));
         }
     }
 }

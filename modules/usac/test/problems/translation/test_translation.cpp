@@ -46,15 +46,6 @@ struct Matches
                    : std::hypot(model.at<double>(0, 2) - truth.x, model.at<double>(1, 2) - truth.y);
     }
 
-    //! Error of the mean displacement of the true matches in pixels.
-    double errorOfMean() const
-    {
-        Point2d sum;
-        for (int i = 0; i < right; ++i)
-            sum += points2[i] - points1[i];
-        return cv::norm(sum * (1. / right) - truth);
-    }
-
     const int right;
     const Point2d truth;
     std::vector<Point2d> points1, points2;
@@ -119,82 +110,6 @@ TEST(Usac_Translation, leastSquares)
     }
 }
 
-//! One exact match must suffice to find the translation.
-TEST(Usac_Translation, fewExactPoints)
-{
-    for (int count = 0; count <= 5; ++count)
-        for (uint64 seed = 1; seed <= 20; ++seed)
-        {
-            const Matches matches(count, 0, 0, seed);
-            Mat mask;
-            Report report;
-            const Mat model = estimateTranslation2D(matches.points1, matches.points2, Params(),
-                                                    mask, report);
-            ASSERT_EQ(count < 1, model.empty()) << count << " points, seed " << seed;
-            EXPECT_EQ(count < 1, report.stop == STOP_TOO_FEW_POINTS);
-            if (count >= 1)
-            {
-                EXPECT_EQ(count, countNonZero(mask));
-                EXPECT_LE(matches.error(model), 1e-10);
-            }
-        }
-}
-
-//! The mean error must be nearly that of the mean displacement of the true matches, which is the
-//! best possible estimate.
-TEST(Usac_Translation, inlierRatios)
-{
-    for (int percent : {5, 10, 20, 30, 50, 70, 90})
-    {
-        double ours = 0, best = 0;
-        for (uint64 seed = 1; seed <= 20; ++seed)
-        {
-            const int right = 400 * percent / 100;
-            const Matches matches(right, 400 - right, 0.5, seed);
-            Params params;
-            params.threshold = 2;
-            ours += matches.error(matches.estimate(params));
-            best += matches.errorOfMean();
-        }
-        EXPECT_LE(ours, 1.3 * best + 0.01) << percent << " % are right";
-    }
-}
-
-TEST(Usac_Translation, everyPreset)
-{
-    for (const NamedPreset& preset : allPresets(TRANSLATION_2D))
-        for (ResidualType residual : {RESIDUAL_STANDARD, RESIDUAL_SYMMETRIC})
-            for (uint64 seed = 1; seed <= 3; ++seed)
-            {
-                const Matches matches(200, 150, 0.5, seed);
-                Params params = preset.params;
-                params.residual = residual;
-                params.threshold = 1.5;
-                Report report;
-                const Mat model = estimateTranslation2D(matches.points1, matches.points2, params,
-                                                        noArray(), report);
-                // the true matches come first: where all samples follow this order (orderedEvery is
-                // 1), PROSAC's criterion can end the search early, and a larger error is allowed
-                EXPECT_LE(matches.error(model), params.orderedEvery == 1 ? 0.6 : 0.3)
-                    << preset.name << ", " << (int)residual;
-                EXPECT_LE(report.chance, 1e-6);
-            }
-}
-
-//! With two motions, 6 pixels apart, the result must be the motion with more matches and not a
-//! motion between the two.
-TEST(Usac_Translation, twoMotions)
-{
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        Matches matches(80, 40, 0.5, seed);
-        const Matches other(60, 0, 0.5, seed + 100, TRUTH + Point2d(6, 0));
-        matches.points1.insert(matches.points1.end(), other.points1.begin(), other.points1.end());
-        matches.points2.insert(matches.points2.end(), other.points2.begin(), other.points2.end());
-        EXPECT_LE(matches.error(matches.estimate(Params())), 0.3) << seed;
-    }
-}
-
 //! An initial model that is not a translation must be replaced by the translation that maps the
 //! center of the points in the same way.
 TEST(Usac_Translation, initialModelWithARotation)
@@ -208,35 +123,6 @@ TEST(Usac_Translation, initialModelWithARotation)
     params.setInitialModel(Mat_<double>({2, 3}, {c, -s, to.x - c * center.x + s * center.y, s, c,
                                                  to.y - s * center.x - c * center.y}));
     EXPECT_LE(matches.error(matches.estimate(params)), 0.5);
-}
-
-//! An outlier that occurs 101 times must count as one match.
-TEST(Usac_Translation, repeatedMatches)
-{
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        Matches matches(60, 40, 0.5, seed);
-        for (int i = 0; i < 100; ++i)
-        {
-            matches.points1.push_back(matches.points1[70]);
-            matches.points2.push_back(matches.points2[70]);
-        }
-        EXPECT_LE(matches.error(matches.estimate(Params())), 0.4) << seed;
-    }
-}
-
-//! The model must have the form that cv::warpAffine accepts. (cv::estimateTranslation2D of OpenCV 5
-//! returns only the last column of this matrix.)
-TEST(Usac_Translation, form)
-{
-    const Matches matches(50, 20, 0.2, 7);
-    const Mat model = matches.estimate(Params());
-    ASSERT_EQ(Size(3, 2), model.size());
-    EXPECT_EQ(0, cvtest::norm(Mat(Matx22d::eye()), model.colRange(0, 2), NORM_INF));
-    std::vector<Point2d> moved;
-    cv::transform(matches.points1, moved, model);
-    EXPECT_LE(cv::norm(moved[0] - matches.points2[0]), 1.5);
-    EXPECT_EQ(CV_64F, model.type());
 }
 
 }  // namespace

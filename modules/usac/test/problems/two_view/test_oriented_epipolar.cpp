@@ -4,6 +4,7 @@
 
 #include "test_precomp.hpp"
 #include "support/run_context.hpp"
+#include "support/own_points.hpp"
 #include "support/problem_objects.hpp"
 
 namespace opencv_test {
@@ -65,6 +66,34 @@ TEST(Usac_Orientation, wrongModelsAreRefused)
         EXPECT_GT(refused, total / 2);
         EXPECT_LT(refused, total);
     }
+}
+
+TEST(Usac_Orientation, homographySamples)
+{
+    std::vector<Point2d> square, mirrored, crossed;
+    const double corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < 4; ++i)
+    {
+        square.push_back(Point2d(corners[i][0], corners[i][1]));
+        mirrored.push_back(Point2d(-corners[i][0], corners[i][1]));
+        crossed.push_back(square[i]);
+    }
+    std::swap(crossed[0], crossed[1]);
+    const Ptr<Degeneracy> check = createHomographyOrientation();
+    const Params params;
+    const Components none;
+    const int sample[] = {0, 1, 2, 3};
+    const OwnPoints same(HOMOGRAPHY, square, square), mirror(HOMOGRAPHY, square, mirrored),
+        cross(HOMOGRAPHY, square, crossed);
+    EXPECT_TRUE(check->validSample(RunContext(same.view(), none, params), sample));
+    EXPECT_TRUE(check->validSample(RunContext(mirror.view(), none, params), sample))
+        << "a reflection is a homography";
+    EXPECT_FALSE(check->validSample(RunContext(cross.view(), none, params), sample));
+    const RunContext context(same.view(), none, params);
+    EXPECT_TRUE(check->validModel(context, sample, Matx33d::eye()));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 0, 0, 1, 0, 0, 0, 0, 1)));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d::zeros()));
+    EXPECT_FALSE(check->validModel(context, sample, Matx33d(1, 2, 3, 4, 5, 6, 7, 8, 9)));
 }
 
 }  // namespace

@@ -49,30 +49,6 @@ TEST_P(Usac_SharedPoints, targetsDoNotWin)
     EXPECT_GE(wrongWithout, 5);
 }
 
-//! x1 and x2 are the distances between two matches in image 1 and in image 2. With the threshold 1,
-//! the matches count as sharing a point if they are at most 2 apart in one image and more than 20
-//! in the other.
-TEST(Usac_SharedPoints_Samples, shareATarget)
-{
-    const struct
-    {
-        double x1, x2;
-        bool same;
-    } pairs[] = {{100, 1, true},  {1, 100, true}, {100, 2.1, false}, {19, 1.9, false},
-                 {30, 1.9, true}, {1, 1, false},  {100, 100, false}, {9, 1, false}};
-    for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); ++i)
-    {
-        std::vector<Point2d> a(1, Point2d(5, 5)), b(1, Point2d(7, 7));
-        a.push_back(Point2d(5 + pairs[i].x1, 5));
-        b.push_back(Point2d(7, 7 - pairs[i].x2));
-        const OwnPoints points(FUNDAMENTAL, a, b, 1);
-        const float sizes[] = {600, 600};
-        const TargetLimits limits(1, sizes);
-        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), limits, 0, 1)) << i;
-        EXPECT_EQ(pairs[i].same, shareATarget(points.view(), limits, 1, 0)) << i;
-    }
-}
-
 //! The quality of a model before and after the check for shared points.
 struct Checked
 {
