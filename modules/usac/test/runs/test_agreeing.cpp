@@ -73,12 +73,6 @@ TEST(Usac_Agreeing, matches_do_not_hide_the_right_model)
                 << (int)problem << ": " << agreement.name;
 }
 
-TEST(Usac_Agreeing, matches_do_not_hide_it_from_the_accurate_preset)
-{
-    for (const Agreement& agreement : AGREEMENTS)
-        EXPECT_LE(missed(FUNDAMENTAL, agreement, Params::accurate(), 40), 2) << agreement.name;
-}
-
 //! MAGSAC++ rates models by errors up to 2.4 thresholds, or more if the noise seems to be larger.
 //! Consistent wrong matches can then look like noise, or lower the cost of a model that few matches
 //! fit well. A run counts as a miss only if the MSAC cost of its model exceeds that of the true

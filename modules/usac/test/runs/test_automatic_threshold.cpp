@@ -100,60 +100,6 @@ TEST_P(UsacAutomaticThreshold, asAccurateAsTheRightThreshold)
     EXPECT_LE(estimated, 1.1 * right);
 }
 
-TEST_P(UsacAutomaticThreshold, sameBits)
-{
-    const Scene scene = sceneOf(GetParam(), 0.5, 1);
-    Params params = widest(10);
-    const Ptr<Usac> usac = createUsac(scene, params);
-    Report reports[3];
-    Mat masks[3], models[3];
-    models[0] = usac->run(masks[0], &reports[0]);
-    models[1] = usac->run(masks[1], &reports[1]);
-    params.threads = 3;
-    models[2] = estimate(scene, params, masks[2], &reports[2]);
-    for (int k = 1; k < 3; ++k)
-    {
-        EXPECT_TRUE(sameBits(models[0], models[k])) << k;
-        EXPECT_TRUE(sameBits(masks[0], masks[k])) << k;
-        EXPECT_EQ(reports[0].sigma, reports[k].sigma) << k;
-        EXPECT_EQ(reports[0].threshold, reports[k].threshold) << k;
-        EXPECT_EQ(reports[0].iterations, reports[k].iterations) << k;
-    }
-    EXPECT_FALSE(sameBits(models[0], createUsac(scene, Params())->run()));
-}
-
-//! After setPoints(), a Usac object must give the result of a new object, even with the largest
-//! seed.
-TEST_P(UsacAutomaticThreshold, otherPointsAndSeeds)
-{
-    const Scene first = sceneOf(GetParam(), 2, 1, 500), second = sceneOf(GetParam(), 0.1, 2);
-    Params params = widest(10);
-    params.seed = INT_MAX;
-    const Ptr<Usac> usac = createUsac(first, params);
-    Report before, after, expected;
-    Mat mask, other;
-    usac->run(mask, &before);
-    usac->setPoints(second.points1, second.points2);
-    const Mat model = usac->run(mask, &after);
-    EXPECT_TRUE(sameBits(estimate(second, params, other, &expected), model));
-    EXPECT_TRUE(sameBits(other, mask));
-    EXPECT_EQ(expected.sigma, after.sigma);
-    EXPECT_GT(before.sigma, 5 * after.sigma);
-}
-
-//! If there are many points, the search uses only a part of them, but the threshold must be that of
-//! all points.
-TEST_P(UsacAutomaticThreshold, manyPoints)
-{
-    const Scene scene = sceneOf(GetParam(), 0.5, 1, 50000);
-    Report report;
-    Mat mask;
-    const Mat model = estimate(scene, widest(10), mask, &report);
-    ASSERT_FALSE(model.empty());
-    EXPECT_NEAR(1, report.sigma / sigmaOf(scene), 0.1);
-    EXPECT_NEAR(0.6, (double)countNonZero(mask) / scene.size(), 0.05);
-}
-
 //! Random matches must give no model, whether they are uniform or in clusters, except by chance in
 //! about one of a hundred cases.
 TEST_P(UsacAutomaticThreshold, randomMatches)
@@ -284,25 +230,6 @@ TEST_P(UsacAutomaticThreshold, repeatedMatches)
     EXPECT_GE(right, SCENES - 1);
 }
 
-//! The noise can be estimated from the errors of an initial model, so that eight samples must
-//! suffice.
-TEST_P(UsacAutomaticThreshold, initialModel)
-{
-    const Scene scene = sceneOf(GetParam(), 0.5, 1, 300, 0.4);
-    Report report;
-    Mat mask;
-    const Mat first = estimate(scene, widest(10), mask, &report);
-    Params params = widest(10);
-    params.setInitialModel(first);
-    params.maxIterations = 8;
-    Report again;
-    const Mat model = estimate(scene, params, mask, &again);
-    ASSERT_FALSE(model.empty());
-    EXPECT_LE(again.iterations, 8);
-    EXPECT_NEAR(1, again.threshold / report.threshold, 0.1);
-    EXPECT_LE(modelError(scene, model), 1.5 * modelError(scene, first));
-}
-
 //! The noise must also be found with other presets, for example with a score that estimates a
 //! threshold itself (LMedS), or that is marginalized over the noise (MAGSAC).
 TEST_P(UsacAutomaticThreshold, otherScores)
@@ -321,29 +248,6 @@ TEST_P(UsacAutomaticThreshold, otherScores)
         EXPECT_LE(report.threshold, 4) << (int)params.quality;
         checkResult(scene, report.threshold, model, mask, report, params.widestReach);
     }
-}
-
-//! A second motion with fewer matches must not be taken for larger noise in more than one of ten
-//! scenes.
-TEST_P(UsacAutomaticThreshold, besideAnotherMotion)
-{
-    int right = 0;
-    const int SCENES = 10;
-    for (int seed = 1; seed <= SCENES; ++seed)
-    {
-        SceneOptions options;
-        options.inliers = 200;
-        options.outliers = 150;
-        options.outlierModel = OUTLIERS_UNIFORM;
-        options.second = 100;
-        options.seed = seed;
-        const Scene scene = makeScene((ProblemType)GetParam(), options);
-        Report report;
-        Mat mask;
-        const Mat model = estimate(scene, widest(5), mask, &report);
-        right += !model.empty() && modelError(scene, model) < 1.5;
-    }
-    EXPECT_GE(right, SCENES - 1);
 }
 
 //! The map enlarges the noise of image 1 five times in one direction, so that most errors are much
@@ -376,124 +280,6 @@ TEST(Usac_AutomaticThreshold, noiseEnlargedInOneDirection)
         EXPECT_GT(countNonZero(mask), 0.9 * RIGHT) << seed;
         EXPECT_LT(countNonZero(mask), 1.03 * RIGHT) << seed;
     }
-}
-
-TEST(Usac_AutomaticThreshold, poses)
-{
-    for (double noise : NOISES)
-    {
-        PoseSceneOptions options;
-        options.size = 300;
-        options.noise = noise;
-        options.inlierRatio = 0.5;
-        const PoseScene scene = makePoseScene(options);
-        Mat mask;
-        Report report;
-        const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
-                                              widest(10), mask, report);
-        ASSERT_FALSE(pose.empty());
-        EXPECT_NEAR(1, report.sigma / noise, 0.25);
-        EXPECT_LE(report.threshold, 6 * noise);
-        EXPECT_EQ(report.inliers, countNonZero(mask));
-    }
-}
-
-TEST(Usac_AutomaticThreshold, motionsOfSpace)
-{
-    RigidSceneOptions options;
-    options.size = 300;
-    options.inlierRatio = 0.5;
-    const RigidScene scene = makeRigidScene(options);
-    Mat mask;
-    Report report;
-    const Mat motion = estimateRigid3D(scene.points1, scene.points2, widest(10 * scene.threshold),
-                                       mask, report);
-    ASSERT_FALSE(motion.empty());
-    EXPECT_LE(rotationError(scene, Matx34d(motion)), 0.2) << "degrees";
-    EXPECT_GT(report.sigma, 0);
-    EXPECT_LE(report.threshold, 2 * scene.threshold);
-    EXPECT_EQ(report.inliers, countNonZero(mask));
-}
-
-//! Estimates the noise from errors of known distribution, those of matches under the identity.
-class NoiseOfErrors
-{
-public:
-    //! @param tail fraction of the inliers with three times the noise
-    //! @param inliers fraction of inliers
-    //! @param precise true: uses preciseNoise(); false: uses roughNoise()
-    InlierNoise estimate(double sigma, double tail, double inliers, int seed, bool precise) const
-    {
-        const int SIZE = 2000;
-        RNG rng(seed);
-        std::vector<Point2d> from, to;
-        for (int i = 0; i < SIZE; ++i)
-        {
-            const Point2d point(rng.uniform(0., 640.), rng.uniform(0., 480.));
-            const double scale = sigma * (rng.uniform(0., 1.) < tail ? 3 : 1);
-            const Point2d moved(point.x + rng.gaussian(scale), point.y + rng.gaussian(scale)),
-                other(rng.uniform(0., 640.), rng.uniform(0., 480.));
-            from.push_back(point);
-            to.push_back(rng.uniform(0., 1.) < inliers ? moved : other);
-        }
-        Params params;
-        params.threshold = 10;
-        const Ptr<Usac> usac = Usac::create(SIMILARITY, from, to, params);
-        const RunContext context(usac->points(), usac->components(), params);
-        const double scale = usac->points().frame[1].scale;
-        Model model;
-        EXPECT_TRUE(usac->points().problem->fromOutput(std::vector<double>({1, 0, 0, 0, 1, 0}),
-                                                       usac->points(), model));
-        InlierNoise noise = precise ? preciseNoise(context, model, 10 * scale)
-                                    : roughNoise(context, model, 10 * scale, 300, seed % 2 == 0);
-        noise.sigma /= scale;
-        noise.threshold /= scale;
-        return noise;
-    }
-};
-
-TEST(Usac_InlierNoise, ofGaussianErrors)
-{
-    for (double sigma : {0.1, 0.5, 2.})
-        for (double inliers : {0.2, 0.5, 0.95})
-            for (int precise = 0; precise < 2; ++precise)
-            {
-                std::vector<double> sigmas, thresholds, parts;
-                for (int seed = 1; seed <= 15; ++seed)
-                {
-                    const InlierNoise noise = NoiseOfErrors().estimate(sigma, 0, inliers, seed,
-                                                                       precise != 0);
-                    sigmas.push_back(noise.sigma / sigma);
-                    thresholds.push_back(noise.threshold / sigma);
-                    parts.push_back(noise.part / inliers);
-                }
-                SCOPED_TRACE(cv::format("sigma %g, inliers %g, %d", sigma, inliers, precise));
-                EXPECT_NEAR(1, median(sigmas), precise ? 0.05 : 0.1);
-                EXPECT_NEAR(precise ? 2.6 : 2.2, median(thresholds), precise ? 0.4 : 0.25);
-                EXPECT_NEAR(1, median(parts), 0.12);
-            }
-}
-
-//! The errors of 5 % of the inliers must exceed the threshold, even if a third of the inliers have
-//! three times the noise.
-TEST(Usac_InlierNoise, ofBadlyLocatedInliers)
-{
-    std::vector<double> sigmas, thresholds;
-    for (int seed = 1; seed <= 15; ++seed)
-    {
-        const InlierNoise noise = NoiseOfErrors().estimate(0.4, 1. / 3, 0.7, seed, true);
-        sigmas.push_back(noise.sigma / 0.4);
-        thresholds.push_back(noise.threshold / 0.4);
-    }
-    // threshold x in sigmas: 2 / 3 exp(-x^2 / 2) + 1 / 3 exp(-x^2 / 18) = 0.05
-    EXPECT_NEAR(5.84, median(thresholds), 0.6);
-    EXPECT_NEAR(1, median(sigmas), 0.1);
-}
-
-TEST(Usac_InlierNoise, ofRandomMatchesIsUnknown)
-{
-    for (int seed = 1; seed <= 20; ++seed)
-        EXPECT_EQ(0, NoiseOfErrors().estimate(1, 0, 0, seed, true).sigma) << seed;
 }
 
 }  // namespace

@@ -118,25 +118,6 @@ private:
 
 const int THREADS[] = {0, 1, 2, 8};
 
-TEST_P(UsacDeterminism, any_number_of_threads)
-{
-    const Threads threads;
-    for (uint64 seed = 1; seed <= 3; ++seed)
-    {
-        const Scene scene = hardScene(seed);
-        const uint64 expected = resultOf(scene, Params()).exact();
-        for (int i = 0; i < 16; ++i)
-        {
-            Params params;
-            params.threads = THREADS[i % 4];
-            setNumThreads(THREADS[i / 4]);
-            EXPECT_EQ(expected, resultOf(scene, params).exact())
-                << "seed " << seed << ", Params::threads " << params.threads << ", setNumThreads "
-                << THREADS[i / 4];
-        }
-    }
-}
-
 TEST_P(UsacDeterminism, any_number_of_threads_for_every_preset)
 {
     const Threads threads;

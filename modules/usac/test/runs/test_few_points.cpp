@@ -182,40 +182,6 @@ TEST(Usac_FewPoints, epipoleBetweenThePoints)
             }
 }
 
-//! No fit that starts at the model of four of the ten points is allowed to have a clearly lower
-//! error (by a factor of 1.1) than the returned model.
-TEST(Usac_FewPoints, noSampleLeadsToABetterMinimum)
-{
-    int better = 0, equal = 0;
-    for (int seed = 1; seed <= 20; ++seed)
-    {
-        RNG rng(seed);
-        const FewPoints points = planePoints(10, 50, 1e-2, rng);
-        const Ptr<Usac> usac = points.create(USACV20_FAST);
-        const Mat model = usac->run();
-        ASSERT_FALSE(model.empty());
-        const std::vector<double> output(model.ptr<double>(), model.ptr<double>() + 9);
-        const double error = errorOf(*usac, modelOf(*usac, output));
-        for (int s = 0; s < 1 << 10; ++s)
-        {
-            int sample[10], count = 0;
-            for (int i = 0; i < 10; ++i)
-                if (s >> i & 1)
-                    sample[count++] = i;
-            Model models[MAX_MODELS];
-            if (count != 4 ||
-                !usac->components().minimalSolver->solve(usac->points(), sample, models))
-                continue;
-            const double other = errorOf(*usac, leastSquares(*usac, models[0]));
-            better += other < error / 1.1;
-            equal += other < error * 1.1;
-        }
-    }
-    EXPECT_EQ(0, better);
-    EXPECT_GT(equal, 20 * 100)
-        << "number of the 20 x 210 samples that lead to about the returned minimum";
-}
-
 //! Exact points, `behind` of which are behind the second camera and the others in front of it, so
 //! that the orientation checks reject the true model in most samples. A search must nevertheless
 //! return a model that has all points as inliers.

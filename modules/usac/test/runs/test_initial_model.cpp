@@ -20,33 +20,6 @@ Mat runWith(const Scene& scene, const Params& params, Mat& mask, Report& report)
     return estimatePoints(scene.problem, scene.points1, scene.points2, params, mask, report);
 }
 
-//! With 75 % outliers, a single sample usually finds no model, so that the result must come from
-//! the initial model.
-TEST_P(UsacInitialModel, is_found_without_samples)
-{
-    SceneOptions options;
-    options.outliers = 600;
-    const Scene scene = makeScene(problem(), options);
-    Params params;
-    params.maxIterations = 200000;
-    Mat mask, model;
-    Report report;
-    model = runWith(scene, params, mask, report);
-    ASSERT_FALSE(model.empty());
-    Params tracking = params;
-    tracking.maxIterations = 1;
-    tracking.setInitialModel(model);
-    Mat again;
-    Report trackingReport;
-    const Mat tracked = runWith(scene, tracking, again, trackingReport);
-    ASSERT_FALSE(tracked.empty());
-    EXPECT_LE(trackingReport.iterations, 1);
-    EXPECT_GE(trackingReport.inliers, 0.98 * report.inliers);
-    tracking.maxIterations = params.maxIterations;
-    runWith(scene, tracking, again, trackingReport);
-    EXPECT_GE(trackingReport.inliers, 0.98 * report.inliers);
-}
-
 //! The points moved by ten pixels, as from one frame of a video to the next.
 std::vector<Point2d> moved(std::vector<Point2d> points)
 {
@@ -73,29 +46,6 @@ TEST_P(UsacInitialModel, of_the_previous_frame)
         params.setInitialModel(createUsac(before, params)->fit(noArray(), scene.truth));
         params.maxIterations = 8;
         lost += !(modelError(scene, estimate(scene, params)) < 1.5);
-    }
-    EXPECT_LE(lost, 1);
-}
-
-TEST(Usac_InitialModel, pose_of_the_previous_frame)
-{
-    int lost = 0;
-    for (uint64 seed = 1; seed <= 30; ++seed)
-    {
-        PoseSceneOptions options;
-        options.size = 60;
-        options.inlierRatio = 0.2;
-        options.seed = seed;
-        const PoseScene scene = makePoseScene(options);
-        Params params;
-        params.threshold = 1.5;
-        params.setInitialModel(
-            Usac::create(ABSOLUTE_POSE, scene.object, moved(scene.image), params, scene.K)
-                ->fit(noArray(), scene.truth));
-        params.maxIterations = 8;
-        const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, noArray(),
-                                              params);
-        lost += pose.empty() || !(rotationError(scene, Matx34d(pose)) < 1);
     }
     EXPECT_LE(lost, 1);
 }

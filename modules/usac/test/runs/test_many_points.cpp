@@ -115,34 +115,5 @@ TEST(Usac_ManyPoints, areInRandomOrder)
     }
 }
 
-TEST(Usac_ManyPoints, poses)
-{
-    PoseSceneOptions options;
-    options.size = MANY;
-    options.inlierRatio = 0.4;
-    const PoseScene scene = makePoseScene(options);
-    Mat mask;
-    const Mat pose = estimateAbsolutePose(scene.object, scene.image, scene.K, scene.distortion,
-                                          Params(), mask);
-    ASSERT_FALSE(pose.empty());
-    EXPECT_LE(rotationError(scene, Matx34d(pose)), 0.003) << "degrees";
-    EXPECT_NEAR(0.4, (double)countNonZero(mask) / MANY, 0.03);
-}
-
-TEST(Usac_ManyPoints, motionsOfSpace)
-{
-    RigidSceneOptions options;
-    options.size = MANY;
-    options.inlierRatio = 0.4;
-    const RigidScene scene = makeRigidScene(options);
-    Params params;
-    params.threshold = scene.threshold;
-    Mat mask;
-    const Mat motion = estimateRigid3D(scene.points1, scene.points2, params, mask);
-    ASSERT_FALSE(motion.empty());
-    EXPECT_LE(rotationError(scene, Matx34d(motion)), 0.015) << "degrees";
-    EXPECT_NEAR(0.4, (double)countNonZero(mask) / MANY, 0.05);
-}
-
 }  // namespace
 }  // namespace opencv_test

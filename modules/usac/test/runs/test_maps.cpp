@@ -143,29 +143,6 @@ TEST_P(Usac_Maps, inlierRatios)
     }
 }
 
-//! The number of exact points that determines the map (3 or 2) must suffice to find the map.
-TEST_P(Usac_Maps, fewExactPoints)
-{
-    const int least = problem() == AFFINITY ? 3 : 2;
-    for (int count = 0; count <= 6; ++count)
-        for (uint64 seed = 1; seed <= 20; ++seed)
-        {
-            const Matches matches(KINDS[seed % 6].map, count, 0, 0, seed);
-            Mat mask;
-            Report report;
-            const Mat model = estimatePoints(problem(), matches.points1, matches.points2, Params(),
-                                             mask, report);
-            ASSERT_EQ(count < least, model.empty()) << count << " points, seed " << seed;
-            EXPECT_EQ(count < least, report.stop == STOP_TOO_FEW_POINTS);
-            if (count >= least)
-            {
-                EXPECT_EQ(count, countNonZero(mask));
-                EXPECT_LE(cvtest::norm(model, Mat(matches.map), NORM_INF),
-                          1e-9 * cv::norm(matches.map, NORM_INF));
-            }
-        }
-}
-
 TEST_P(Usac_Maps, pointsOfALine)
 {
     RNG rng(3);
@@ -203,38 +180,6 @@ TEST_P(Usac_Maps, pointsOfALine)
             theirs += std::pow(cv::norm(mapped(best, points1[i]) - points2[i]), 2);
         }
         EXPECT_LE(ours, 1.1 * theirs) << width;
-    }
-}
-
-//! Half of the rows are copies of a true match or (`wrong`) of an outlier. All these copies must
-//! count as one match.
-TEST_P(Usac_Maps, repeatedMatches)
-{
-    for (int wrong = 0; wrong < 2; ++wrong)
-        for (uint64 seed = 1; seed <= 10; ++seed)
-        {
-            Matches matches(KINDS[2].map, 60, 40, 0.5, seed);
-            for (int i = 0; i < 100; ++i)
-            {
-                matches.points1.push_back(matches.points1[wrong ? 70 : 0]);
-                matches.points2.push_back(matches.points2[wrong ? 70 : 0]);
-            }
-            EXPECT_LE(matches.error(matches.estimate(problem(), Params())), wrong ? 0.4 : 1)
-                << wrong << " " << seed;
-        }
-}
-
-//! With two motions, the result must be the motion with more matches and not a motion between the
-//! two.
-TEST_P(Usac_Maps, twoMotions)
-{
-    for (uint64 seed = 1; seed <= 10; ++seed)
-    {
-        Matches matches(KINDS[1].map, 80, 40, 0.5, seed);
-        const Matches other(Matx23d(0.9, -0.1, 5, 0.1, 0.9, 30), 60, 0, 0.5, seed + 100);
-        matches.points1.insert(matches.points1.end(), other.points1.begin(), other.points1.end());
-        matches.points2.insert(matches.points2.end(), other.points2.begin(), other.points2.end());
-        EXPECT_LE(matches.error(matches.estimate(problem(), Params())), 0.3) << seed;
     }
 }
 

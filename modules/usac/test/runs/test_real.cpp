@@ -68,20 +68,6 @@ TEST_P(UsacReal, every_flag)
     verify("USACV20_PROSAC", set.sorted().find(USACV20_PROSAC, real.threshold, mask), mask);
 }
 
-TEST_P(UsacReal, scores)
-{
-    Params params;
-    params.threshold = real.threshold;
-    params.scores = set.scores;
-    Mat mask;
-    Report report;
-    verify("scores", set.estimateWith(params, mask, report), mask);
-    params.scoreOrder = SCORES_HIGHER_IS_BETTER;
-    for (size_t i = 0; i < params.scores.size(); ++i)
-        params.scores[i] = 1 - params.scores[i];
-    verify("1 - scores", set.estimateWith(params, mask, report), mask);
-}
-
 //! With six percent of the seeds, the search ends in another local optimum of graf, because the
 //! wall in the images is not quite a plane. This is allowed for twelve of 100 seeds.
 TEST_P(UsacReal, every_seed)
@@ -99,18 +85,6 @@ TEST_P(UsacReal, every_seed)
         verify(cv::format("seed %d", seed).c_str(), model, mask, 4);
     }
     EXPECT_LE(elsewhere, 12);
-}
-
-TEST_P(UsacReal, ransac_preset)
-{
-    Params params = Params::ransac();
-    params.threshold = real.threshold;
-    params.maxIterations = 10000;
-    Mat mask;
-    Report report;
-    const Mat model = set.estimateWith(params, mask, report);
-    EXPECT_LT(set.error(model), 5 * real.error) << "what RANSAC of 1981 reaches";
-    EXPECT_GT(countNonZero(mask), 0.8 * real.inliers);
 }
 
 }

@@ -54,39 +54,5 @@ TEST_P(Usac_Structured, no_flag_is_wrong)
 
 INSTANTIATE_TEST_CASE_P(Motions, Usac_Structured, testing::ValuesIn(STRUCTURES));
 
-//! Few points with scores that are informative, random or reversed. Scores can change the length of
-//! the search, but in at least 19 of 20 scenes, the cost of the result (summed over the points)
-//! must exceed that of the true model by less than 1.
-TEST(Usac_Structured, any_order_of_scores)
-{
-    const double information[] = {0.9, 0.5, 0.05};
-    for (int problem : TWO_VIEW_PROBLEMS)
-        for (int order = 0; order < 3; ++order)
-        {
-            int missed = 0;
-            for (uint64 seed = 1; seed <= 20; ++seed)
-            {
-                SceneOptions options;
-                options.setSize(30, 0.6);
-                options.seed = seed;
-                options.scoreInformation = information[order];
-                const Scene scene = makeScene((ProblemType)problem, options);
-                const Ptr<Usac> usac = createUsac(scene, Params());
-                const Params params;
-                Arena arena;
-                const Context context(usac->points(), usac->components(), params, arena);
-                usac->components().start(context);
-                const double truth = context.rate(toInternal(usac->points(), scene.model)).cost;
-                Params sorted = Params::sorted();
-                sorted.ordering = ORDERING_AUTO;
-                sorted.scores = scene.scores;
-                Report report;
-                estimate(scene, sorted, noArray(), &report);
-                missed += !(report.cost * scene.size() < truth + 1);
-            }
-            EXPECT_LE(missed, 1) << problem << ", order " << order;
-        }
-}
-
 }
 }  // namespace

@@ -74,31 +74,6 @@ TEST_P(Usac_WidestReach, bits)
     }
 }
 
-//! With coordinates and threshold in a different unit, the inliers must be the same.
-TEST_P(Usac_WidestReach, unit)
-{
-    if (GetParam() == ESSENTIAL)  // the unit of E is the focal length
-        return;
-    const Scene scene = makeScene((ProblemType)GetParam());
-    Mat masks[2];
-    for (int i = 0; i < 2; ++i)
-    {
-        const double unit = i ? 64 : 1;
-        std::vector<Point2d> points1, points2;
-        for (int k = 0; k < scene.size(); ++k)
-        {
-            points1.push_back(scene.points1[k] * unit);
-            points2.push_back(scene.points2[k] * unit);
-        }
-        Params params = Params::magsacPlusPlus();
-        params.threshold = 0.1 * unit;
-        Report report;
-        EXPECT_FALSE(
-            estimatePoints(scene.problem, points1, points2, params, masks[i], report).empty());
-    }
-    EXPECT_TRUE(sameBits(masks[0], masks[1]));
-}
-
 //! A correct model can have no inliers at all, because the mask uses the small threshold. Such a
 //! model must be returned.
 TEST(Usac_WidestReach_Mask, mayBeEmpty)

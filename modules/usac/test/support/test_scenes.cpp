@@ -21,11 +21,6 @@ bool samePoints(const Scene& a, const Scene& b)
            a.clean2 == b.clean2;
 }
 
-int countTrue(const Scene& scene)
-{
-    return (int)std::count(scene.truth.begin(), scene.truth.end(), (uchar)1);
-}
-
 //! Of all pairs of a true and a wrong match, the fraction in which the true match has the better
 //! score.
 double rankedRight(const Scene& scene)
@@ -49,30 +44,6 @@ std::map<std::pair<double, double>, int> targetsOfOutliers(const Scene& scene)
         if (!scene.truth[i])
             ++result[std::make_pair(scene.points2[i].x, scene.points2[i].y)];
     return result;
-}
-
-//! The random numbers from which uninformative scores (scoreInformation 0.5) were made.
-std::vector<float> randomNumbers(const Scene& scene)
-{
-    std::vector<float> result = scene.scores;
-    for (int i = 0; i < scene.size(); ++i)
-        if (scene.truth[i])
-            result[i] = 1 - result[i];
-    return result;
-}
-
-TEST(Usac_Scenes, sizeAndInlierRatio)
-{
-    for (int size = 20; size <= 500; size += 96)
-        for (int percent = 10; percent <= 100; percent += 30)
-        {
-            SceneOptions options;
-            options.setSize(size, 0.01 * percent);
-            const Scene scene = makeScene(FUNDAMENTAL, options);
-            EXPECT_EQ(size, scene.size());
-            EXPECT_EQ(cvRound(0.01 * percent * size), countTrue(scene));
-            EXPECT_EQ((size_t)size, scene.scores.size());
-        }
 }
 
 TEST(Usac_Scenes, modelIsExactForPointsWithoutNoise)
@@ -102,35 +73,6 @@ TEST(Usac_Scenes, modelIsExactForPointsWithoutNoise)
                 EXPECT_NEAR(options.noise, std::sqrt(sum / 2 / options.inliers),
                             0.18);  // five standard deviations
             }
-}
-
-TEST(Usac_Scenes, fundamentalAndEssentialShareThePoints)
-{
-    SceneOptions options;
-    options.outlierModel = OUTLIERS_MANY_TO_ONE;
-    options.planeFraction = 0.5;
-    const Scene F = makeScene(FUNDAMENTAL, options), E = makeScene(ESSENTIAL, options);
-    EXPECT_TRUE(samePoints(F, E));
-    EXPECT_EQ(F.scores, E.scores);
-}
-
-TEST(Usac_Scenes, deterministic)
-{
-    for (ProblemType problem : PROBLEMS)
-        for (OutlierModel outliers : OUTLIER_MODELS)
-        {
-            SceneOptions options;
-            options.outlierModel = outliers;
-            const Scene first = makeScene(problem, options), again = makeScene(problem, options);
-            EXPECT_TRUE(samePoints(first, again));
-            EXPECT_EQ(first.truth, again.truth);
-            EXPECT_EQ(first.scores, again.scores);
-            EXPECT_EQ(first.model, again.model);
-            ++options.seed;
-            const Scene other = makeScene(problem, options);
-            EXPECT_FALSE(samePoints(first, other));
-            EXPECT_GT(cv::norm(randomNumbers(first), randomNumbers(other)), 1);
-        }
 }
 
 TEST(Usac_Scenes, scoresAreAsInformativeAsAskedFor)
@@ -189,22 +131,6 @@ TEST(Usac_Scenes, manyToOneOutliersShareAPointWithATrueMatch)
         ofTrueMatches += scene.truth[i] &&
                          targets.count(std::make_pair(scene.points2[i].x, scene.points2[i].y));
     EXPECT_EQ((int)targets.size(), ofTrueMatches);
-}
-
-TEST(Usac_Scenes, uniformOutliersFillBothImages)
-{
-    SceneOptions options;
-    options.setSize(2000, 0.1);
-    const Scene scene = makeScene(HOMOGRAPHY, options);
-    int cells[16] = {0};
-    for (int i = 0; i < scene.size(); ++i)
-        if (!scene.truth[i])
-            ++cells[(scene.points1[i].x > SCENE_WIDTH / 2) +
-                    2 * (scene.points1[i].y > SCENE_HEIGHT / 2) +
-                    4 * (scene.points2[i].x > SCENE_WIDTH / 2) +
-                    8 * (scene.points2[i].y > SCENE_HEIGHT / 2)];
-    for (int k = 0; k < 16; ++k)
-        EXPECT_NEAR(options.outliers / 16., cells[k], 50);  // about five standard deviations
 }
 
 }  // namespace
