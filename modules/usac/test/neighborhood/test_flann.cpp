@@ -232,31 +232,6 @@ TEST(Usac_NeighborhoodFlann, edges)
     }
 }
 
-//! With a radius, edges must join only points within this distance, and a point must have edges if
-//! and only if it has neighbors.
-TEST(Usac_NeighborhoodFlann, edgesWithinTheRadius)
-{
-    const Pixels pixels(makeScene(FUNDAMENTAL), Params());
-    size_t previous = 0;
-    for (double radius = 1; radius < 200; radius *= 3)
-    {
-        const Ptr<Neighborhood> within = createRadiusNeighborhood(radius);
-        const std::vector<Vec2i> edges = edgesOf(*within, pixels.context());
-        std::vector<int> degree(pixels.size(), 0);
-        for (size_t e = 0; e < edges.size(); ++e)
-        {
-            EXPECT_LE(pixels.distance(edges[e][0], edges[e][1]), radius * (1 + 1e-4));
-            ++degree[edges[e][0]];
-            ++degree[edges[e][1]];
-        }
-        for (int i = 0; i < pixels.size(); ++i)
-            EXPECT_EQ(listOf(pixels, *within, 0, i).size() == 1, degree[i] == 0);
-        EXPECT_GE(edges.size(), previous);
-        previous = edges.size();
-    }
-    EXPECT_GT(previous, 2 * (size_t)pixels.size());
-}
-
 TEST(Usac_NeighborhoodFlann, equalAndFarPoints)
 {
     std::vector<Point2d> points1(37, Point2d(-3, 4)), points2(37, Point2d(0, 1));
@@ -289,91 +264,6 @@ TEST(Usac_NeighborhoodFlann, reproducible)
     EXPECT_EQ(edges, edgesOf(*second, pixels.context()));
     for (int i = pixels.size() - 1; i >= 0; --i)
         EXPECT_EQ(listOf(pixels, *first, 2, i), listOf(pixels, *second, 2, i));
-}
-
-//! With the neighborhoods of FLANN, P-NAPSAC and graph cut must lead to correct models for each
-//! problem.
-TEST(Usac_NeighborhoodFlann, rightModels)
-{
-    for (int problem = 0; problem < 3; ++problem)
-        for (NeighborhoodType kind : {NEIGHBORHOOD_KNN, NEIGHBORHOOD_RADIUS})
-            for (uint64 seed = 1; seed <= 3; ++seed)
-            {
-                SceneOptions options;
-                options.outliers = 300;
-                options.seed = seed;
-                const Scene scene = makeScene((ProblemType)problem, options);
-                Params params;
-                params.neighborhood = kind;
-                EXPECT_LT(modelError(scene, estimate(scene, params)), 1)
-                    << problem << " " << (int)kind << " " << seed;
-                params.spatialWeight = 0.3;
-                params.sampler = SAMPLER_UNIFORM;
-                EXPECT_LT(modelError(scene, estimate(scene, params)), 1)
-                    << problem << " " << (int)kind << " " << seed;
-            }
-}
-
-//! Number of scenes among twelve in which two sets of parameters lead to different models, or to
-//! different numbers of models or rejected samples.
-int changes(ProblemType problem, const Params& a, const Params& b)
-{
-    int changed = 0;
-    for (uint64 seed = 1; seed <= 12; ++seed)
-    {
-        SceneOptions options;
-        options.inliers = 200;
-        options.outliers = 200;
-        options.noise = 1;
-        options.seed = seed;
-        const Scene scene = makeScene(problem, options);
-        Report reportA, reportB;
-        const Mat modelA = estimate(scene, a, noArray(), &reportA),
-                  modelB = estimate(scene, b, noArray(), &reportB);
-        EXPECT_TRUE(!modelA.empty() && !modelB.empty());
-        changed += reportA.models != reportB.models ||
-                   reportA.rejectedSamples != reportB.rejectedSamples ||
-                   cv::norm(modelA, modelB, NORM_INF) > 0;
-    }
-    return changed;
-}
-
-//! The number of neighbors, the radius and the kind of neighborhood must have an effect on P-NAPSAC
-//! and on graph cut.
-TEST(Usac_NeighborhoodFlann, parametersHaveAnEffect)
-{
-    Params sampling;
-    sampling.neighborhood = NEIGHBORHOOD_KNN;
-    sampling.neighbors = 20;
-    sampling.localOptimization = LOCAL_OPTIMIZATION_NONE;
-    sampling.polishing = POLISHING_NONE;
-    sampling.maxIterations = 300;
-    sampling.termination = 0;
-    Params cut;
-    cut.neighborhood = NEIGHBORHOOD_KNN;
-    cut.neighbors = 8;
-    cut.sampler = SAMPLER_UNIFORM;
-    cut.spatialWeight = 0.5;
-    // equal to the standard deviation of the noise, so that the errors of many points are near the
-    // threshold and their labels depend on their neighbors
-    cut.threshold = 1;
-    cut.maxIterations = 200;
-    cut.polishing = POLISHING_NONE;
-    for (int problem = 0; problem < 3; ++problem)
-        for (int part = 0; part < 2; ++part)
-        {
-            const Params& one = part ? cut : sampling;
-            Params other = one;
-            other.neighbors = 2;
-            EXPECT_GT(changes((ProblemType)problem, one, other), 0) << problem << " " << part;
-            other = one;
-            other.neighborhood = NEIGHBORHOOD_RADIUS;
-            EXPECT_GT(changes((ProblemType)problem, one, other), 0) << problem << " " << part;
-            Params wide = other;
-            wide.neighborRadius = 120;
-            EXPECT_GT(changes((ProblemType)problem, wide, other), 0) << problem << " " << part;
-            EXPECT_EQ(0, changes((ProblemType)problem, other, other));
-        }
 }
 
 //! The radius must be in pixels, whatever multiple of the threshold (Params::reach) the search

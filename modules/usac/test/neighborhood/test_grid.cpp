@@ -75,28 +75,6 @@ TEST(Usac_Neighborhood, gridOfANarrowRange)
     compareWithBruteForce(points);
 }
 
-TEST(Usac_Neighborhood, layersAreNested)
-{
-    const Scene scene = makeScene(HOMOGRAPHY);
-    const Ptr<Usac> usac = createUsac(scene, Params());
-    const Surroundings around(usac->points());
-    const Ptr<Neighborhood> grid = createGridNeighborhood(4);
-    int grown = 0;
-    for (int i = 0; i < usac->points().size; ++i)
-    {
-        std::set<int> finer;
-        for (int layer = 0; layer < grid->layers(); ++layer)
-        {
-            const std::set<int> members = membersOf(*grid, around.context, layer, i);
-            EXPECT_EQ(1u, members.count(i));
-            EXPECT_TRUE(std::includes(members.begin(), members.end(), finer.begin(), finer.end()));
-            grown += members.size() > finer.size();
-            finer = members;
-        }
-    }
-    EXPECT_GT(grown, 2 * usac->points().size);
-}
-
 TEST(Usac_Neighborhood, equalPointsAreAllNeighbors)
 {
     const OwnPoints points(HOMOGRAPHY, std::vector<Point2d>(37, Point2d(-3, 4)),

@@ -99,19 +99,6 @@ TEST(Usac_Importance, distributionByChiSquared)
     }
 }
 
-TEST(Usac_Importance, equalWeightsAreUniform)
-{
-    const int N = 30, SAMPLES = 60000;
-    Weighted weighted(FUNDAMENTAL, std::vector<float>(N, 0.2f), 4);
-    std::vector<int> last(N, 0);
-    for (int i = 0; i < SAMPLES; ++i)
-    {
-        weighted.draw.next();
-        ++last[weighted.draw.sample[6]];
-    }
-    EXPECT_LT(std::abs(deviation(last, SAMPLES)), 4.5);
-}
-
 //! If at most as many points as a sample needs have positive weights, all of them must be in each
 //! sample, and the remaining points of the sample must be uniform.
 TEST(Usac_Importance, fewPointsOfPositiveWeight)
@@ -172,40 +159,6 @@ TEST(Usac_Importance, overwhelmingWeights)
                               ? SAMPLES / (N - heavy - 1.)
                               : 0;
         EXPECT_LT(std::abs(deviationFrom(others, expected)), 4.5) << heavy;
-    }
-}
-
-//! With informative scores as weights, 60 samples must find the model in each of six scenes. For
-//! samples of four or more points, 60 uniform samples must find it in at most three scenes.
-TEST(Usac_Importance, findsTheModelSooner)
-{
-    for (int problem : TWO_VIEW_PROBLEMS)
-    {
-        int found[2] = {0, 0};
-        for (uint64 seed = 1; seed <= 6; ++seed)
-        {
-            SceneOptions options;
-            options.inliers = 100;
-            options.outliers = 300;
-            options.seed = seed;
-            const Scene scene = makeScene((ProblemType)problem, options);
-            Params params = Draw::ordered();
-            params.scoreOrder = SCORES_HIGHER_IS_BETTER;
-            for (int i = 0; i < scene.size(); ++i)
-                params.scores.push_back(scene.truth[i] ? 0.9f : 0.1f);
-            params.maxIterations = 60;
-            params.termination = 0;
-            for (int informed = 0; informed < 2; ++informed)
-            {
-                params.sampler = informed ? SAMPLER_IMPORTANCE : SAMPLER_UNIFORM;
-                found[informed] += modelError(scene, estimate(scene, params)) < 1.5;
-            }
-        }
-        EXPECT_EQ(6, found[1]) << "problem " << problem;
-        if (sampleSizeOf(problem) >= 4)  // 60 uniform samples suffice if the samples are smaller
-        {
-            EXPECT_LE(found[0], 3) << "problem " << problem;
-        }
     }
 }
 

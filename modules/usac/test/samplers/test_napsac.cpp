@@ -130,45 +130,5 @@ TEST(Usac_Napsac, worksWithTheGridAndFewPoints)
         }
 }
 
-//! The true matches are on a small object among 90 % outliers. NAPSAC must find the model of the
-//! object in each of six scenes; uniform samples must find it in at most two.
-TEST(Usac_Napsac, findsALocalModel)
-{
-    SceneOptions options;
-    options.inliers = 60;
-    options.outliers = 540;
-    for (int kind = 0; kind < 3; ++kind)
-    {
-        int found[2] = {0, 0};
-        for (uint64 seed = 1; seed <= 6; ++seed)
-        {
-            options.seed = seed;
-            Scene scene = makeScene(HOMOGRAPHY, options);
-            const Matx33d shrink(0.25, 0, 200, 0, 0.25, 150, 0, 0,
-                                 1);  // applied to both images of the true matches
-            for (int i = 0; i < scene.size(); ++i)
-                if (scene.truth[i])
-                {
-                    scene.points1[i] = scene.clean1[i] = scene.clean1[i] * 0.25 + Point2d(200, 150);
-                    scene.points2[i] = scene.clean2[i] = scene.clean2[i] * 0.25 + Point2d(200, 150);
-                }
-            scene.model = shrink * scene.model * shrink.inv();
-            Params params = Draw::ordered();
-            params.neighborhood = (NeighborhoodType)kind;
-            params.neighbors = 3;
-            params.neighborRadius = 8;
-            params.maxIterations = 300;
-            params.termination = 0;
-            for (int local = 0; local < 2; ++local)
-            {
-                params.sampler = local ? SAMPLER_NAPSAC : SAMPLER_UNIFORM;
-                found[local] += modelError(scene, estimate(scene, params)) < 1;
-            }
-        }
-        EXPECT_EQ(6, found[1]) << "neighborhood " << kind;
-        EXPECT_LE(found[0], 2) << "neighborhood " << kind;
-    }
-}
-
 }
 }  // namespace

@@ -41,21 +41,5 @@ TEST(Usac_Samplers, uniformByChiSquared)
     }
 }
 
-TEST(Usac_Samplers, seedsDiffer)
-{
-    Draw a(HOMOGRAPHY, 50, createUniformSampler(), 1), b(HOMOGRAPHY, 50, createUniformSampler(), 2),
-        c(HOMOGRAPHY, 50, createUniformSampler(), 1);
-    int same = 0;
-    for (int i = 0; i < 1000; ++i)
-    {
-        a.next();
-        b.next();
-        c.next();
-        same += std::equal(a.sample, a.sample + 4, b.sample);
-        EXPECT_TRUE(std::equal(a.sample, a.sample + 4, c.sample));
-    }
-    EXPECT_LE(same, 2);
-}
-
 }
 }  // namespace

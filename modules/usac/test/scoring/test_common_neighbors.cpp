@@ -90,23 +90,6 @@ TEST(Usac_CommonNeighbors, against_sorted_distances)
     }
 }
 
-//! Matches of a smooth map must have many common neighbors, whatever the scale and the rotation
-//! between the images are; random matches must have few.
-TEST(Usac_CommonNeighbors, right_and_wrong_matches)
-{
-    std::vector<Point2d> points1, points2;
-    makeMatches(240, 5, points1, points2);
-    const std::vector<int> before = commonOf(points1, points2, 1e-6);
-    for (Point2d& p : points2)
-        p = Point2d(-3 * p.y + 5000, 3 * p.x - 100);
-    EXPECT_EQ(before, commonOf(points1, points2, 1e-6));
-    double sums[2] = {0, 0};
-    for (int i = 0; i < 240; ++i)
-        sums[i % 3 != 0] += before[i];
-    EXPECT_GT(sums[1] / 160, 3);
-    EXPECT_LT(sums[0] / 80, 0.5);
-}
-
 TEST(Usac_CommonNeighbors, same_points)
 {
     const std::vector<Point2d> same(30, Point2d(3, 4));

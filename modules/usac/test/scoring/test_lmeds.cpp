@@ -7,8 +7,6 @@
 #include "support/problem_objects.hpp"
 #include "support/given_residual.hpp"
 #include "scoring/scores.hpp"
-#include "numeric/chi_square.hpp"
-#include "scoring/mixture.hpp"
 
 namespace opencv_test {
 namespace {
@@ -69,35 +67,6 @@ TEST_P(Usac_Lmeds_Problem, medianAndThreshold)
         EXPECT_NEAR(limit, score->threshold(context, Matx33d::eye()), 1e-4 * limit);
         EXPECT_EQ(count / 2 + 1, quality.inliers);
     }
-}
-
-//! The fraction of Gaussian errors within the threshold must be the same as within 2.5 sigma for
-//! one degree of freedom.
-TEST_P(Usac_Lmeds_Problem, thresholdIsConsistent)
-{
-    const ProblemType problem = (ProblemType)GetParam();
-    const int COUNT = 40000;
-    const std::vector<Point2d> corners(COUNT, Point2d(0, 0));
-    const OwnPoints points(problem, corners, corners);
-    Components parts;
-    const Ptr<GivenResidual> residual = makePtr<GivenResidual>();
-    parts.residual = residual;
-    parts.minimalSolver = problemObject(problem).createMinimalSolver();
-    const Params params;
-    Arena arena;
-    const Context context(points.view(), parts, params, arena);
-    RNG rng(13);
-    for (int i = 0; i < COUNT; ++i)
-    {
-        const double a = rng.gaussian(3), b = mapsPoints(problem) ? rng.gaussian(3) : 0;
-        residual->given.push_back((float)(a * a + b * b));
-    }
-    const double limit = started(createLmedsScore(), points.view())
-                             ->threshold(context, Matx33d::eye());
-    int within = 0;
-    for (int i = 0; i < COUNT; ++i)
-        within += residual->given[i] <= limit * limit;
-    EXPECT_NEAR(std::erf(2.5 / std::sqrt(2.)), (double)within / COUNT, 2e-3);
 }
 
 TEST_P(Usac_Lmeds_Problem, undefinedErrors)
@@ -192,34 +161,6 @@ TEST_P(Usac_Lmeds_Problem, breakdown)
     EXPECT_EQ(5, right);
     // a sample of one point can lead to the model by chance
     EXPECT_LE(withoutMedian, sampleSizeOf(problem) == 1 ? 1 : 0);
-}
-
-//! The estimated threshold must follow the noise.
-TEST_P(Usac_Lmeds_Problem, thresholdFollowsNoise)
-{
-    const ProblemType problem = (ProblemType)GetParam();
-    for (double noise = 0.25; noise < 3; noise *= 2)
-    {
-        SceneOptions options;
-        options.noise = noise;
-        options.outliers = 80;
-        const Scene scene = makeScene(problem, options);
-        const Params params = searchParams();
-        const Ptr<Usac> usac = createUsac(scene, params);
-        Arena arena;
-        const Context context(usac->points(), usac->components(), params, arena);
-        usac->components().start(context);
-        const double found = usac->components().score->threshold(
-            context, toInternal(usac->points(), scene.model));
-        const double inPixels = found / usac->points().threshold * params.threshold;
-        // The errors of maps contain the noise of both images. The outliers, 80 of 280 matches,
-        // increase the median by about a third (maps) or a half (F, E). Of the Gaussian errors,
-        // 98.76 % are within 2.963 sigma (maps) or 2.5 sigma (F, E).
-        const double sigma = mapsPoints(problem) ? noise * std::sqrt(2.) : noise;
-        const double inliers = mapsPoints(problem) ? 2.963 : 2.5;
-        EXPECT_GT(inPixels, 1.0 * inliers * sigma);
-        EXPECT_LT(inPixels, 2.2 * inliers * sigma);
-    }
 }
 
 TEST_P(Usac_Lmeds_Problem, noPoints)

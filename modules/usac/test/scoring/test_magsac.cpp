@@ -156,66 +156,6 @@ TEST_P(Usac_Magsac_Problem, inliersOfTheMask)
     }
 }
 
-//! Costs are sums over the points, so that ending a sum early must not change the best model.
-TEST_P(Usac_Magsac_Problem, earlyExitNeverChangesTheWinner)
-{
-    SceneOptions options;
-    options.inliers = 1200;
-    options.outliers = 800;
-    const Scene scene = makeScene((ProblemType)GetParam(), options);
-    for (QualityType quality : {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS})
-    {
-        Params params;
-        params.quality = quality;
-        params.threshold = 3;
-        const Ptr<Usac> usac = createUsac(scene, params);
-        Arena arena;
-        const Context context(usac->points(), usac->components(), params, arena);
-        usac->components().start(context);
-        const MinimalSolver& solver = *usac->components().minimalSolver;
-        Quality best;
-        int cut = 0;
-        for (int i = 0; i < 300; ++i)
-        {
-            int sample[MAX_SAMPLE_SIZE];
-            Model models[MAX_MODELS];
-            Rng(9, i).distinct(usac->points().size, solver.sampleSize(), sample);
-            const int found = solver.solve(usac->points(), sample, models);
-            for (int k = 0; k < found; ++k)
-            {
-                const Quality whole = context.rate(models[k]),
-                              bounded = context.rate(models[k], best.cost);
-                ASSERT_EQ(whole.betterThan(best), bounded.betterThan(best));
-                cut += bounded.cost < whole.cost;
-                if (whole.betterThan(best))
-                    best = whole;
-            }
-        }
-        EXPECT_GT(cut, 100);
-    }
-}
-
-//! Each score must lead to a correct model, with a threshold that suits the noise and with a much
-//! larger one.
-TEST_P(Usac_Magsac_Problem, estimates)
-{
-    const ProblemType problem = (ProblemType)GetParam();
-    for (QualityType quality : {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS})
-        for (int wide = 0; wide < 2; ++wide)
-        {
-            const Scene scene = makeScene(problem);
-            Params params;
-            params.quality = quality;
-            params.threshold = wide ? 8 : 2.5;
-            params.polishing = POLISHING_REWEIGHTED;
-            Report report;
-            EXPECT_LT(modelError(scene, estimate(scene, params, noArray(), &report)), 0.35)
-                << (int)quality << " " << wide;
-            EXPECT_GT(report.cost, 0.25);
-            EXPECT_LT(report.cost, 0.75);
-        }
-}
-
 INSTANTIATE_TEST_CASE_P(All, Usac_Magsac_Problem, testing::ValuesIn(TWO_VIEW_PROBLEMS));
 
 }

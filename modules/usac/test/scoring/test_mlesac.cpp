@@ -51,23 +51,6 @@ double directCost(const std::vector<float>& errors, int degrees, double side, do
     return cost;
 }
 
-TEST(Usac_Mlesac, mixingWeightIsRecovered)
-{
-    RNG rng(3);
-    const double parts[] = {0.1, 0.3, 0.6, 0.9}, side = 300;
-    for (int degrees = 1; degrees <= 2; ++degrees)
-        for (int k = 0; k < 4; ++k)
-        {
-            const int COUNT = 20000;
-            const std::vector<float> errors = drawErrors(degrees, COUNT, parts[k], side, rng);
-            std::vector<float> ratios;
-            for (int i = 0; i < COUNT; ++i)
-                ratios.push_back((float)(std::pow(side / std::sqrt(2 * CV_PI), degrees) *
-                                         std::exp(-0.5 * errors[i])));
-            EXPECT_NEAR(parts[k], mixingWeight(ratios.data(), COUNT, COUNT), 0.01) << degrees;
-        }
-}
-
 //! If all points have the same likelihood ratio r of inlier to outlier, each iteration multiplies
 //! the odds w / (1 - w) of the mixing weight w by r, beginning with odds of 1. The result must be
 //! that of the last of 50 iterations.
@@ -140,23 +123,6 @@ TEST_P(Usac_Mlesac_Problem, noExtent)
         score->accumulate(errors.data(), 20, 1, quality);
         EXPECT_GE(quality.cost, 0);
         EXPECT_LE(quality.cost, 20);
-    }
-}
-
-//! MLESAC must choose a correct model, with and without a verifier.
-TEST_P(Usac_Mlesac_Problem, estimates)
-{
-    Params params;
-    params.quality = QUALITY_MLESAC;
-    for (int k = 0; k < 2; ++k)
-    {
-        params.verification = k == 0 ? VERIFICATION_SPRT : VERIFICATION_NONE;
-        params.termination = k == 0 ? params.termination : TERMINATION_STANDARD;
-        const Scene scene = makeScene((ProblemType)GetParam());
-        Report report;
-        EXPECT_LT(modelError(scene, estimate(scene, params, noArray(), &report)), 0.4);
-        EXPECT_GT(report.cost, 0.3);  // a third are outliers
-        EXPECT_LT(report.cost, 0.7);
     }
 }
 

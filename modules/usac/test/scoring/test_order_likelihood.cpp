@@ -95,24 +95,6 @@ TEST(Usac_OrderLikelihood, groups)
     }
 }
 
-TEST(Usac_OrderLikelihood, good_random_and_inverted_orders)
-{
-    std::vector<uchar> inliers(200, 0);
-    std::fill(inliers.begin(), inliers.begin() + 50, 1);
-    EXPECT_NEAR(-logLikelihood(50, 200), likelihood(inliers), 1e-9);
-    std::reverse(inliers.begin(), inliers.end());
-    EXPECT_NEAR(0, likelihood(inliers), 1e-9);
-    double sum = 0;
-    const int RUNS = 1000;
-    RNG rng(1);
-    for (int i = 0; i < RUNS; ++i)
-    {
-        randShuffle(inliers, 1, &rng);
-        sum += likelihood(inliers) / RUNS;
-    }
-    EXPECT_NEAR(std::log(200.) / 2, sum, 0.5);
-}
-
 TEST(Usac_OrderLikelihood, no_points_and_points_of_one_kind)
 {
     EXPECT_EQ(0, likelihood(std::vector<uchar>()));

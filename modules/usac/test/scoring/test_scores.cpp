@@ -230,51 +230,6 @@ TEST(Usac_Scores, threshold)
     EXPECT_EQ(1, inliers.cost);
 }
 
-//! A residual of the caller that has the errors of another residual, but no fused kernels (loops
-//! that compute errors and scores together).
-class CustomResidual : public Residual
-{
-public:
-    explicit CustomResidual(const Ptr<Residual>& residual_) : residual(residual_) {}
-
-    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
-                       float* errors) const CV_OVERRIDE
-    {
-        residual->squaredErrors(points, model, begin, end, errors);
-    }
-
-    void squaredErrors(const Model& model, const double* const* columns, int count,
-                       double* errors) const CV_OVERRIDE
-    {
-        residual->squaredErrors(model, columns, count, errors);
-    }
-
-private:
-    const Ptr<Residual> residual;
-};
-
-TEST(Usac_Scores, customResidual)
-{
-    for (int problem : TWO_VIEW_PROBLEMS)
-        for (QualityType quality : {QUALITY_MSAC, QUALITY_INLIERS})
-        {
-            Params params;
-            params.quality = quality;
-            const Scene scene = makeScene((ProblemType)problem);
-            const Ptr<Usac> usac = createUsac(scene, params);
-            const Model model = toInternal(usac->points(), scene.model);
-            Arena arena;
-            const Context context(usac->points(), usac->components(), params, arena);
-            usac->components().start(context);
-            const Quality known = context.rate(model);
-            usac->components().residual = makePtr<CustomResidual>(usac->components().residual);
-            EXPECT_TRUE(usac->components().score->fused(*usac->components().residual) == 0);
-            const Quality custom = context.rate(model);
-            EXPECT_EQ(known.inliers, custom.inliers);
-            EXPECT_NEAR(known.cost, custom.cost, 1e-3);
-        }
-}
-
 typedef testing::TestWithParam<int> Usac_Scores_Problem;
 
 TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
@@ -326,23 +281,6 @@ TEST_P(Usac_Scores_Problem, earlyExitNeverChangesTheWinner)
         EXPECT_EQ(winner, winnerBounded);
         EXPECT_GT(won, m == 1 ? 1 : 2);
         EXPECT_GT(cut, count / 2);
-    }
-}
-
-//! Context::rate() must return the cost and the number of inliers of all points.
-TEST_P(Usac_Scores_Problem, rateAgainstDirectEvaluation)
-{
-    const Formula::Kind kind = mapsPoints((ProblemType)GetParam()) ? Formula::TRANSFER
-                                                                   : Formula::SAMPSON;
-    const Fixture f(kind, 5);
-    const RunContext run(f.points(), f.usac->components(), f.params);
-    const Context& context = run;
-    for (size_t k = 0; k < f.models.size(); ++k)
-    {
-        const Direct expected = directScore(f, f.models[k], 0, COUNT);
-        const Quality quality = context.rate(f.models[k]);
-        EXPECT_NEAR(expected.msac, quality.cost, 1e-4 * COUNT);
-        EXPECT_NEAR(expected.inliers, quality.inliers, expected.doubtful);
     }
 }
 

@@ -20,33 +20,6 @@ std::vector<uchar> shuffled(RNG& rng, int size, int inliers)
     return result;
 }
 
-double evidence(const std::vector<uchar>& inliers, int m)
-{
-    const std::vector<uchar> none(inliers.size(), 0);
-    return orderEvidence(inliers.data(), none.data(), (int)inliers.size(), m);
-}
-
-//! For random orders, the normalized rank sum must have mean 0 and standard deviation 1. If the
-//! first inliers do not count, the rank sum is smaller.
-TEST(Usac_ConfirmedOrder, randomOrderIsNoEvidence)
-{
-    RNG rng(1);
-    double sum = 0, squares = 0;
-    int beyond = 0;
-    const int RUNS = 20000;
-    for (int i = 0; i < RUNS; ++i)
-    {
-        const double z = evidence(shuffled(rng, 200, 60), 0);
-        sum += z;
-        squares += z * z;
-        beyond += evidence(shuffled(rng, 200, 60), 7) > 3.1;
-    }
-    EXPECT_NEAR(0, sum / RUNS, 0.04);
-    EXPECT_NEAR(1, squares / RUNS, 0.05);
-    // 20 are expected (1 in 1000), or fewer because the first seven inliers do not count
-    EXPECT_LE(beyond, 40);
-}
-
 //! orderEvidence() must agree with its definition: the normalized number of pairs of an inlier and
 //! an outlier in which the inlier comes first.
 TEST(Usac_ConfirmedOrder, countsPairs)
@@ -76,98 +49,6 @@ TEST(Usac_ConfirmedOrder, countsPairs)
                                           std::sqrt(own * wrong * (own + wrong + 1) / 12);
         EXPECT_NEAR(expected, orderEvidence(inliers.data(), repeated.data(), size, m), 1e-12)
             << trial;
-    }
-}
-
-TEST(Usac_ConfirmedOrder, goodOrderIsEvidence)
-{
-    std::vector<uchar> inliers(100, 0);
-    std::fill(inliers.begin(), inliers.begin() + 30, 1);
-    EXPECT_GT(evidence(inliers, 7), 6);
-    std::reverse(inliers.begin(), inliers.end());
-    EXPECT_LT(evidence(inliers, 7), -6);
-    EXPECT_EQ(0, evidence(std::vector<uchar>(100, 1), 7));
-    EXPECT_EQ(0, evidence(std::vector<uchar>(100, 0), 7));
-}
-
-//! Counts the pairs of matches that are in the same cell in both images, among the true matches of
-//! a scene (if `right`) or among the wrong matches. Blocks of `merged` x `merged` cells are merged
-//! into one cell.
-CellPairs pairsOf(const Scene& scene, bool right, Arena& arena, int merged = 1)
-{
-    const Ptr<Usac> usac = createUsac(scene, Params());
-    const Correspondences& p = usac->points();
-    std::vector<uchar> mask(p.size);
-    for (int i = 0; i < p.size; ++i)
-        mask[i] = scene.truth[p.inputIndex[i]];
-    return CellPairs(p, mask.data(), right, arena, merged);
-}
-
-//! Matches of a motion must be neighbors in both images more than twice as often as expected by
-//! chance; random matches, about as often as expected by chance.
-TEST(Usac_ConfirmedOrder, motionsShowInCells)
-{
-    const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
-    for (int k = 0; k < 3; ++k)
-    {
-        double both = 0, expected = 0;
-        int seen = 0, missed = 0;
-        for (uint64 seed = 1; seed <= 40; ++seed)
-        {
-            Arena arena;
-            SceneOptions options;
-            options.seed = seed;
-            options.setSize(500, 0.3);
-            const Scene scene = makeScene(problems[k], options);
-            const CellPairs own = pairsOf(scene, true, arena), rest = pairsOf(scene, false, arena);
-            both += rest.both;
-            expected += rest.expected;
-            EXPECT_GT(own.both, 2 * own.expected) << seed;
-            // how often it is recognized that the outliers contain no other motion
-            seen += otherMotionWouldShow(own, rest, 150, 350);
-            // now there is another motion, which has as many matches as the first one and is as
-            // coherent
-            options.outliers = 200;
-            options.second = 150;
-            const Scene other = makeScene(problems[k], options);
-            missed += otherMotionWouldShow(own, pairsOf(other, false, arena), 150, 200);
-        }
-        EXPECT_NEAR(1, both / expected, 0.1);
-        EXPECT_GE(seen, 30) << (int)problems[k];
-        EXPECT_EQ(0, missed) << (int)problems[k];
-    }
-}
-
-//! If there are few matches, two of them are seldom in the same small cell. Larger cells must show
-//! more often that there is no other motion, and must miss hardly any other motion that exists.
-TEST(Usac_ConfirmedOrder, fewMatchesShowInLargerCells)
-{
-    const ProblemType problems[] = {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL};
-    for (int k = 0; k < 3; ++k)
-    {
-        int seen[2] = {0, 0}, missed = 0;
-        for (uint64 seed = 1; seed <= 40; ++seed)
-        {
-            Arena arena;
-            SceneOptions options;
-            options.seed = seed;
-            options.setSize(500, 0.2);
-            const Scene scene = makeScene(problems[k], options);
-            options.outliers = 300;
-            options.second = 100;
-            const Scene other = makeScene(problems[k], options);
-            for (int merged = 1; merged <= 2; ++merged)
-            {
-                const CellPairs own = pairsOf(scene, true, arena, merged);
-                EXPECT_EQ(merged == 1 ? 64 : 16, own.cells);
-                seen[merged - 1] += otherMotionWouldShow(own, pairsOf(scene, false, arena, merged),
-                                                         100, 400);
-                missed += otherMotionWouldShow(own, pairsOf(other, false, arena, merged), 100, 300);
-            }
-        }
-        EXPECT_GE(seen[1], 30) << (int)problems[k];
-        EXPECT_GT(seen[1], seen[0]) << (int)problems[k];
-        EXPECT_LE(missed, 1) << (int)problems[k];
     }
 }
 

@@ -154,40 +154,6 @@ TEST(Usac_TerminationProsac, minimalSupport)
             }
 }
 
-//! The first length n at which the support is not random and T_n is at least one sample, if all
-//! points are inliers. `repeated` of the points repeat others and do not count as evidence.
-int firstEvidence(int N, int repeated, double ratio)
-{
-    std::vector<double> uniform;
-    const std::vector<double> limit = publishedGrowth(N, 4, &uniform);
-    int n = 5 + repeated;
-    while (uniform[n] < 1 || limit[n] * std::pow(ratio, n - repeated - 4) >= 0.05)
-        ++n;
-    return n;
-}
-
-//! If all points are inliers, the criterion must be fulfilled at the first length at which the
-//! points are too many to agree by chance.
-TEST(Usac_TerminationProsac, allInliers)
-{
-    const std::vector<uchar> inliers(100, 1);
-    int length;
-    const int samples = prosacSamples(inliers.data(), 0, 100, 4, 1, 0.01, std::log(0.01), true,
-                                      length);
-    EXPECT_EQ(firstEvidence(100, 0, 0.01), length);
-    EXPECT_EQ((int)publishedGrowth(100, 4)[length], samples);
-    prosacSamples(inliers.data(), 0, 100, 4, 1, 0.3, std::log(0.01), true, length);
-    EXPECT_EQ(firstEvidence(100, 0, 0.3), length);
-    std::vector<uchar> twins(100, 0);
-    std::fill(twins.begin() + 4, twins.begin() + 30, 1);
-    prosacSamples(inliers.data(), twins.data(), 100, 4, 1, 0.01, std::log(0.01), true, length);
-    EXPECT_EQ(firstEvidence(100, 26, 0.01), length) << "points that repeat others are no evidence";
-    EXPECT_GT(length, 30);
-    EXPECT_EQ(INT_MAX,
-              prosacSamples(inliers.data(), 0, 100, 4, 1, 1, std::log(0.01), true, length));
-    EXPECT_EQ(0, length);
-}
-
 //! randomInlierRatio() is an estimate of the probability that a random match agrees with a wrong
 //! model. The fraction found by counting must be at most 1.1 times the estimate and at least a
 //! quarter of it.
@@ -244,34 +210,6 @@ Params sortedParams(const Scene& scene, SamplerType sampler, double separation =
     for (int i = 0; i < scene.size(); ++i)
         params.scores.push_back((float)(rng.uniform(0., 1.) + (scene.truth[i] ? 0 : separation)));
     return params;
-}
-
-//! PROSAC's criterion must end a run with the correct model, after fewer than 1000 samples and
-//! hardly later than the standard criterion.
-TEST(Usac_TerminationProsac, endsARun)
-{
-    for (int problem : TWO_VIEW_PROBLEMS)
-        for (SamplerType sampler : {SAMPLER_PROSAC, SAMPLER_P_NAPSAC})
-            for (uint64 seed = 1; seed <= 5; ++seed)
-            {
-                SceneOptions options;
-                options.outliers = 300;
-                options.seed = seed;
-                const Scene scene = makeScene((ProblemType)problem, options);
-                const Params params = sortedParams(scene, sampler);
-                Report report;
-                const Mat model = estimate(scene, params, noArray(), &report);
-                EXPECT_LT(modelError(scene, model), 2)
-                    << problem << " " << (int)sampler << " " << seed;
-                EXPECT_EQ((int)STOP_PROSAC, report.stop);
-                EXPECT_LT(report.iterations, 1000) << problem << " " << (int)sampler << " " << seed;
-                Params standard = params;
-                standard.termination = TERMINATION_STANDARD;
-                Report standardReport;
-                estimate(scene, standard, noArray(), &standardReport);
-                EXPECT_LE(report.iterations, standardReport.iterations + 50)
-                    << problem << " " << (int)sampler;
-            }
 }
 
 //! Number of samples that the criterion asks for with the true model and these parameters. It must

@@ -82,30 +82,6 @@ TEST(Usac_Termination, standard)
     EXPECT_EQ((int)STOP_STANDARD, createStandardTermination()->reason());
 }
 
-//! In a simulation of samples without repetition, failures must be as rare as the confidence
-//! requires.
-TEST(Usac_Termination, standardKeepsItsPromise)
-{
-    Params params;
-    params.confidence = 0.9;
-    Counts counts(HOMOGRAPHY, 30, params);
-    const int INLIERS = 12, TRIALS = 4000,
-              k = counts.iterations(createStandardTermination(), INLIERS);
-    int failures = 0;
-    for (int trial = 0; trial < TRIALS; ++trial)
-    {
-        bool found = false;
-        for (int i = 0; i < k && !found; ++i)
-        {
-            int sample[MAX_SAMPLE_SIZE];
-            Rng(trial, i).distinct(30, 4, sample);
-            found = *std::max_element(sample, sample + 4) < INLIERS;
-        }
-        failures += !found;
-    }
-    EXPECT_NEAR(0.1, failures / (double)TRIALS, 0.02);
-}
-
 TEST(Usac_Termination, pNapsac)
 {
     const double relaxations[] = {0, 0.1, 0.5, 1};
@@ -210,18 +186,6 @@ TEST(Usac_Termination, sprtWithEarlierTests)
                         more > 1000 ? 1 : 0)
                 << inliers;
         }
-}
-
-//! If the inlier ratio epsilon is that for which the test was designed, h is 1, so that an earlier
-//! test must count like the current test.
-TEST(Usac_Termination, sprtWithEqualTests)
-{
-    Counts one(HOMOGRAPHY, 60), two(HOMOGRAPHY, 60);
-    one.state.tests.push(one.arena, makeTest(0.5, 0.1, 20, 12));
-    two.state.tests.push(two.arena, makeTest(0.5, 0.1, 20, 7));
-    two.state.tests.push(two.arena, makeTest(0.5, 0.1, 20, 5));
-    EXPECT_EQ(one.iterations(createSprtTermination(), 30),
-              two.iterations(createSprtTermination(), 30));
 }
 
 //! Samples drawn with an earlier test that would reject the best model must not count.
