@@ -221,51 +221,5 @@ TEST(Usac_GraphCut, withoutEdgesOrWeight)
     EXPECT_EQ(std::vector<uchar>(20, 0), far.cut());
 }
 
-//! In the graph of a whole scene, the labels of the cut must not have a higher energy than these
-//! other labels: those of the cut with one to three random labels flipped, and those for which the
-//! points within the threshold are the inliers.
-TEST(Usac_GraphCut, neverRaisesTheEnergyOfAScene)
-{
-    SceneOptions options;
-    options.noise = 1;
-    RNG rng(4);
-    for (int problem = 0; problem < 3; ++problem)
-    {
-        const Scene scene = makeScene((ProblemType)problem, options);
-        Params params;
-        params.spatialWeight = 0.3;
-        const Ptr<Usac> usac = createUsac(scene, params);
-        Arena arena;
-        const Context context(usac->points(), usac->components(), params, arena);
-        usac->components().start(context);
-        const std::vector<Vec2i> edges = edgesOf(*usac->components().neighborhood, context);
-        ASSERT_GT(edges.size(), 50u);
-        const Model truth = toInternal(usac->points(), scene.model);
-        Labeling labeling;
-        std::vector<int> inliers(scene.size());
-        inliers.resize(labeling.cut(context, truth, inliers.data()));
-        EXPECT_GT(inliers.size(), 100u);
-        std::vector<uchar> labels = labelsOf(inliers, scene.size()), plain(scene.size());
-        std::vector<float> errors(scene.size());
-        usac->components().residual->squaredErrors(usac->points(), truth, 0, scene.size(),
-                                                   errors.data());
-        std::vector<double> K(scene.size());
-        for (int i = 0; i < scene.size(); ++i)
-        {
-            K[i] = closeness(errors[i], usac->points().threshold);
-            plain[i] = errors[i] <= usac->points().threshold * usac->points().threshold;
-        }
-        const double least = energyOf(K, edges, 0.3, labels);
-        EXPECT_LE(least, energyOf(K, edges, 0.3, plain));
-        for (int i = 0; i < 3000; ++i)
-        {
-            std::vector<uchar> flipped = labels;
-            for (int k = rng.uniform(1, 4); k > 0; --k)
-                flipped[rng.uniform(0, scene.size())] ^= 1;
-            ASSERT_GE(energyOf(K, edges, 0.3, flipped), least - 1e-4);
-        }
-    }
-}
-
 }  // namespace
 }  // namespace opencv_test

@@ -60,19 +60,6 @@ std::vector<double> costsOf(RunnersUp& kept)
     return costs;
 }
 
-TEST(Usac_InlierBits, areThoseOfTheModel)
-{
-    const Rows scene;
-    EXPECT_EQ(0, InlierBits().count());
-    for (int row = 0; row < scene.rows; ++row)
-    {
-        EXPECT_EQ(scene.each, scene.bitsOf(row).count());
-        EXPECT_EQ(scene.each, scene.bitsOf(row).without(InlierBits()));
-        EXPECT_EQ(0, scene.bitsOf(row).without(scene.bitsOf(row)));
-        EXPECT_EQ(scene.each, scene.bitsOf(row).without(scene.bitsOf((row + 1) % scene.rows)));
-    }
-}
-
 //! Among models with equally many inliers that the best model does not have, those with the lowest
 //! cost must be kept.
 TEST(Usac_RunnersUp, keepsTheBestOfAnyOrder)
@@ -129,31 +116,6 @@ TEST(Usac_RunnersUp, followTheBestModel)
     EXPECT_EQ(std::vector<double>(expected, expected + 3), costsOf(kept));
     kept.clear();
     EXPECT_EQ(0, kept.mostUnexplained());
-}
-
-TEST(Usac_RunnersUp, givesEachOnce)
-{
-    const Rows scene;
-    Arena arena;
-    RunnersUp kept(2, arena);
-    EXPECT_TRUE(costsOf(kept).empty());
-    const double first[] = {5, 3, 4};
-    for (int i = 0; i < 3; ++i)
-        kept.add(candidateOf(first[i]), scene.bitsOf(i));
-    EXPECT_EQ(2u, costsOf(kept).size());
-    EXPECT_TRUE(costsOf(kept).empty());
-    kept.add(candidateOf(2), scene.bitsOf(0));
-    EXPECT_EQ(std::vector<double>(1, 2.), costsOf(kept));
-}
-
-TEST(Usac_RunnersUp, noneAreKeptIfNoneAreAskedFor)
-{
-    const Rows scene;
-    Arena arena;
-    RunnersUp kept(0, arena);
-    EXPECT_TRUE(kept.none());
-    kept.add(candidateOf(1), scene.bitsOf(1));
-    EXPECT_TRUE(costsOf(kept).empty());
 }
 
 //! Counts the optimizations and improves no model.

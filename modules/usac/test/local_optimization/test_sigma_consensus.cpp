@@ -4,7 +4,6 @@
 
 #include "support/run_context.hpp"
 #include "test_precomp.hpp"
-#include <set>
 #include "local_optimization/local_optimization.hpp"
 #include "optimization/marginalized_fit.hpp"
 #include "local_optimization/sigma_consensus.hpp"
@@ -157,99 +156,6 @@ TEST_P(Usac_Sigma_Consensus, weightsAgainstBruteForce)
     EXPECT_NEAR(1, ratios.back() / ratios.front(), 0.01);
 }
 
-//! Five parts of the range of sigma must approximate the limit of many parts: the models fitted
-//! with five and with 100 parts must differ by less than the models with five parts differ from the
-//! true model.
-TEST_P(Usac_Sigma_Consensus, fewPartsAgainstMany)
-{
-    const Bench bench((ProblemType)GetParam());
-    double apart = 0, fromTruth = 0, start = 0;
-    int count = 0;
-    for (int trial = 0; trial < 12; ++trial)
-    {
-        Model few, many;
-        Quality quality;
-        if (!bench.minimalModel(trial, few, quality) || quality.inliers < 60)
-            continue;
-        ++count;
-        start += modelDistance(bench.truth, normalized(few));
-        many = few;
-        SigmaConsensus five, hundred(100);
-        Rng rng;
-        ASSERT_TRUE(five.fit(bench.context(), rng, few));
-        ASSERT_TRUE(hundred.fit(bench.context(), rng, many));
-        few = normalized(few);
-        many = normalized(many);
-        apart += modelDistance(few, many);
-        fromTruth += modelDistance(bench.truth, few);
-    }
-    ASSERT_GT(count, 4);
-    EXPECT_LT(apart, fromTruth);
-    EXPECT_LT(fromTruth, 0.75 * start);
-}
-
-//! Neither the optimizer of MAGSAC nor that of MAGSAC++ is allowed to return a model worse than the
-//! given one. Both must return the correct quality of the model and improve most models of minimal
-//! samples.
-TEST_P(Usac_Sigma_Consensus, improvesMinimalModels)
-{
-    const Bench bench((ProblemType)GetParam(), 5);
-    const Context& context = bench.context();
-    const Ptr<LocalOptimizer> optimizers[] = {createSigmaConsensus(),
-                                              createSigmaConsensusPlusPlus()};
-    for (int o = 0; o < 2; ++o)
-    {
-        int better = 0, right = 0, rightBefore = 0, count = 0;
-        for (int trial = 0; trial < 40; ++trial)
-        {
-            Model model;
-            Quality quality;
-            if (!bench.minimalModel(trial, model, quality))
-                continue;
-            ++count;
-            const Model before = model;
-            const Quality qualityBefore = quality;
-            State state;
-            state.rng = Rng(5, trial);
-            const bool improved = optimizers[o]->optimize(context, state, model, quality);
-            EXPECT_EQ(improved, quality.betterThan(qualityBefore));
-            EXPECT_EQ(context.rate(model).cost, quality.cost);
-            EXPECT_EQ(improved, before != model);
-            better += improved;
-            rightBefore += bench.pixels(before) < 0.4;
-            right += bench.pixels(model) < 0.4;
-        }
-        EXPECT_GT(better, 0.9 * count) << o;
-        EXPECT_GT(right, 0.6 * count) << o;
-        EXPECT_LT(rightBefore, 0.35 * count) << o;
-    }
-}
-
-//! More iterations (Params::localIterations) must give lower costs.
-TEST_P(Usac_Sigma_Consensus, iterationsHaveAnEffect)
-{
-    Bench bench((ProblemType)GetParam(), 5);
-    const Ptr<LocalOptimizer> optimizers[] = {createSigmaConsensus(),
-                                              createSigmaConsensusPlusPlus()};
-    for (int o = 0; o < 2; ++o)
-    {
-        double cost[2] = {0, 0};
-        for (int k = 0; k < 2; ++k)
-            for (int trial = 0; trial < 20; ++trial)
-            {
-                Model model;
-                Quality quality;
-                State state;
-                bench.params.localIterations = k == 0 ? 1 : 8;
-                if (!bench.minimalModel(trial, model, quality))
-                    continue;
-                optimizers[o]->optimize(bench.context(), state, model, quality);
-                cost[k] += quality.cost;
-            }
-        EXPECT_LT(cost[1], cost[0] - 1) << o;
-    }
-}
-
 //! If no point is near a model, optimizers and polisher must not change the model.
 TEST_P(Usac_Sigma_Consensus, nothingNear)
 {
@@ -290,81 +196,6 @@ TEST_P(Usac_Sigma_Consensus, reweightingDescends)
             EXPECT_LE(next, loss * (1 + 1e-4)) << trial << " " << i;
             loss = next;
         }
-    }
-}
-
-//! MarginalizedFit::reduce() must keep the requested number of points. SigmaConsensus must use at
-//! most MAX_FIT points, each at most once.
-TEST_P(Usac_Sigma_Consensus, boundedFits)
-{
-    SceneOptions options;
-    options.inliers = 2000;
-    const Bench bench((ProblemType)GetParam(), 3, options);
-    Arena::Scope scope(bench.context().arena);
-    MarginalizedFit fit;
-    fit.allocate(scope, bench.usac->points().size);
-    fit.weigh(bench.context(), bench.usac->points().threshold, bench.truth);
-    const int all = fit.size();
-    ASSERT_GT(all, 1500);
-    Rng rng(3);
-    fit.reduce(all + 1, rng);
-    EXPECT_EQ(all, fit.size());
-    fit.reduce(300, rng);
-    EXPECT_EQ(300, fit.size());
-    Model model = bench.truth;
-    EXPECT_TRUE(fit.fit(bench.context(), model));
-    EXPECT_LT(bench.pixels(model), 0.3);
-    SigmaConsensus consensus;
-    model = bench.truth;
-    ASSERT_TRUE(consensus.fit(bench.context(), rng, model));
-    EXPECT_LE((int)consensus.size(), (int)SigmaConsensus::MAX_FIT);
-    const std::set<int> distinct(consensus.points(), consensus.points() + consensus.size());
-    EXPECT_EQ((size_t)consensus.size(), distinct.size());
-    EXPECT_LT(bench.pixels(model), 0.3);
-}
-
-//! Polishing must lower the cost, and further polishing must hardly change the model.
-TEST_P(Usac_Sigma_Consensus, polisherConverges)
-{
-    const Bench bench((ProblemType)GetParam(), 3);
-    const Context& context = bench.context();
-    const Ptr<Polisher> polisher = createReweightedPolisher();
-    Model once = bench.truth;
-    polisher->polish(context, once);
-    EXPECT_LT(context.rate(once).cost, context.rate(bench.truth).cost);
-    Model twice = once;
-    for (int i = 0; i < 5; ++i)
-        polisher->polish(context, twice);
-    once = normalized(once);
-    twice = normalized(twice);
-    const double moved = modelDistance(bench.truth, once);
-    EXPECT_GT(moved, 1e-6);
-    EXPECT_LT(modelDistance(once, twice), 0.1 * moved);
-}
-
-//! Each combination of a sigma-consensus and a score must give a correct model, and re-weighted
-//! polishing must improve it.
-TEST_P(Usac_Sigma_Consensus, estimates)
-{
-    const LocalOptimizationType types[] = {LOCAL_OPTIMIZATION_SIGMA_CONSENSUS,
-                                           LOCAL_OPTIMIZATION_SIGMA_CONSENSUS_PLUS_PLUS};
-    const QualityType qualities[] = {QUALITY_MAGSAC, QUALITY_MAGSAC_PLUS_PLUS, QUALITY_MSAC};
-    for (int k = 0; k < 6; ++k)
-    {
-        const Scene scene = makeScene((ProblemType)GetParam());
-        Params params;
-        params.threshold = 4;
-        params.localOptimization = types[k % 2];
-        params.quality = qualities[k / 2];
-        params.polishing = POLISHING_NONE;
-        Report report;
-        const Mat model = estimate(scene, params, noArray(), &report);
-        EXPECT_LT(modelError(scene, model), 0.7) << k;
-        EXPECT_GT(report.localImprovements, 0) << k;
-        params.polishing = POLISHING_REWEIGHTED;
-        const Mat polished = estimate(scene, params);
-        EXPECT_LT(modelError(scene, polished), 0.3) << k;
-        EXPECT_GT(cv::norm(model, polished), 0) << k;
     }
 }
 

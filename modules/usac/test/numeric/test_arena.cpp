@@ -69,53 +69,6 @@ TEST(Usac_Arena, nothingOverlaps)
     }
 }
 
-TEST(Usac_Arena, theSameMemoryAgain)
-{
-    Arena arena(1 << 20);
-    int* const kept = arena.take<int>(10);
-    *kept = 7;
-    arena.keep();
-    const double* const first = arena.take<double>(100);
-    arena.clear();
-    EXPECT_EQ(first, arena.take<double>(100));
-    const float* inScope;
-    {
-        Arena::Scope scope(arena);
-        inScope = scope.take<float>(100);
-    }
-    {
-        Arena::Scope scope(arena);
-        EXPECT_EQ(inScope, scope.take<float>(100));
-    }
-    EXPECT_EQ(7, *kept);
-    arena.reset(0);
-    EXPECT_EQ(kept, arena.take<int>(1));
-    EXPECT_EQ(1, arena.blocks());
-}
-
-//! Memory that did not fit into the first block must fit into a single block after the next
-//! reset(). The capacity must not shrink.
-TEST(Usac_Arena, growsToOneBlock)
-{
-    Arena arena;
-    EXPECT_EQ(0, arena.blocks());
-    for (int i = 0; i < 10; ++i)
-        arena.take<double>(20000);
-    EXPECT_GT(arena.blocks(), 1);
-    const size_t capacity = arena.capacity();
-    arena.clear();
-    EXPECT_EQ(capacity, arena.capacity());
-    arena.reset(1000);
-    EXPECT_EQ(1, arena.blocks());
-    EXPECT_GE(arena.capacity(), capacity);
-    for (int i = 0; i < 10; ++i)
-        arena.take<double>(20000);
-    EXPECT_EQ(1, arena.blocks());
-    arena.reset(2 * arena.capacity());
-    EXPECT_GE(arena.capacity(), 2 * capacity);
-    EXPECT_EQ(1, arena.blocks());
-}
-
 //! Large blocks must be kept by reset() instead of being replaced by one block of their total size.
 TEST(Usac_Arena, largeBlocksStay)
 {

@@ -45,12 +45,6 @@ void expectRoots(const std::vector<double>& c, std::vector<double> expected, dou
             << Mat(expected).t();
 }
 
-void expectProduct(const double* roots, size_t count, double tolerance = 1e-9)
-{
-    const std::vector<double> r(roots, roots + count);
-    expectRoots(expand(r), r, tolerance);
-}
-
 TEST(Usac_Polynomial, spreadRoots)
 {
     RNG rng(11);
@@ -66,37 +60,6 @@ TEST(Usac_Polynomial, spreadRoots)
                 c[i] *= factor;
             expectRoots(c, roots, 1e-7);
         }
-}
-
-TEST(Usac_Polynomial, rootsAtZeroAndOne)
-{
-    const double zero[] = {0}, zeroOne[] = {0, 1}, all[] = {-1, 0, 1}, ones[] = {-1, 1},
-                 more[] = {-2, -1, 0, 0.5, 1, 3};
-    const double border[] = {-1.0009765625, 1}, belowBorder[] = {-1.001, -1.0009, 0.999, 1.001};
-    expectProduct(zero, 1);
-    expectProduct(zeroOne, 2);
-    expectProduct(all, 3);
-    expectProduct(ones, 2);
-    expectProduct(more, 6);
-    expectProduct(border, 2);
-    expectProduct(belowBorder, 4);
-}
-
-TEST(Usac_Polynomial, hugeAndTinyRoots)
-{
-    const double huge[] = {1e9}, mixed[] = {-1e6, -1e-6, 1e3}, wide[] = {-1e5, 1e-5, 1, 20, 3000};
-    expectProduct(huge, 1);
-    expectProduct(mixed, 3);
-    expectProduct(wide, 5);
-}
-
-TEST(Usac_Polynomial, clusters)
-{
-    const double pair[] = {0.5, 0.501}, outside[] = {40, 40.1, -7},
-                 three[] = {-0.3, -0.302, -0.304, 0.9};
-    expectProduct(pair, 2);
-    expectProduct(outside, 3, 1e-7);
-    expectProduct(three, 4, 1e-6);
 }
 
 //! Each multiple root must be found once, with the accuracy that is possible for such a root.

@@ -4,7 +4,6 @@
 
 #include "test_precomp.hpp"
 #include "support/problem_objects.hpp"
-#include "numeric/decompositions.hpp"
 #include "residual/normal_equations.hpp"
 
 namespace opencv_test {
@@ -140,22 +139,6 @@ TEST_P(Usac_LeastSquares, normalEquationsAgainstDifferences)
     }
 }
 
-TEST_P(Usac_LeastSquares, normalEquationsOfSomePoints)
-{
-    const ProblemType problem = problemOf(GetParam());
-    const Formula::Kind kind = kindOf(GetParam());
-    const Scene scene = sceneOf(problem, 3);
-    const Ptr<Usac> usac = createUsac(scene, Params());
-    const Correspondences& points = usac->points();
-    const Model model = toInternal(points, scene.model);
-    const int some[] = {7, 3, 50, 12, 3};
-    const std::vector<int> indices(some, some + 5);
-    NormalEquations sums;
-    sums.accumulate(*residualOf(kind), PointChunks(points, some, 5, 0), model);
-    const double expected = costOf(kind, points, indices, 0, model);
-    EXPECT_NEAR(expected, sums.cost, 1e-10 * expected);
-}
-
 void expectOnManifold(ProblemType problem, const Matx33d& model)
 {
     EXPECT_NEAR(1, cv::norm(model), 1e-12);
@@ -167,38 +150,6 @@ void expectOnManifold(ProblemType problem, const Matx33d& model)
     if (problem == ESSENTIAL)
     {
         EXPECT_NEAR(w[0], w[1], 1e-12);
-    }
-}
-
-TEST_P(Usac_LeastSquares, manifoldAndItsTangents)
-{
-    const ProblemType problem = problemOf(GetParam());
-    RNG rng(2);
-    for (int repeat = 0; repeat < 50; ++repeat)
-    {
-        Model start(3, 3);
-        for (int i = 0; i < 9; ++i)
-            start.val[i] = rng.gaussian(1);
-        const Parameterization here(problem, start);
-        expectOnManifold(problem, here.model());
-        EXPECT_NEAR(0, modelDistance(here.model(), Parameterization(problem, here.model()).model()),
-                    1e-12);
-        const Parameterization::Basis tangent = here.tangent();
-        ASSERT_EQ(here.dimension(), tangent.cols());
-        // the tangents are linearly independent
-        EXPECT_GT(singularValues(tangent)[here.dimension() - 1], 1e-3);
-        for (int k = 0; k < here.dimension(); ++k)
-        {
-            Parameterization::Step step = Parameterization::Step::Zero(here.dimension());
-            step[k] = 1e-5;
-            const Vector9 plus = vectorOf(here.plus(step).model()),
-                          minus = vectorOf(here.plus(-step).model());
-            EXPECT_LE(((plus - minus) / 2e-5 - tangent.col(k)).norm(), 1e-8) << "parameter " << k;
-        }
-        Parameterization::Step large(here.dimension());
-        for (int k = 0; k < here.dimension(); ++k)
-            large[k] = rng.gaussian(0.3);
-        expectOnManifold(problem, here.plus(large).model());
     }
 }
 
@@ -279,25 +230,6 @@ TEST_P(Usac_LeastSquares, reachesTheMinimum)
     EXPECT_LE(steep, 1);
 }
 
-TEST_P(Usac_LeastSquares, exactWithoutNoise)
-{
-    const ProblemType problem = problemOf(GetParam());
-    const Formula::Kind kind = kindOf(GetParam());
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
-    RNG rng(5);
-    for (int repeat = 0; repeat < 20; ++repeat)
-    {
-        const Scene scene = sceneOf(problem, 0, repeat);
-        const Ptr<Usac> usac = createUsac(scene, Params());
-        const Correspondences& points = usac->points();
-        const std::vector<int> indices = allOf(points);
-        const Model truth = toInternal(points, scene.model);
-        Model model = perturbed(truth, 1e-4, rng);
-        ASSERT_TRUE(solver->fit(points, indices.data(), points.size, 0, model));
-        EXPECT_LE(modelDistance(model, truth), 1e-6) << "scene " << repeat;
-    }
-}
-
 //! From any start, a fit must either not raise the cost, or fail and leave the model unchanged.
 TEST_P(Usac_LeastSquares, neverRaisesTheCost)
 {
@@ -334,61 +266,6 @@ TEST_P(Usac_LeastSquares, neverRaisesTheCost)
         EXPECT_TRUE(checkRange(Mat(Matx33d(model))));
     }
     EXPECT_GT(fitted, 200);
-}
-
-TEST_P(Usac_LeastSquares, zeroWeightsAreLikeAbsentPoints)
-{
-    const ProblemType problem = problemOf(GetParam());
-    const Formula::Kind kind = kindOf(GetParam());
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
-    const Scene scene = sceneOf(problem, 1);
-    const Ptr<Usac> usac = createUsac(scene, Params());
-    const Correspondences& points = usac->points();
-    const std::vector<int> indices = allOf(points);
-    std::vector<double> weights(points.size, 0.);
-    std::fill(weights.begin(), weights.begin() + 40, 1.);
-    Model weighted = toInternal(points, scene.model), absent = weighted, all = weighted;
-    ASSERT_TRUE(solver->fit(points, indices.data(), points.size, weights.data(), weighted));
-    ASSERT_TRUE(solver->fit(points, indices.data(), 40, 0, absent));
-    ASSERT_TRUE(solver->fit(points, indices.data(), points.size, 0, all));
-    EXPECT_LE(modelDistance(weighted, absent), 1e-9);
-    EXPECT_GT(modelDistance(all, absent), 1e-7);
-}
-
-TEST_P(Usac_LeastSquares, tooFewPoints)
-{
-    const ProblemType problem = problemOf(GetParam());
-    const Formula::Kind kind = kindOf(GetParam());
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
-    const Scene scene = sceneOf(problem, 1);
-    const Ptr<Usac> usac = createUsac(scene, Params());
-    const std::vector<int> indices = allOf(usac->points());
-    const Model truth = toInternal(usac->points(), scene.model);
-    const int enough = usac->components().minimalSolver->sampleSize();
-    for (int count = 0; count < enough; ++count)
-    {
-        Model model = truth;
-        EXPECT_FALSE(solver->fit(usac->points(), indices.data(), count, 0, model)) << count;
-        EXPECT_EQ(truth, model);
-    }
-}
-
-TEST_P(Usac_LeastSquares, equalPoints)
-{
-    const ProblemType problem = problemOf(GetParam());
-    const Formula::Kind kind = kindOf(GetParam());
-    const Ptr<NonMinimalSolver> solver = createLeastSquaresSolver(problem, kind);
-    const OwnPoints points(problem, std::vector<Point2d>(20, Point2d(0.1, 0.2)),
-                           std::vector<Point2d>(20, Point2d(0.3, -0.1)));
-    const std::vector<int> indices = allOf(points.view());
-    const Model start = toInternal(points.view(),
-                                   Matx33d(0.3, -0.1, 0.4, 0.2, 0.5, -0.2, 0.1, 0.3, 0.9));
-    const Model first = Parameterization(problem, start).model();
-    Model model = first;
-    solver->fit(points.view(), indices.data(), 20, 0, model);
-    EXPECT_TRUE(checkRange(Mat(Matx33d(model))));
-    EXPECT_LE(costOf(kind, points.view(), indices, 0, model),
-              costOf(kind, points.view(), indices, 0, first) * (1 + 1e-9));
 }
 
 INSTANTIATE_TEST_CASE_P(All, Usac_LeastSquares, testing::Range(0, 6));

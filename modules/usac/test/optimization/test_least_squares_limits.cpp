@@ -60,16 +60,5 @@ TEST(Usac_LeastSquares_Limits, smallWeightsLeaveTheModel)
     EXPECT_EQ(before, model);
 }
 
-//! At the minimum, more iterations must not change the model.
-TEST(Usac_LeastSquares_Limits, minimumIsKept)
-{
-    Model reached = Matx33d::eye();
-    for (int i = 0; i < 30; ++i)
-        ASSERT_TRUE(Matches().fit(reached));
-    Model again = reached;
-    EXPECT_TRUE(Matches().fit(again, 0, 200));
-    EXPECT_LE(modelDistance(reached, again), 1e-9);
-}
-
 }  // namespace
 }  // namespace opencv_test

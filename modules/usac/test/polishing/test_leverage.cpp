@@ -5,7 +5,6 @@
 #include "test_precomp.hpp"
 #include "polishing/leverage.hpp"
 #include "polishing/polishing.hpp"
-#include "problems/kernels.hpp"
 #include "support/problem_objects.hpp"
 #include "support/run_context.hpp"
 
@@ -66,63 +65,6 @@ TEST(Usac_Leverage, small_baselines)
         }
 }
 
-//! The residual of F as a caller could write it: without kernels.
-class PlainResidual : public Residual
-{
-public:
-    explicit PlainResidual(const Ptr<Residual>& inner_) : inner(inner_) {}
-
-    void squaredErrors(const Correspondences& points, const Model& model, int begin, int end,
-                       float* errors) const CV_OVERRIDE
-    {
-        inner->squaredErrors(points, model, begin, end, errors);
-    }
-    void squaredErrors(const Model& model, const double* const* columns, int count,
-                       double* errors) const CV_OVERRIDE
-    {
-        inner->squaredErrors(model, columns, count, errors);
-    }
-    int error(const Model& model, const double* datum, double* error) const CV_OVERRIDE
-    {
-        return inner->error(model, datum, error);
-    }
-    int linearize(const Model& model, const double* datum, double* error,
-                  double* derivative) const CV_OVERRIDE
-    {
-        return inner->linearize(model, datum, error, derivative);
-    }
-
-private:
-    const Ptr<Residual> inner;
-};
-
-//! A residual without kernels must give nearly the same errors. Without Leverage, the median would
-//! be nearly twice as large.
-TEST(Usac_Leverage, without_kernels)
-{
-    std::vector<double> errors[2];
-    for (int seed = 1; seed <= 20; ++seed)
-        for (int k = 0; k < 2; ++k)
-        {
-            const Scene scene = smallBaseline(200, 0.02, 1000 + seed);
-            Params params;
-            params.threshold = 1.5;
-            const Ptr<Usac> usac = createUsac(scene, params);
-            if (k == 1)
-            {
-                Components& parts = usac->components();
-                parts.residual = makePtr<PlainResidual>(parts.residual);
-                parts.nonMinimalSolver = usac->points().problem->createNonMinimalSolver(
-                    parts.residual);
-            }
-            errors[k].push_back(modelError(scene, usac->run()));
-        }
-    for (std::vector<double>& all : errors)
-        std::sort(all.begin(), all.end());
-    EXPECT_LE(errors[1][10], 1.2 * errors[0][10]);
-    EXPECT_LE(errors[1][16], 1.3 * errors[0][16]);
-}
-
 //! True matches off a dominant plane also have a high leverage and must not be dropped. Of 100
 //! models, 2 miss these matches. Without Leverage, 1 model would miss them; if Leverage ignored
 //! planes, 27 models would.
@@ -142,94 +84,6 @@ TEST(Usac_Leverage, few_matches_off_a_plane_stay)
         lost += modelError(scene, estimate(scene, params), OFF_PLANE) > 1.5;
     }
     EXPECT_LE(lost, 6);
-}
-
-//! The derivative of Sampson's distance must agree with finite differences. The distance has a
-//! sign, because the root of its square has no derivative at 0. A step of 1e-9 changes errors by
-//! about 1e-3 pixels.
-TEST(Usac_Leverage, derivative_of_Sampsons_distance)
-{
-    const double STEP = 1e-9;
-    const Ptr<Residual> residual = createResidualOf<SampsonError>();
-    const Scene scene = smallBaseline(50, 1, 1);
-    const Model model(scene.F * (1 / cv::norm(scene.F)));
-    for (int i = 0; i < scene.size(); ++i)
-    {
-        const double datum[] = {scene.points1[i].x, scene.points1[i].y, scene.points2[i].x,
-                                scene.points2[i].y};
-        double error, derivative[9], other;
-        ASSERT_EQ(1, residual->linearize(model, datum, &error, derivative));
-        EXPECT_NEAR(pixelError(scene, scene.F, scene.points1[i], scene.points2[i]), std::abs(error),
-                    1e-6);
-        ASSERT_EQ(1, residual->error(model, datum, &other));
-        EXPECT_NEAR(other, error, 1e-12 * (1 + std::abs(error)));
-        const double size = cv::norm(Mat(9, 1, CV_64F, derivative));
-        for (int k = 0; k < 9; ++k)
-        {
-            Model above = model, below = model;
-            above.val[k] += STEP;
-            below.val[k] -= STEP;
-            double high, low;
-            residual->error(above, datum, &high);
-            residual->error(below, datum, &low);
-            EXPECT_NEAR(derivative[k], (high - low) / (2 * STEP), 1e-4 * size) << i << ", " << k;
-        }
-    }
-}
-
-//! A custom problem that estimates F. `free_` selects the result of leavesFree(): 0: false; 1:
-//! true; -1: that of the base class Problem.
-class OwnFundamental : public Problem
-{
-public:
-    explicit OwnFundamental(int free_) : free(free_), F(problemObject(FUNDAMENTAL)) {}
-
-    String name() const CV_OVERRIDE { return "own"; }
-    int dimension() const CV_OVERRIDE { return F.dimension(); }
-    int errorDimension() const CV_OVERRIDE { return F.errorDimension(); }
-    SampleCost sampleCost() const CV_OVERRIDE { return F.sampleCost(); }
-    int normalization(int residual) const CV_OVERRIDE { return F.normalization(residual); }
-    bool leavesFree(const Context& context, const Model& model) const CV_OVERRIDE
-    {
-        return free < 0 ? Problem::leavesFree(context, model) : free > 0;
-    }
-    bool toInput(const Model& model, const Correspondences& points, Model& result) const CV_OVERRIDE
-    {
-        return F.toInput(model, points, result);
-    }
-    Model closest(const Model& model) const CV_OVERRIDE { return F.closest(model); }
-    Ptr<Residual> createResidual(int type) const CV_OVERRIDE { return F.createResidual(type); }
-    Ptr<MinimalSolver> createMinimalSolver() const CV_OVERRIDE { return F.createMinimalSolver(); }
-    Ptr<NonMinimalSolver> createNonMinimalSolver(const Ptr<Residual>& residual) const CV_OVERRIDE
-    {
-        return F.createNonMinimalSolver(residual);
-    }
-
-private:
-    const int free;
-    const Problem& F;
-};
-
-//! By default, Problem::leavesFree is false, that is, the inliers of a custom problem are taken to
-//! determine all parameters. Leverage then corrects models even if their sum of squared errors
-//! decreases little. If leavesFree() is true, some of these corrections must not be made.
-TEST(Usac_Leverage, custom_problems_leave_nothing_free)
-{
-    int prevented = 0;
-    for (uint64 seed = 1; seed <= 20; ++seed)
-    {
-        const Scene scene = smallBaseline(200, 0.02, seed);
-        Params params;
-        params.threshold = 1.5;
-        Mat models[3];
-        for (int free = -1; free <= 1; ++free)
-            models[free + 1] = Usac::create(makePtr<OwnFundamental>(free), scene.points1,
-                                            scene.points2, params)
-                                   ->run();
-        EXPECT_EQ(0, cv::norm(models[0], models[1], NORM_INF)) << seed;
-        prevented += cv::norm(models[0], models[2], NORM_INF) > 0;
-    }
-    EXPECT_GT(prevented, 0);
 }
 
 //! A solver that counts its fits. All fits except the first `good` ones fail.

@@ -45,36 +45,6 @@ TEST(Usac_Polishing, smoothWeightsSurviveASmallThreshold)
     }
 }
 
-//! Robust polishing must converge to a fixed point, where the weighted gradient vanishes, as the
-//! definition of an M-estimator requires. Polishing a polished model must therefore hardly change
-//! it.
-TEST(Usac_Polishing, reweightedIsAFixedPoint)
-{
-    SceneOptions options;
-    options.noise = 0.7;
-    const Scene scene = makeScene(HOMOGRAPHY, options);
-    Ptr<Usac> usac = createUsac(scene, Params());
-    const Params params;
-    Arena arena;
-    const Context context(usac->points(), usac->components(), params, arena);
-    usac->components().start(context);
-    const Ptr<Polisher> polisher = createRobustPolisher();
-    Model once = toInternal(usac->points(), scene.model);
-    polisher->polish(context, once);
-    Model twice = once;
-    for (int i = 0; i < 4; ++i)
-        polisher->polish(context, twice);
-    Model thrice = twice;
-    polisher->polish(context, thrice);
-    once = normalized(once);
-    twice = normalized(twice);
-    thrice = normalized(thrice);
-    EXPECT_GT(modelDistance(toInternal(usac->points(), scene.model), once), 1e-5)
-        << "polishing must change the true model";
-    EXPECT_LT(modelDistance(once, twice), 1e-3);
-    EXPECT_LT(modelDistance(twice, thrice), 1e-5) << "polishing must have converged";
-}
-
 //! Robust polishing must end as soon as further steps are expected to change hardly anything: for
 //! H, each step leaves only a small part of the distance to the minimum. The result must then be
 //! nearly as close to the minimum as that of many more steps.

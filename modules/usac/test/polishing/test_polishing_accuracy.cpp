@@ -100,22 +100,6 @@ TEST_P(Usac_Polishing_Accuracy, isNearlyThatOfLeastSquares)
     }
 }
 
-//! Without noise, each of three presets must return the exact model.
-TEST_P(Usac_Polishing_Accuracy, exactWithoutNoise)
-{
-    const Params presets[] = {Params::usacV20(), Params::fast(), Params::accurate()};
-    for (int k = 0; k < 3; ++k)
-        for (uint64 seed = 1; seed <= 3; ++seed)
-        {
-            const Scene scene = makeScene((ProblemType)std::get<0>(GetParam()),
-                                          optionsOf((Motion)std::get<1>(GetParam()), 0, seed));
-            Params params = presets[k];
-            params.threshold = THRESHOLD;
-            EXPECT_LE(modelError(scene, estimate(scene, params)), 1e-9)
-                << "preset " << k << ", seed " << seed;
-        }
-}
-
 /** The threshold is at least 300 times the noise. For H and F, image 2 is also scaled to
 coordinates below 1, but the threshold is not, so that almost every H or F has all matches as
 inliers. Polishing must nevertheless reach nearly the accuracy of least squares: an error of at most

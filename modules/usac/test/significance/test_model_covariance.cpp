@@ -111,23 +111,6 @@ TEST_P(Usac_ModelCovariance, not_determined)
     EXPECT_GE(d, 4);
 }
 
-TEST_P(Usac_ModelCovariance, only_if_asked_for)
-{
-    const Case scene = makeCase(GetParam(), 4);
-    Report report, silent;
-    ASSERT_FALSE(scene.run(Params(), &report).empty());
-    EXPECT_FALSE(report.covariance.empty());
-    EXPECT_GT(report.sigma, 0);
-    Params params;
-    params.threshold = scene.threshold;
-    Mat mask;
-    const Ptr<Usac> usac = Usac::create(scene.problem, scene.points1, scene.points2, params,
-                                        scene.camera);
-    ASSERT_FALSE(usac->run(mask, &silent).empty());
-    EXPECT_TRUE(silent.covariance.empty());
-    EXPECT_EQ(0, silent.sigma);
-}
-
 //! Points on a plane do not determine all parameters of F, and the images of cameras at practically
 //! the same place do not determine all parameters of E, although noise can make it look as if they
 //! did. At most one in ten models is allowed to have a covariance.

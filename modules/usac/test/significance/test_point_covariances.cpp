@@ -48,23 +48,6 @@ TEST_P(Usac_PointCovariances, accuracy)
     EXPECT_GE(std::sqrt(without / with), 1.3);  // measured: F, E: 1.4 to 2.0; others: 2.5 to 4.5
 }
 
-//! An estimated threshold must be in units of the standard deviation of each error: the noise from
-//! which it is derived must be about 1 in these units.
-TEST_P(Usac_PointCovariances, estimatedThreshold)
-{
-    double sum = 0;
-    const int scenes = 20;
-    for (int seed = 1; seed <= scenes; ++seed)
-    {
-        const Directed directed(testing::get<0>(GetParam()), seed, testing::get<1>(GetParam()));
-        Report report;
-        const Ptr<Usac> usac = directed.create(Params::automatic(), 20, true);
-        ASSERT_FALSE(usac->run(noArray(), &report).empty()) << seed;
-        sum += report.sigma;
-    }
-    EXPECT_NEAR(1, sum / scenes, 0.2);
-}
-
 //! Usac::fit and Usac::refine must minimize the errors in units of their standard deviations, as
 //! Usac::errors returns them. Equal weights of all matches must have no effect.
 TEST_P(Usac_PointCovariances, fits)
@@ -85,80 +68,6 @@ TEST_P(Usac_PointCovariances, fits)
     EXPECT_NEAR(cost(fitted), cost(refined), 1e-6 * cost(fitted));
     Mat weights(chosen.rows, 1, CV_64F, Scalar(7));
     EXPECT_NEAR(cost(fitted), cost(usac->fit(weights, chosen)), 1e-6 * cost(fitted));
-}
-
-//! Even if the image has lens distortion, the errors of a pose must agree with its covariance: the
-//! mean squared Mahalanobis distance from the true pose must be about 6.
-TEST(Usac_PointCovariances_, distortedPoses)
-{
-    const int scenes = 40;
-    double square = 0;
-    for (int seed = 1; seed <= scenes; ++seed)
-    {
-        Directed directed(ABSOLUTE_POSE, seed, false);
-        const Mat lens(1, 5, CV_64F, (void*)LENS), pose = directed.scene.truth;
-        Mat rotation;
-        cv::Rodrigues(pose.colRange(0, 3), rotation);
-        std::vector<Point2d> projected;
-        cv::projectPoints(directed.scene.points1.reshape(3), rotation, pose.col(3),
-                          directed.scene.camera, lens, projected);
-        RNG rng(seed);
-        for (int i = 0; i < (int)projected.size(); ++i)
-        {
-            const Vec2d off = gaussian(directed.second[i], rng);
-            directed.scene.points2.ptr<double>(i)[0] = projected[i].x + off[0];
-            directed.scene.points2.ptr<double>(i)[1] = projected[i].y + off[1];
-        }
-        Params params;
-        params.threshold = 3;
-        params.covariance = 1;
-        params.sigmas = directed.sigmas;
-        Report report;
-        const Mat model = estimateAbsolutePose(directed.scene.points1, directed.scene.points2,
-                                               directed.scene.camera, lens, params, noArray(),
-                                               report);
-        ASSERT_FALSE(model.empty()) << seed;
-        square += squaredDistance(directed.scene, model, report.covariance) / 6;
-    }
-    EXPECT_NEAR(1, square / scenes, 0.25);
-}
-
-//! Isotropic covariances must have about the same effect as one standard deviation per match. For
-//! maps and poses, which measure errors in image 2, they are covariances of the points in image 2
-//! only; for F and E, of the points in both images.
-TEST(Usac_PointCovariances_, isotropic)
-{
-    for (ProblemType problem :
-         {HOMOGRAPHY, FUNDAMENTAL, ESSENTIAL, AFFINITY, SIMILARITY, ABSOLUTE_POSE})
-    {
-        const Case scene = makeCase(problem, 1);
-        Params params;
-        params.threshold = scene.threshold;
-        std::vector<float> covariances;
-        for (int i = 0; i < scene.points1.rows; ++i)
-        {
-            const float sigma = i % 2 ? 1.25f : 0.75f;
-            params.sigmas.push_back(sigma);
-            append(covariances, Matx22d::eye() * (sigma * sigma));
-            if (problem == FUNDAMENTAL || problem == ESSENTIAL)
-                append(covariances, Matx22d::eye() * (sigma * sigma));
-        }
-        Mat mask, same;
-        const Ptr<Usac> usac = Usac::create(problem, scene.points1, scene.points2, params,
-                                            scene.camera);
-        const Mat model = usac->run(mask);
-        params.sigmas = covariances;
-        const Ptr<Usac> other = Usac::create(problem, scene.points1, scene.points2, params,
-                                             scene.camera);
-        EXPECT_LE(cv::norm(other->errors(model), usac->errors(model), NORM_INF),
-                  1e-5 * cv::norm(usac->errors(model), NORM_INF))
-            << (int)problem;
-        const Mat found = other->run(same);
-        EXPECT_LE(std::min(cv::norm(found - model), cv::norm(found + model)),
-                  0.02 * cv::norm(model))
-            << (int)problem;
-        EXPECT_LE(cv::norm(mask, same, NORM_L1), 4) << (int)problem;
-    }
 }
 
 //! Covariances 0, 0, 0 of all points in image 1 (6 N numbers) must have the same effect as no
@@ -282,21 +191,6 @@ TEST(Usac_PointCovariances_, otherProblems)
     expectRefused([&] { estimateTwoViewGeometry(pair); }, "two views");
 }
 
-//! After setPoints(), an estimator must apply the covariances with which it was created to the new
-//! points.
-TEST(Usac_PointCovariances_, setPoints)
-{
-    const Directed one(HOMOGRAPHY, 1, false), two(HOMOGRAPHY, 2, false);
-    const Ptr<Usac> usac = one.create(Params(), 3, true);
-    usac->run();
-    usac->setPoints(two.scene.points1, two.scene.points2);
-    Params params;
-    params.threshold = 3;
-    params.sigmas = one.sigmas;
-    EXPECT_EQ(
-        0, cv::norm(usac->run(), estimateHomography(two.scene.points1, two.scene.points2, params)));
-}
-
 //! The K numbers in Params::sigmas are N, 3 N or 6 N numbers for N points. setPoints() must reject
 //! another number of points for which K numbers would be valid, too, but with another meaning: for
 //! example K points, for which they would be standard deviations instead of covariances. The
@@ -348,37 +242,6 @@ TEST_P(Usac_PointCovariances, notFinite)
     EXPECT_LE(std::min(cv::norm(model - found), cv::norm(model + found)), 0.05 * cv::norm(model));
 }
 
-//! If most points are on a plane, so that DEGENSAC is needed, F must be accurate with isotropic
-//! covariances, and have about as many inliers as with one standard deviation per match.
-TEST(Usac_PointCovariances_, dominantPlane)
-{
-    for (int seed = 1; seed <= 10; ++seed)
-    {
-        SceneOptions options;
-        options.setSize(200, 0.8);
-        options.planeFraction = 0.85;
-        options.noise = 0.3;
-        options.seed = seed;
-        const Scene scene = makeScene(FUNDAMENTAL, options);
-        Params params;
-        std::vector<float> covariances;
-        for (int i = 0; i < 200; ++i)
-        {
-            const float sigma = i % 2 ? 1.25f : 0.75f;
-            params.sigmas.push_back(sigma);
-            for (int image = 0; image < 2; ++image)
-                append(covariances, Matx22d::eye() * (sigma * sigma));
-        }
-        Report report, other;
-        estimateFundamental(scene.points1, scene.points2, params, noArray(), report);
-        params.sigmas = covariances;
-        const Mat F = estimateFundamental(scene.points1, scene.points2, params, noArray(), other);
-        ASSERT_FALSE(F.empty()) << seed;
-        EXPECT_LE(modelError(scene, F), 1) << seed;
-        EXPECT_NEAR(report.inliers, other.inliers, 4) << seed;
-    }
-}
-
 //! If there are covariances, a built-in residual that does not use them must be rejected. If the
 //! default residual is put back, the result must be the same as before.
 TEST(Usac_PointCovariances_, replacedResidual)
@@ -389,26 +252,6 @@ TEST(Usac_PointCovariances_, replacedResidual)
     const Ptr<Residual> given = usac->components().residual;
     usac->components().residual = createResidualOf<TransferError>();
     expectRefused([&] { usac->run(); }, "replaced");
-    usac->components().residual = given;
-    EXPECT_EQ(0, cv::norm(model, usac->run()));
-}
-
-//! For a pose from an image with lens distortion, the residual can be replaced by one that ignores
-//! the distortion. If the default residual is put back, the result must be the same as before.
-TEST(Usac_PointCovariances_, residualPutBack)
-{
-    const Directed directed(ABSOLUTE_POSE, 1, false);
-    Params params;
-    params.threshold = 20;
-    params.sigmas = directed.sigmas;
-    const Ptr<Usac> usac = Usac::create(ABSOLUTE_POSE, directed.scene.points1,
-                                        directed.scene.points2, params, directed.scene.camera,
-                                        noArray(), Mat(1, 5, CV_64F, (void*)LENS));
-    const Mat model = usac->run();
-    ASSERT_FALSE(model.empty());
-    const Ptr<Residual> given = usac->components().residual;
-    usac->components().residual = createResidualOf<WhitenedReprojectionError>();
-    usac->run();
     usac->components().residual = given;
     EXPECT_EQ(0, cv::norm(model, usac->run()));
 }
@@ -428,33 +271,6 @@ TEST_P(Usac_PointCovariances, significance)
         found += !directed.create(Params(), 3, true)->run().empty();
     }
     EXPECT_LE(found, 1);
-}
-
-//! The roots L of the covariances L L^T that components get in Correspondences must be in units of
-//! meanSigma and in the coordinates of the columns: converted back to pixels, L L^T must be the
-//! given covariance.
-TEST(Usac_PointCovariances_, correspondences)
-{
-    Directed directed(HOMOGRAPHY, 1, true);
-    directed.scene.points1 *= 0.5;  // another scale than that of image 2
-    const Ptr<Usac> usac = directed.create(Params(), 3, true);
-    const Correspondences& points = usac->points();
-    ASSERT_EQ(6, points.noise);
-    EXPECT_GT(std::abs(std::log(points.frame[0].scale / points.frame[1].scale)), 0.5);
-    EXPECT_EQ(10, points.numbers());
-    for (int i = 0; i < points.size; ++i)
-        for (int image = 0; image < 2; ++image)
-        {
-            const int row = points.inputIndex[i], at = image ? 4 : 7;
-            const Matx22d root(points.exact[at][i], 0, points.exact[at + 1][i],
-                               points.exact[at + 2][i]);
-            const double unit = points.meanSigma * points.frame[1].scale /
-                                points.frame[image].scale;
-            const Matx22d expected = image ? directed.second[row] : directed.first[row];
-            EXPECT_LE(cv::norm(root * root.t() * (unit * unit) - expected),
-                      1e-5 * cv::norm(expected))
-                << i << " " << image;
-        }
 }
 
 }  // namespace

@@ -141,29 +141,6 @@ TEST_P(Usac_Sigmas, fits)
     EXPECT_LE(apart(usac->refine(mixed.scene.truth), usac->run()), 0.05 * scale);
 }
 
-//! Equal sigmas must only change the unit of the threshold: the results must be the same if the
-//! threshold is given in this unit.
-TEST_P(Usac_Sigmas, equalSigmas)
-{
-    const Case scene = makeCase(GetParam(), 1);
-    Params params;
-    params.threshold = scene.threshold;
-    params.covariance = 1;
-    Report report, equal;
-    Mat mask, other;
-    const Mat model = Usac::create(scene.problem, scene.points1, scene.points2, params,
-                                   scene.camera)
-                          ->run(mask, &report);
-    params.sigmas.assign(scene.points1.rows, 0.125f);
-    params.threshold *= 8;
-    const Mat same = Usac::create(scene.problem, scene.points1, scene.points2, params, scene.camera)
-                         ->run(other, &equal);
-    EXPECT_LE(cv::norm(model, same), 1e-4 * cv::norm(model));
-    EXPECT_EQ(0, cv::norm(mask, other));
-    EXPECT_NEAR(8 * report.sigma, equal.sigma, 1e-2 * equal.sigma);
-    EXPECT_LE(cv::norm(report.covariance, equal.covariance), 0.02 * cv::norm(report.covariance));
-}
-
 //! If the threshold is estimated, the noise must be found as a multiple of the sigmas, too.
 TEST_P(Usac_Sigmas, estimatedThreshold)
 {
@@ -240,46 +217,6 @@ TEST(Usac_Sigmas_, radiusOfNeighborhoods)
     }
     EXPECT_FALSE(edges[0].empty());
     EXPECT_EQ(edges[0], edges[1]);
-}
-
-//! In the Correspondences that components get, each match must have a factor: the root mean square
-//! of all sigmas divided by the sigma of the match. A match without finite coordinates must be left
-//! out.
-TEST(Usac_Sigmas_, correspondences)
-{
-    MixedNoise mixed(HOMOGRAPHY, 1);
-    mixed.scene.points1.at<double>(3) = NAN;
-    const Ptr<Usac> usac = mixed.create(Params(), mixed.scene.threshold, true);
-    const Correspondences& points = usac->points();
-    ASSERT_EQ(1, points.noise);
-    EXPECT_EQ(5, points.numbers());
-    EXPECT_EQ(99, points.size);
-    EXPECT_NEAR(std::sqrt(13.), points.meanSigma, 1e-6);  // root mean square of 1 and 5
-    for (int i = 0; i < points.size; ++i)
-    {
-        const double factor = points.meanSigma / mixed.sigmas[points.inputIndex[i]];
-        EXPECT_NEAR(factor, points.exact[4][i], 1e-6);
-        EXPECT_NEAR(factor, points.column[4][i], 1e-6);
-    }
-}
-
-//! Extreme ratios of sigmas must not lead to NaN or infinite values.
-TEST_P(Usac_Sigmas, extremeRatios)
-{
-    const Case scene = makeCase(GetParam(), 1);
-    Params params;
-    params.sigmas.assign(scene.points1.rows, 1e6f);
-    for (int i = 0; i < scene.points1.rows; i += 2)
-        params.sigmas[i] = 1e-6f;
-    params.threshold = 1e6 * scene.threshold;
-    Report report;
-    Mat mask;
-    const Ptr<Usac> usac = Usac::create(scene.problem, scene.points1, scene.points2, params,
-                                        scene.camera);
-    const Mat model = usac->run(mask, &report);
-    EXPECT_TRUE(cv::checkRange(model));
-    const Mat errors = usac->errors(model.empty() ? scene.truth : model);
-    EXPECT_TRUE(cv::checkRange(errors));
 }
 
 //! A residual without kernels, which applies the factors of the errors itself.

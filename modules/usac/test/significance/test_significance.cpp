@@ -116,42 +116,6 @@ TEST(Usac_Significance, calibratedOnRandomPairsInSpace)
     }
 }
 
-//! By default, at most one of 20 sets of random pairs is allowed to give a motion, and all scenes
-//! with 10 % true pairs must give one.
-TEST(Usac_Significance, randomAndRightPairsInSpace)
-{
-    for (int type = RIGID_3D; type <= SIMILARITY_3D; ++type)
-    {
-        int models = 0, found = 0;
-        for (int seed = 1; seed <= 20; ++seed)
-        {
-            RNG rng(seed);
-            Mat points1(200, 3, CV_64F), points2(200, 3, CV_64F);
-            rng.fill(points1, RNG::UNIFORM, -1, 1);
-            rng.fill(points2, RNG::UNIFORM, -1, 1);
-            Params params;
-            params.threshold = 0.2;
-            params.maxIterations = 1000;
-            Report report;
-            models += !Usac::create((ProblemType)type, points1, points2, params)
-                           ->run(noArray(), &report)
-                           .empty();
-            EXPECT_GT(report.chance, 0.01);
-            RigidSceneOptions options;
-            options.seed = seed;
-            options.inlierRatio = 0.1;
-            const RigidScene scene = makeRigidScene(options);
-            params.threshold = scene.threshold;
-            params.maxIterations = 20000;
-            const Ptr<Usac> usac = Usac::create((ProblemType)type, scene.points1, scene.points2,
-                                                params);
-            found += !usac->run(noArray(), &report).empty() && report.chance < 1e-3;
-        }
-        EXPECT_LE(models, 1) << type;
-        EXPECT_EQ(20, found) << type;
-    }
-}
-
 //! Correct models of few points, or with a low inlier ratio, must be distinguished from random
 //! models: Report::chance must be below 0.001 in at least 19 of 20 scenes.
 TEST(Usac_Significance, rightModelsOfFewPoints)
