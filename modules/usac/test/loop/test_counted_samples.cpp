@@ -3,9 +3,8 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "test_precomp.hpp"
-#include "support/problem_objects.hpp"
+#include "problems/essential/essential.hpp"
 #include "problems/two_view/two_view.hpp"
-#include "problems/two_view/dominant_plane.hpp"
 #include "termination/termination.hpp"
 
 namespace opencv_test {
@@ -167,42 +166,6 @@ TEST(Usac_CountedSamples, planes_take_more_samples_for_E)
         }
     EXPECT_EQ(10, planar);
     EXPECT_EQ(0, general);
-}
-
-//! The check for a dominant plane draws triples of points. Its random numbers must differ from
-//! those of the next sample, which come from the stream with the number of the iteration. The test
-//! also looks for the plane with numbers from that stream; some of the answers must differ.
-TEST(Usac_CountedSamples, the_plane_of_E_has_its_own_random_numbers)
-{
-    SceneOptions options;
-    // near the limit above which a plane counts as dominant, so that some triples do not find it
-    options.planeFraction = 0.8;
-    options.noise = 1;
-    const Scene scene = makeScene(ESSENTIAL, options);
-    const Params params;
-    const Ptr<Usac> usac = createUsac(scene, params);
-    Arena arena;
-    const Context context(usac->points(), usac->components(), params, arena);
-    usac->components().start(context);
-    const Ptr<Degeneracy> planar = createPlanarMotion();
-    int differ = 0, found = 0;
-    const int CALLS = 300;
-    DominantPlane plane;
-    for (int i = 0; i < CALLS; ++i)
-    {
-        State state;
-        state.iteration = i;
-        const Model model = scene.model;
-        const double success = planar->successProbability(context, state, model);
-        Rng samples(params.seed, (uint64)i);
-        Matx33d H;
-        const bool bySample = plane.find(context, samples, model, 0.8, H);
-        differ += bySample != (success < 1);
-        found += bySample;
-    }
-    ASSERT_GT(found, 0);
-    ASSERT_LT(found, CALLS);
-    EXPECT_GT(differ, 0);
 }
 
 //! Number of samples of the search with an estimated threshold, divided by the number that the
