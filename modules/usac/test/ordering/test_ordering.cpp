@@ -121,57 +121,5 @@ TEST(Usac_Priors, inputOrder)
     }
 }
 
-//! Matches that repeat an earlier one must come last, whether the order is by density or by scores.
-TEST(Usac_Priors, repeatedMatchesAreLast)
-{
-    SceneOptions options;
-    Scene scene = makeScene(HOMOGRAPHY, options);
-    const int size = scene.size();
-    for (int k = 0; k < 40; ++k)  // one match 31 times, ten others twice
-    {
-        scene.points1.push_back(scene.points1[k < 30 ? 7 : k]);
-        scene.points2.push_back(scene.points2[k < 30 ? 7 : k]);
-    }
-    std::rotate(scene.points1.begin(), scene.points1.end() - 40, scene.points1.end());
-    std::rotate(scene.points2.begin(), scene.points2.end() - 40, scene.points2.end());
-    Params params;
-    for (int i = 0; i < 2; ++i)
-    {
-        params.scores.assign(i == 0 ? 0 : size + 40, 0.5f);
-        const Ptr<Usac> usac = createUsac(scene, params);
-        const Correspondences& p = usac->points();
-        std::vector<int> order(p.size);
-        for (int k = 0; k < p.size; ++k)
-            order[k] = k;
-        usac->components().ordering->sort(RunContext(p, usac->components(), params), order.data());
-        std::set<std::pair<double, double>> seen;
-        for (int k = 0; k < p.size; ++k)
-            EXPECT_EQ(
-                k < size,
-                seen.insert(std::make_pair(p.exact[X1][order[k]], p.exact[Y1][order[k]])).second)
-                << k;
-        std::sort(order.begin(), order.end());
-        for (int k = 0; k < p.size; ++k)
-            ASSERT_EQ(k, order[k]);
-    }
-}
-
-//! A match that differs from another one only in the sign of a 0 must count as its repetition.
-TEST(Usac_Priors, signOfZero)
-{
-    std::vector<Point2d> points1, points2;
-    for (int i = 0; i < 8; ++i)
-    {
-        points1.push_back(Point2d(i % 2 ? 0. : -0., i < 6 ? 0 : i));
-        points2.push_back(Point2d(i % 3 ? 0. : -0., i < 6 ? 0 : i));
-    }
-    const OwnPoints points(HOMOGRAPHY, points1, points2);
-    const Surroundings around(points.view());
-    std::vector<int> order = {5, 4, 3, 2, 1, 0, 7, 6};
-    repeatedLast(around.context, order.data());
-    order.resize(3);
-    EXPECT_EQ(std::vector<int>({5, 7, 6}), order);
-}
-
 }  // namespace
 }  // namespace opencv_test
