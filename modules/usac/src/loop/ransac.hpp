@@ -18,8 +18,8 @@ threads, and in either case compared with the best model in the order of the sam
 that affects the result (samples, verification, the best model at the time of this comparison) is
 the same in both cases, so that the result is bit-identical for any number of threads. Of the models
 of the first batch, only the best one is optimized at once, because better models than these are
-soon found @cite lebeda2012fixing. With #LOCAL_OPTIMIZATION_GC_RANSAC, each model that is better than
-the best one is optimized at once. When the search is about to end, the runners-up
+soon found @cite lebeda2012fixing. With #LOCAL_OPTIMIZATION_GC_RANSAC, each model that is better
+than the best one is optimized at once. When the search is about to end, the runners-up
 (Params::runnersUp) are optimized, too, and so are promising models of samples of the points that
 the best model does not explain. If one of these models becomes the best model, the termination
 criteria are evaluated again. */

@@ -80,10 +80,10 @@ struct CV_EXPORTS State
     //! from the outliers of the best model before the search ends. The search continues if these
     //! samples lead to a better model.
     int unexplainedSamples;
-    const int* order;       //!< result of bestFirst(); null before its first call
-    Model best;             //!< the best model so far
-    Quality bestQuality;    //!< score of `best`
-    Quality sampleQuality;  //!< the best score of a model of a sample before optimization
+    const int* order;                 //!< result of bestFirst(); null before its first call
+    Model best;                       //!< the best model so far
+    Quality bestQuality;              //!< score of `best`
+    Quality sampleQuality;            //!< the best score of a model of a sample before optimization
     ArenaList<SequentialTest> tests;  //!< designs of the verifier's test; the last one is current
     bool degenerate;  //!< true if a sample or model was degenerate, for example dominated by a
                       //!< plane
