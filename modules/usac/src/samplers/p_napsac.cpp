@@ -15,6 +15,9 @@ namespace {
 //! at most SMALL points. A search that is limited to fewer than LEAST samples has no uniform ones
 //! before them.
 constexpr int ORDERED = 16, SMALL = 4, LEAST = 64;
+//! Number of uniform samples of fewer than SMALL points at the start of a search: 32 of them take
+//! less time than the order.
+constexpr int BEFORE_ORDER_CHEAP = 32;
 //! Of the non-uniform samples, one in LOCAL_EVERY is local if the order of the points is known, and
 //! one in LOCAL_EVERY_GUESS if the order is a guess.
 constexpr int LOCAL_EVERY = 4, LOCAL_EVERY_GUESS = 2;
@@ -37,10 +40,11 @@ points. With more local samples, small groups of consistent outliers (repeated p
 for the inliers more often. If Params::orderedEvery is 1, all samples are local, as in the paper,
 unless #TERMINATION_PROSAC needs samples drawn as in PROSAC.
 
-The first #BEFORE_ORDER samples (8, see samplers.hpp) are uniform, because an easy search ends with
-them and needs no order. If the order is a guess, the next #ORDERED samples of at most #SMALL points
-all follow it: so few inliers are soon drawn from the densest points. If Params::maxIterations is
-below #LEAST, the uniform samples would take too many of them, and there are none. */
+The first #BEFORE_ORDER samples (8, see samplers.hpp), or #BEFORE_ORDER_CHEAP, are uniform, because
+an easy search ends with them and needs no order. If the order is a guess, the next #ORDERED samples
+of at most #SMALL points all follow it: so few inliers are soon drawn from the densest points. If
+Params::maxIterations is below #LEAST, the uniform samples would take too many of them, and there
+are none. */
 class PNapsacSampler : public Sampler
 {
 public:
@@ -50,7 +54,9 @@ public:
     {
         m = context.components.minimalSolver->sampleSize();
         const Params& params = context.params;
-        uniform = params.maxIterations < LEAST || params.orderedEvery == 1 ? 0 : BEFORE_ORDER;
+        uniform = params.maxIterations < LEAST || params.orderedEvery == 1 ? 0
+                  : m < SMALL                                              ? BEFORE_ORDER_CHEAP
+                                                                           : BEFORE_ORDER;
         growth = GrowingSet(m, context.points.size);
         centers = 0;
     }
