@@ -16,6 +16,8 @@ Run Meter::measure(Method& method, const ImagePair& pair, Settings settings, int
     Estimate estimate;
     settings.seed += repeat;
     method.prepare(pair, settings);
+    if (cold)
+        other.work();
     const Stopwatch watch;
     try
     {

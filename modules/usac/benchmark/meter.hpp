@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 #include "method.hpp"
+#include "other_work.hpp"
 #include "progress.hpp"
 
 namespace benchmark {
@@ -33,7 +34,8 @@ of the first exception is printed to the standard error. */
 class Meter
 {
 public:
-    explicit Meter(Progress& progress_) : progress(progress_) {}
+    //! @param cold_ true: OtherWork before each call
+    explicit Meter(Progress& progress_, bool cold_ = false) : progress(progress_), cold(cold_) {}
 
     //! Runs a method once. @param repeat number that is added to the seed. @return the results;
     //! the caller must set Run::pair.
@@ -44,6 +46,8 @@ private:
                   const std::string& what);
 
     Progress& progress;
+    const bool cold;
+    OtherWork other;
     std::set<std::string> complaints;
 };
 

@@ -31,6 +31,9 @@ const char KEYS
          "{repeats        |5| runs of each method on each pair }"
          "{seed           |1| seed of the first repeat; each further repeat adds 1 }"
          "{threads        |1| argument of cv::setNumThreads; -1: all processors }"
+         "{cold           |0| 1: before each timed call, 32 MB are touched and 40 000 numbers "
+         "sorted, so that neither caches nor branch predictors know the call, as in a program that "
+         "does other work between its calls }"
          "{csv            | | CSV file for the tables }"
          "{runs           | | CSV file for the individual runs }";
 
@@ -95,6 +98,7 @@ bool Options::parse(int argc, char** argv)
     repeats = integerOf(parser, "repeats");
     seed = integerOf(parser, "seed");
     threads = integerOf(parser, "threads");
+    cold = integerOf(parser, "cold") != 0;
     require(threshold > 0 || !parser.has("threshold"), "--threshold: expected a number above 0");
     require(maxIterations > 0 || !parser.has("maxIters"), "--maxIters: expected a number above 0");
     require(confidence > 0 && confidence < 1, "--confidence: expected a number between 0 and 1");

@@ -18,6 +18,7 @@ struct Options
     std::string csv, runsCsv;  //!< output files; empty: none
     char problem;              //!< a letter; '\0': taken from the name of each list
     int repeats, seed, threads;
+    bool cold;  //!< other work before each timed call, see OtherWork
 
     //! The settings that the methods get for a problem. If the threshold or the limit of iterations
     //! is not on the command line, it is the problem's default.

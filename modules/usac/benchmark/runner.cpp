@@ -10,8 +10,8 @@ namespace benchmark {
 
 Runner::Runner(const std::vector<cv::Ptr<Method>>& methods_, const Options& options_,
                Progress& progress_)
-    : methods(methods_), options(options_), progress(progress_), meter(progress_), rng(1),
-      unreadablePairs(0)
+    : methods(methods_), options(options_), progress(progress_), meter(progress_, options_.cold),
+      rng(1), unreadablePairs(0)
 {}
 
 ListResult Runner::run(const PairList& list)

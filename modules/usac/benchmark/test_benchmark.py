@@ -144,16 +144,17 @@ class PairsTest(FolderTest):
         pairs.write_pair(self.path("pairs", "set", "a"), self.pair())
         for problem in "FE":
             pairs.write_list(pairs.list_file(self.folder, "set", problem), [self.path("pairs", "set", "a")])
-        runs = self.path("runs.csv")
-        done = subprocess.run([os.environ["USAC_BENCHMARK"], "--data=" + self.folder, "--repeats=1", "--runs=" + runs,
-                               "--methods=USACV20"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
-        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
-        with open(runs) as lines:
-            rows = [line.rstrip("\n").split(",") for line in lines]
-        self.assertEqual([row[:4] for row in rows[1:]], [['"set"', p, '"a"', "40"] for p in "FE"])
-        for row in rows[1:]:
-            self.assertLess(float(row[6]), 0.1)  # pixels; the points of the file are rounded to a thousandth of a pixel
-            self.assertLess(float(row[8]), 0.5)
+        for options in ([], ["--cold=1"]):
+            runs = self.path("runs.csv")
+            done = subprocess.run([os.environ["USAC_BENCHMARK"], "--data=" + self.folder, "--repeats=1", "--runs=" + runs,
+                                   "--methods=USACV20", *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+            with open(runs) as lines:
+                rows = [line.rstrip("\n").split(",") for line in lines]
+            self.assertEqual([row[:4] for row in rows[1:]], [['"set"', p, '"a"', "40"] for p in "FE"])
+            for row in rows[1:]:
+                self.assertLess(float(row[6]), 0.1)  # pixels; the points of the file are rounded to a thousandth of a pixel
+                self.assertLess(float(row[8]), 0.5)
 
 
 @unittest.skipUnless(plot, "matplotlib is missing")
