@@ -150,43 +150,79 @@ std::vector<Estimate> estimateBatch(const std::vector<Task>& tasks, int threads)
     return results;
 }
 
-#define USACV20_IMAGES(TYPE, PLURAL)                                                               \
-    std::vector<Estimate> estimate##PLURAL(InputArrayOfArrays points1, InputArrayOfArrays points2, \
-                                           const ParamsOfTasks& params, int threads)               \
-    {                                                                                              \
-        return estimateBatch(makeTasks(TYPE, points1, points2, "points1", "points2", params),      \
-                             threads);                                                             \
-    }
+std::vector<Estimate> estimateHomographies(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                           const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(HOMOGRAPHY, points1, points2, "points1", "points2", params),
+                         threads);
+}
 
-#define USACV20_SPACES(TYPE, PLURAL) USACV20_IMAGES(TYPE, PLURAL)
+std::vector<Estimate> estimateFundamentals(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                           const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(FUNDAMENTAL, points1, points2, "points1", "points2", params),
+                         threads);
+}
 
-#define USACV20_CAMERAS(TYPE, PLURAL)                                                              \
-    std::vector<Estimate> estimate##PLURAL(                                                        \
-        InputArrayOfArrays points1, InputArrayOfArrays points2,                                    \
-        InputArrayOfArrays cameraMatrices1, InputArrayOfArrays cameraMatrices2,                    \
-        InputArrayOfArrays distCoeffs1, InputArrayOfArrays distCoeffs2,                            \
-        const ParamsOfTasks& params, int threads)                                                  \
-    {                                                                                              \
-        std::vector<Task> tasks = makeTasks(TYPE, points1, points2, "points1", "points2", params); \
-        setCameras(cameraMatrices1, "cameraMatrices1", distCoeffs1, "distCoeffs1", tasks);         \
-        setSecondCameras(cameraMatrices2, distCoeffs2, tasks);                                     \
-        return estimateLists(LISTS_OF_CAMERAS, tasks, threads);                                    \
-    }
+std::vector<Estimate> estimateAffinities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                           const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(AFFINITY, points1, points2, "points1", "points2", params),
+                         threads);
+}
 
-#define USACV20_POSE(TYPE, PLURAL)                                                                 \
-    std::vector<Estimate> estimate##PLURAL(                                                        \
-        InputArrayOfArrays objectPoints, InputArrayOfArrays imagePoints,                           \
-        InputArrayOfArrays cameraMatrices, InputArrayOfArrays distCoeffs,                          \
-        const ParamsOfTasks& params, int threads)                                                  \
-    {                                                                                              \
-        std::vector<Task> tasks = makeTasks(TYPE, objectPoints, imagePoints, "objectPoints",       \
-                                            "imagePoints", params);                                \
-        setCameras(cameraMatrices, "cameraMatrices", distCoeffs, "distCoeffs", tasks);             \
-        return estimateLists(LISTS_OF_POSES, tasks, threads);                                      \
-    }
+std::vector<Estimate> estimateSimilarities2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                             const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(SIMILARITY, points1, points2, "points1", "points2", params),
+                         threads);
+}
 
-#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE, PLURAL)
-#include "problems/registry.inl.hpp"
+std::vector<Estimate> estimateTranslations2D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                             const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(TRANSLATION_2D, points1, points2, "points1", "points2", params),
+                         threads);
+}
+
+std::vector<Estimate> estimateRigids3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                       const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(RIGID_3D, points1, points2, "points1", "points2", params),
+                         threads);
+}
+
+std::vector<Estimate> estimateSimilarities3D(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                             const ParamsOfTasks& params, int threads)
+{
+    return estimateBatch(makeTasks(SIMILARITY_3D, points1, points2, "points1", "points2", params),
+                         threads);
+}
+
+std::vector<Estimate> estimateEssentials(InputArrayOfArrays points1, InputArrayOfArrays points2,
+                                         InputArrayOfArrays cameraMatrices1,
+                                         InputArrayOfArrays cameraMatrices2,
+                                         InputArrayOfArrays distCoeffs1,
+                                         InputArrayOfArrays distCoeffs2,
+                                         const ParamsOfTasks& params, int threads)
+{
+    std::vector<Task> tasks = makeTasks(ESSENTIAL, points1, points2, "points1", "points2", params);
+    setCameras(cameraMatrices1, "cameraMatrices1", distCoeffs1, "distCoeffs1", tasks);
+    setSecondCameras(cameraMatrices2, distCoeffs2, tasks);
+    return estimateLists(LISTS_OF_CAMERAS, tasks, threads);
+}
+
+std::vector<Estimate> estimateAbsolutePoses(InputArrayOfArrays objectPoints,
+                                            InputArrayOfArrays imagePoints,
+                                            InputArrayOfArrays cameraMatrices,
+                                            InputArrayOfArrays distCoeffs,
+                                            const ParamsOfTasks& params, int threads)
+{
+    std::vector<Task> tasks = makeTasks(ABSOLUTE_POSE, objectPoints, imagePoints, "objectPoints",
+                                        "imagePoints", params);
+    setCameras(cameraMatrices, "cameraMatrices", distCoeffs, "distCoeffs", tasks);
+    return estimateLists(LISTS_OF_POSES, tasks, threads);
+}
 
 }  // namespace usacv20
 }  // namespace cv

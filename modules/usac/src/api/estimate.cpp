@@ -26,70 +26,133 @@ Mat estimateModel(ProblemType problem, InputArray points1, InputArray points2, c
         ->run(mask, &report);
 }
 
-// Two functions: with and without a report.
-#define USACV20_IMAGES(TYPE, NAME)                                                                 \
-    Mat estimate##NAME(InputArray points1, InputArray points2, const Params& params,               \
-                       OutputArray mask, Report& report)                                           \
-    {                                                                                              \
-        return Usac::create(TYPE, points1, points2, params)->run(mask, &report);                   \
-    }                                                                                              \
-    Mat estimate##NAME(InputArray points1, InputArray points2, const Params& params,               \
-                       OutputArray mask)                                                           \
-    {                                                                                              \
-        return Usac::create(TYPE, points1, points2, params)->run(mask);                            \
-    }
+Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask, Report& report)
+{
+    return Usac::create(HOMOGRAPHY, points1, points2, params)->run(mask, &report);
+}
 
-#define USACV20_SPACES(TYPE, NAME) USACV20_IMAGES(TYPE, NAME)
+Mat estimateHomography(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask)
+{
+    return Usac::create(HOMOGRAPHY, points1, points2, params)->run(mask);
+}
 
-// Three functions: one with two camera matrices and a report, and two with one camera matrix for
-// both images, with and without a report.
-#define USACV20_CAMERAS(TYPE, NAME)                                                                \
-    Mat estimate##NAME(InputArray points1, InputArray points2, InputArray cameraMatrix1,           \
-                       InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,   \
-                       const Params& params, OutputArray mask, Report& report)                     \
-    {                                                                                              \
-        return Usac::create(TYPE, points1, points2, params, cameraMatrix1, cameraMatrix2,          \
-                            distCoeffs1, distCoeffs2)                                              \
-            ->run(mask, &report);                                                                  \
-    }                                                                                              \
-    Mat estimate##NAME(InputArray points1, InputArray points2, InputArray cameraMatrix,            \
-                       const Params& params, OutputArray mask)                                     \
-    {                                                                                              \
-        return calling(ONE_CAMERA, [&] {                                                           \
-            return Usac::create(TYPE, points1, points2, params, cameraMatrix)->run(mask);          \
-        });                                                                                        \
-    }                                                                                              \
-    Mat estimate##NAME(InputArray points1, InputArray points2, InputArray cameraMatrix,            \
-                       const Params& params, OutputArray mask, Report& report)                     \
-    {                                                                                              \
-        return calling(ONE_CAMERA, [&] {                                                           \
-            return Usac::create(TYPE, points1, points2, params, cameraMatrix)->run(mask, &report); \
-        });                                                                                        \
-    }
+Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
+                        OutputArray mask, Report& report)
+{
+    return Usac::create(FUNDAMENTAL, points1, points2, params)->run(mask, &report);
+}
 
-#define USACV20_POSE(TYPE, NAME)                                                                   \
-    Mat estimate##NAME(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,   \
-                       InputArray distCoeffs, const Params& params, OutputArray mask,              \
-                       Report& report)                                                             \
-    {                                                                                              \
-        return calling(POSE, [&] {                                                                 \
-            return Usac::create(TYPE, objectPoints, imagePoints, params, cameraMatrix, noArray(),  \
-                                distCoeffs)                                                        \
-                ->run(mask, &report);                                                              \
-        });                                                                                        \
-    }                                                                                              \
-    Mat estimate##NAME(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,   \
-                       InputArray distCoeffs, const Params& params, OutputArray mask)              \
-    {                                                                                              \
-        return calling(POSE, [&] {                                                                 \
-            return Usac::create(TYPE, objectPoints, imagePoints, params, cameraMatrix, noArray(),  \
-                                distCoeffs)                                                        \
-                ->run(mask);                                                                       \
-        });                                                                                        \
-    }
+Mat estimateFundamental(InputArray points1, InputArray points2, const Params& params,
+                        OutputArray mask)
+{
+    return Usac::create(FUNDAMENTAL, points1, points2, params)->run(mask);
+}
 
-#define USACV20_PROBLEM(TYPE, NAME, PLURAL, ARGUMENTS) USACV20_##ARGUMENTS(TYPE, NAME)
-#include "problems/registry.inl.hpp"
+Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask, Report& report)
+{
+    return Usac::create(AFFINITY, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateAffinity2D(InputArray points1, InputArray points2, const Params& params,
+                       OutputArray mask)
+{
+    return Usac::create(AFFINITY, points1, points2, params)->run(mask);
+}
+
+Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask, Report& report)
+{
+    return Usac::create(SIMILARITY, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateSimilarity2D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask)
+{
+    return Usac::create(SIMILARITY, points1, points2, params)->run(mask);
+}
+
+Mat estimateTranslation2D(InputArray points1, InputArray points2, const Params& params,
+                          OutputArray mask, Report& report)
+{
+    return Usac::create(TRANSLATION_2D, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateTranslation2D(InputArray points1, InputArray points2, const Params& params,
+                          OutputArray mask)
+{
+    return Usac::create(TRANSLATION_2D, points1, points2, params)->run(mask);
+}
+
+Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask,
+                    Report& report)
+{
+    return Usac::create(RIGID_3D, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateRigid3D(InputArray points1, InputArray points2, const Params& params, OutputArray mask)
+{
+    return Usac::create(RIGID_3D, points1, points2, params)->run(mask);
+}
+
+Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask, Report& report)
+{
+    return Usac::create(SIMILARITY_3D, points1, points2, params)->run(mask, &report);
+}
+
+Mat estimateSimilarity3D(InputArray points1, InputArray points2, const Params& params,
+                         OutputArray mask)
+{
+    return Usac::create(SIMILARITY_3D, points1, points2, params)->run(mask);
+}
+
+Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix1,
+                      InputArray cameraMatrix2, InputArray distCoeffs1, InputArray distCoeffs2,
+                      const Params& params, OutputArray mask, Report& report)
+{
+    return estimateModel(ESSENTIAL, points1, points2, params, mask, report, cameraMatrix1,
+                         cameraMatrix2, distCoeffs1, distCoeffs2);
+}
+
+Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
+                      const Params& params, OutputArray mask)
+{
+    return calling(ONE_CAMERA, [&] {
+        return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask);
+    });
+}
+
+Mat estimateEssential(InputArray points1, InputArray points2, InputArray cameraMatrix,
+                      const Params& params, OutputArray mask, Report& report)
+{
+    return calling(ONE_CAMERA, [&] {
+        return Usac::create(ESSENTIAL, points1, points2, params, cameraMatrix)->run(mask, &report);
+    });
+}
+
+Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                         InputArray distCoeffs, const Params& params, OutputArray mask,
+                         Report& report)
+{
+    return calling(POSE, [&] {
+        return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix,
+                            noArray(), distCoeffs)
+            ->run(mask, &report);
+    });
+}
+
+Mat estimateAbsolutePose(InputArray objectPoints, InputArray imagePoints, InputArray cameraMatrix,
+                         InputArray distCoeffs, const Params& params, OutputArray mask)
+{
+    return calling(POSE, [&] {
+        return Usac::create(ABSOLUTE_POSE, objectPoints, imagePoints, params, cameraMatrix,
+                            noArray(), distCoeffs)
+            ->run(mask);
+    });
+}
 
 }  // namespace usacv20
 }  // namespace cv

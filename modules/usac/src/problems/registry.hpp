@@ -5,8 +5,7 @@
 #ifndef OPENCV_USACV20_REGISTRY_HPP
 #define OPENCV_USACV20_REGISTRY_HPP
 
-// The rows of registry.inl.hpp generate the factory of all problems (registry.cpp) and the
-// functions estimate<NAME> (api/estimate.cpp) and estimate<PLURAL> (api/batch.cpp). From the same
+// The rows of registry.inl.hpp generate the factory of all problems (registry.cpp). From the same
 // rows, misc/python/make_names.py generates the functions in Python; it also compares the rows with
 // the public headers. Tests take their lists of problems from these rows.
 
