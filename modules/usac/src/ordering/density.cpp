@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "components/joint_cells.hpp"
 #include "ordering/ordering.hpp"
 
 namespace cv {
@@ -15,6 +14,32 @@ namespace {
 //! number of points that share only one of the two cells of a match, so that a few points do not
 //! give a high fraction (see DensityOrdering).
 constexpr int BUCKETS = 64, ORDERING_OTHERS = 3;
+
+//! The box of the points of an array is divided into CELL_DIVISIONS cells along each of two axes,
+//! which gives CELLS cells in total. See doc/constants.md.
+constexpr int CELL_DIVISIONS = 8, CELLS = CELL_DIVISIONS * CELL_DIVISIONS;
+
+int division(float value, float low, float scale)
+{
+    const float cell = (value - low) * scale, inside = cell > 0 ? cell : 0;
+    return (int)(inside < CELL_DIVISIONS - 1.f ? inside : CELL_DIVISIONS - 1.f);
+}
+
+//! Finds the cell of each point from its first two coordinates in an array; a single coordinate
+//! gives one row of cells.
+void assignCells(const Correspondences& p, int array, ushort* cells)
+{
+    const int first = array ? p.coordinates[0] : 0, axes = std::min(p.coordinates[array], 2);
+    std::fill(cells, cells + p.size, (ushort)0);
+    for (int k = first; k < first + axes; ++k)
+    {
+        const float low = p.lower[k], range = p.upper[k] - low,
+                    scale = range > 0 ? CELL_DIVISIONS / range : 0;
+        const float* const values = p.column[k];
+        for (int i = 0; i < p.size; ++i)
+            cells[i] = (ushort)(cells[i] * CELL_DIVISIONS + division(values[i], low, scale));
+    }
+}
 
 /** @brief Orders matches by their local density in the joint space (x1, y1, x2, y2), relative to
 their density in the images (@cite ivashechkin2021usacv20, section "Other features").

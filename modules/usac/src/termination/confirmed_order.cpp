@@ -3,7 +3,6 @@
 // of this distribution and at http://opencv.org/license.html.
 
 #include "precomp.hpp"
-#include "components/joint_cells.hpp"
 #include "components/growth.hpp"
 #include "components/repetitions.hpp"
 #include "termination/confirmed_order.hpp"
@@ -21,42 +20,6 @@ constexpr double CONFIRMED = 3.1;
 //! The order is divided into this many equal parts. The number of inliers in the last part shows
 //! how many inliers are spread over the whole order.
 constexpr int LATE_PART = 4;
-
-// The other constants decide whether another motion is ruled out, see otherMotionWouldShow().
-
-//! The coherence (CellPairs::coherence) of another motion is assumed to be this fraction of that of
-//! the best model. With a larger value, another motion is ruled out more easily.
-constexpr double OTHER_COHERENCE = 0.75;
-//! The coherence of the best model is estimated only if at least this many pairs of its inliers
-//! share a cell (geometric mean of the numbers in both arrays). With fewer pairs, coherence rules
-//! out no motion.
-constexpr double LEAST_PAIRS = 50;
-//! The other motion is ruled out if there are fewer pairs in common cells than expected with this
-//! motion, by more than this many standard deviations. For each of the two cell sizes, this wrongly
-//! rules out 0.5 % of the motions.
-constexpr double MISSED_DEVIATIONS = 2.58;
-//! Side of the larger cells as a multiple of that of the smaller cells. The larger cells help if
-//! there are few matches, because the smaller ones then have few pairs.
-constexpr int COARSE = 2;
-//! If more than this fraction of the inliers repeat other inliers, no motion is ruled out, because
-//! repeated matches share cells in any case.
-constexpr double MOST_REPEATED = 0.1;
-
-bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left)
-{
-    if (std::sqrt(own.in[0] * own.in[1]) < LEAST_PAIRS || other > left)
-        return other > left;
-    const double coherence = OTHER_COHERENCE * own.coherence, part = other / left;
-    // expected number of pairs in common cells that are not two matches of the other motion
-    const double chance = rest.expected * (1 - part * part);
-    // lower bound of the expected number of pairs of the other motion that share a cell in both
-    // arrays: unevenly spread points share cells more often
-    const double together = coherence * 0.5 * other * (other - 1) / own.cells;
-    const double each = coherence * other /
-                        own.cells;  // such pairs per match; pairs with a common match vary together
-    const double deviation = std::sqrt(chance + together * (1 + 2 * each));
-    return rest.both < chance + together - MISSED_DEVIATIONS * deviation;
-}
 
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m)
 {
@@ -98,9 +61,7 @@ uniform samples would end the search earlier.
 motion. The search therefore ends only after samples of the best model's outliers have led to no
 model with significantly more inliers (State::unexplainedSamples, significantInliers()). Among these
 outliers, such a model has a higher inlier ratio than among all points. It can share with the best
-model the inliers that are spread over the whole order (otherInliers()). No such samples are needed
-if neighboring matches would reveal the other model among the outliers, but do not
-(otherMotionWouldShow()).
+model the inliers that are spread over the whole order (otherInliers()).
 
 The other criteria end the search if they need fewer samples, or if an all-inlier sample can lead to
 a model other than the best one (State::successProbability; two motions are compatible with a
@@ -108,9 +69,7 @@ plane). Takes at most O(N) per batch of samples. */
 class ConfirmedOrderTermination : public Termination
 {
 public:
-    ConfirmedOrderTermination()
-        : cost(0), orderedNeeded(INT_MAX), enough(INT_MAX), late(0), manyRepeated(false)
-    {}
+    ConfirmedOrderTermination() : cost(0), orderedNeeded(INT_MAX), enough(INT_MAX), late(0) {}
 
     void start(const Context&) CV_OVERRIDE
     {
@@ -188,9 +147,8 @@ private:
         if (orderEvidence(inliers, repeated, size, m) < CONFIRMED ||
             context.stopBefore(size * REPETITION_WORK))
             return;
-        manyRepeated = markRepeated(p, state.order, inliers, size, context.inlierThreshold(),
-                                    repeated,
-                                    context.arena) > MOST_REPEATED * state.bestQuality.inliers;
+        markRepeated(p, state.order, inliers, size, context.inlierThreshold(), repeated,
+                     context.arena);
         if (orderEvidence(inliers, repeated, size, m) < CONFIRMED)
             return;
         const double kept = context.components.sampler->growingShare(context) *
@@ -214,7 +172,7 @@ private:
     }
 
     //! To be called when enough samples have followed the order. Ends the search after samples of
-    //! the outliers, or immediately if the outliers cannot contain another motion. If uniform
+    //! the outliers, or immediately if they are too few for another model. If uniform
     //! samples would end the search earlier, the search continues with mostly uniform samples.
     void end(const Context& context, State& state)
     {
@@ -223,10 +181,8 @@ private:
         uchar* const inliers = scope.take<uchar>(size);
         markInliers(context, state, inliers);
         const int left = size - (int)std::count(inliers, inliers + size, (uchar)1);
-        const double other = otherInliers(context, state, left);
-        const int samples = seesNoOther(context, inliers, other, left)
-                                ? 0
-                                : otherModelSamples(context, state, other, left, m);
+        const int samples = otherModelSamples(context, state, otherInliers(context, state, left),
+                                              left, m);
         if (samples > uniformLeft(context, state))
         {
             orderedNeeded = INT_MAX;  // uniform samples end the search earlier
@@ -235,18 +191,6 @@ private:
         }
         state.unexplainedSamples = samples;
         enough = state.remembered();
-    }
-
-    //! True if another motion with `other` inliers is ruled out, see otherMotionWouldShow(). `left`
-    //! is the number of outliers of the best model.
-    bool seesNoOther(const Context& context, const uchar* inliers, double other, int left) const
-    {
-        bool shows = false;
-        for (int merged = 1; merged <= COARSE && !shows && !manyRepeated; merged *= COARSE)
-            shows = otherMotionWouldShow(
-                CellPairs(context.points, inliers, 1, context.arena, merged),
-                CellPairs(context.points, inliers, 0, context.arena, merged), other, left);
-        return shows;
     }
 
     /** Number of inliers that another model needs among the `left` outliers of the best model to
@@ -282,7 +226,6 @@ private:
                         //!< not end the search
     int enough;         //!< number of samples after which the search can end; INT_MAX: not known
     int late;           //!< number of inliers of the best model in the last part of the order
-    bool manyRepeated;  //!< more than the fraction #MOST_REPEATED of the inliers repeat others
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #ifndef OPENCV_USACV20_CONFIRMED_ORDER_HPP
 #define OPENCV_USACV20_CONFIRMED_ORDER_HPP
 
-#include "components/joint_cells.hpp"
 #include "opencv2/usac/components.hpp"
 
 namespace cv {
@@ -23,18 +22,6 @@ repeat an earlier inlier do not count either.
 @param size number of points
 @param m size of a sample */
 double orderEvidence(const uchar* inliers, const uchar* repeated, int size, int m);
-
-/** @brief True if the outliers of the best model cannot contain another motion, because too few
-pairs of outliers share a cell in both arrays (see CellPairs). Matches of a motion that is about as
-smooth as the best model share cells of both arrays about as often as inliers of the best model.
-@param own pairs of inliers of the best model
-@param rest pairs of outliers of the best model
-@param other number of matches of the other motion among these outliers
-@param left number of these outliers
-@return true if `other` exceeds `left`, or if clearly fewer pairs of outliers share cells than would
-be expected with the other motion. Otherwise false, also if too few pairs of inliers share cells to
-decide */
-bool otherMotionWouldShow(const CellPairs& own, const CellPairs& rest, double other, double left);
 
 }  // namespace usacv20
 }  // namespace cv

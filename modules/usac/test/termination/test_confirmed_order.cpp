@@ -244,19 +244,16 @@ TEST(Usac_ConfirmedOrder, copiesAreNoEvidence)
 }
 
 //! If the outliers are fewer than the inliers that another model needs, the search must end without
-//! a single sample of the outliers. The result must be the same if so many inliers are copies that
-//! neighboring matches are not used to rule out another model (see otherMotionWouldShow()).
+//! a single sample of the outliers.
 TEST(Usac_ConfirmedOrder, tooFewOutliersForAnotherModel)
 {
-    std::vector<int> copies;
-    for (int times = 1; times <= 2; ++times)
-    {
-        const Scene scene = withCopies(300, 0.8, 100, times, copies);
-        const Decision found(scene, makeScores(scene.truth, 0.9, 1), 1000);
-        EXPECT_TRUE(found.ordered) << times;
-        EXPECT_EQ(0, found.unexplained) << times;
-        EXPECT_EQ((int)Decision::ITERATION, found.iterations) << times;
-    }
+    SceneOptions options;
+    options.setSize(300, 0.8);
+    const Scene scene = makeScene(HOMOGRAPHY, options);
+    const Decision found(scene, makeScores(scene.truth, 0.9, 1), 1000);
+    EXPECT_TRUE(found.ordered);
+    EXPECT_EQ(0, found.unexplained);
+    EXPECT_EQ((int)Decision::ITERATION, found.iterations);
 }
 
 }
