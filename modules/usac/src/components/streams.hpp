@@ -22,8 +22,6 @@ enum Stream {
     STREAM_FIT,           //!< samples from which a fit without a search (Usac::fit) starts
     STREAM_LEVERAGE,      //!< correction of models that points of high leverage distort: triples of
                           //!< points, to find a plane, and samples for new models
-    STREAM_CORE,          //!< samples drawn from the inliers that have neighbors in common in both
-                          //!< images, see neighborlyCore()
     STREAM_WRONG          //!< artificial wrong points, drawn if a problem has only one array, see
                           //!< countAgreement()
 };

@@ -5,7 +5,6 @@
 #include "precomp.hpp"
 #include "components/growth.hpp"
 #include "components/streams.hpp"
-#include "local_optimization/neighborly_core.hpp"
 #include "loop/ransac.hpp"
 #include "scoring/common_neighbors.hpp"
 
@@ -341,9 +340,6 @@ void Ransac::chooseByRank()
     {
         common = scope.take<uchar>(compared);
         commonNeighbors(context.points, compared, context.inlierThreshold(), common, context.arena);
-        Model core;
-        if (neighborlyCore(context, common, compared, state.best, core))
-            offerCore(core);
     }
     const int* const order = orderIsKnown(context) ? state.bestFirst(context) : 0;
     const Alternative* const chosen = alternatives.chosen(context, order, common);
@@ -352,15 +348,6 @@ void Ransac::chooseByRank()
         const Candidate candidate = chosen->candidate;
         setValid(candidate.model, chosen->sampled ? &candidate.sample : 0);
     }
-}
-
-//! Offers the result of neighborlyCore() as an alternative, unless it has a lower cost than the
-//! best model: the two are then nearly the same model, and polishing makes the best model as good.
-void Ransac::offerCore(const Model& core)
-{
-    const Quality quality = checks.discounted(core, context.rate(core));
-    if (!quality.betterThan(state.bestQuality))
-        offer(core, quality, 0);
 }
 
 //! Makes a model the best one if no degeneracy check rejects it. If a check finds another model of

@@ -81,7 +81,6 @@ private:
     //! alternative than with those of the best model.
     void chooseByRank();
     void offer(const Model& model, const Quality& quality, const Sample* sample);
-    void offerCore(const Model& core);
     void setValid(const Model& model, const Sample* sample);
 
     const Context& context;
