@@ -18,6 +18,11 @@ constexpr double DOMINANT = 0.8;
 //! A match is on a plane if its error under the plane's homography is at most this many thresholds.
 constexpr double ON_PLANE = 2;
 
+bool wasStopped(const Report& report)
+{
+    return report.stop == STOP_TIME || report.stop == STOP_CANCELLED;
+}
+
 //! A search for the motion of two calibrated views.
 class TwoViews
 {
@@ -47,7 +52,11 @@ public:
         Vec3d point;
         const int onPlane = plane(found, H, point);
         const bool dominant = onPlane > DOMINANT * found.inliers;
-        return dominant && motions.otherOfPlane(found, H, point, other) ? onPlane : 0;
+        if (!dominant || !motions.otherOfPlane(found, H, point, other))
+            return 0;
+        if (wasStopped(other.report))
+            found.report.stop = other.report.stop;
+        return onPlane;
     }
 
     //! Sets the mask to 0 for inliers that are not in front of both cameras. @return their number
@@ -110,10 +119,9 @@ private:
         Mat mask;
         Report report;
         const Mat map = estimateHomography(first, second, options, mask, report);
-        const bool stopped = report.stop == STOP_TIME || report.stop == STOP_CANCELLED;
-        if (stopped)
+        if (wasStopped(report))
             found.report.stop = report.stop;
-        if (stopped || map.empty())
+        if (wasStopped(report) || map.empty())
             return 0;
         const Matx33d scale(pixels, 0, 0, 0, pixels, 0, 0, 0, 1),
             inverse(1 / pixels, 0, 0, 0, 1 / pixels, 0, 0, 0, 1);

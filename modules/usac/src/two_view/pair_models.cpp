@@ -306,6 +306,7 @@ void PairModels::chooseMotion()
     const int onPlane = (int)(std::find(H.mask.begin<uchar>(), H.mask.end<uchar>(), 1) -
                               H.mask.begin<uchar>());
     motions.otherOfPlane(best, map, motions.x1[onPlane], other);
+    cancelled = cancelled || other.report.stop == STOP_CANCELLED;
     preferCheaper(best, other);
     E.matrix = best.essential;
     E.mask = best.mask;
