@@ -87,7 +87,7 @@ TEST(Usac_ConfirmedOrder, goodScoresPay)
     SceneOptions options;
     options.setSize(500, 0.3);
     const double plain = run(FUNDAMENTAL, options, false, 10).iterations;
-    const double information[] = {1, 0.9, 0.8}, part[] = {0.05, 0.15, 0.25};
+    const double information[] = {1, 0.9, 0.8}, part[] = {0.1, 0.15, 0.25};
     for (int k = 0; k < 3; ++k)
     {
         options.scoreInformation = information[k];
