@@ -30,12 +30,10 @@ class TrackingTest(ProgramTest):
         return {(row["initial_model"], int(row["limit"])): row for row in rows}
 
     def test_few_samples(self):
-        """With an inlier ratio of 0.3, about one in 38 samples of three matches (P) consists of inliers
-        only, so one sample per frame must often fail without an initial model. The previous frame's
-        model is nearly right, except at the jump. The first samples of H are not uniform: they prefer
-        matches with many similar matches nearby, which are inliers more often. So fewer failures are
-        required of H."""
-        for problem, default, least in (("P", 1000, 80), ("H", 10000, 20)):
+        """With an inlier ratio of 0.3, one sample per frame must often fail without an initial model,
+        although the first samples prefer matches with many similar matches nearby, which are inliers
+        more often. The previous frame's model is nearly right, except at the jump."""
+        for problem, default in (("P", 1000), ("H", 10000)):
             rows = self.rows("--problems=" + problem, "--ratios=0.3", "--limits=1,8", "--frames=40", "--size=200", "--sequences=1",
                              "--speed=0.5")
             self.assertEqual(set(rows), {(initial, limit) for initial in ("no", "yes", "yes or again") for limit in (1, 8)} |
@@ -44,7 +42,7 @@ class TrackingTest(ProgramTest):
             for initial in ("no", "yes"):
                 self.assertEqual(float(rows[initial, 1]["mean_samples"]), 1)
                 self.assertLess(float(rows[initial, default]["failures_percent"]), 10)
-            self.assertGreater(float(rows["no", 1]["failures_percent"]), least)
+            self.assertGreater(float(rows["no", 1]["failures_percent"]), 20)
             self.assertLess(float(rows["yes", 8]["failures_percent"]), 10)
             self.assertLess(float(rows["yes", default]["recovery"]), 3)
             self.assertEqual(float(rows["no", default]["cpu_ratio"]), 1)
