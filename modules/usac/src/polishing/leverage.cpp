@@ -23,9 +23,8 @@ constexpr double BULK = 0.85;
 constexpr double HIGH = 0.4;
 //! A point with at least this leverage determines a parameter nearly alone: fits then start from
 //! samples, too, because a fit that starts from the model can end at the same parameter. This
-//! matters for F of tiny baselines: its error, in errors of least squares, is 1.5 with 0 or
-//! 0.6, 1.8 with 0.8, 2.0 without samples, which take a tenth of the time of ordinary calls for F
-//! and E.
+//! matters for F of tiny baselines: its mean error, in errors of least squares, is 1.5 with 0 or
+//! 0.6, 1.8 with 0.8, and 2.0 without samples.
 constexpr double ALONE = 0.6;
 //! A point is included again if its error is at most DEVIATIONS times the standard deviation that
 //! the fit predicts for this error. In the first of two rounds, its error must also be within the
