@@ -40,11 +40,11 @@ points. With more local samples, small groups of consistent outliers (repeated p
 for the inliers more often. If Params::orderedEvery is 1, all samples are local, as in the paper,
 unless #TERMINATION_PROSAC needs samples drawn as in PROSAC.
 
-The first #BEFORE_ORDER samples (8, see samplers.hpp), or #BEFORE_ORDER_CHEAP, are uniform, because
-an easy search ends with them and needs no order. If the order is a guess, the next #ORDERED samples
-of at most #SMALL points all follow it: so few inliers are soon drawn from the densest points. If
-Params::maxIterations is below #LEAST, the uniform samples would take too many of them, and there
-are none. */
+The first samples are uniform, because an easy search ends with them and needs no order: the first
+#BEFORE_ORDER (8, see samplers.hpp), or #BEFORE_ORDER_CHEAP if the order is a guess and a sample has
+fewer than #SMALL points. If the order is a guess, the next #ORDERED samples of at most #SMALL
+points all follow it, because so few inliers are soon drawn from the densest points; and if
+Params::maxIterations is below #LEAST, these samples are the first ones. */
 class PNapsacSampler : public Sampler
 {
 public:

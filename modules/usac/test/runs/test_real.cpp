@@ -57,7 +57,8 @@ TEST_P(UsacReal, every_flag)
 {
     Mat mask;
     // for graf, the search ends in another optimum with an error of 1.7 pixels for six percent of
-    // the seeds
+    // the seeds; for office01_F, 7 of 100 seeds of USACV20_FAST end with an error of 1.5 to 2
+    // pixels
     const bool graf = real.name == std::string("graf");
     verify("USACV20", set.find(USACV20, real.threshold, mask), mask);
     verify("USACV20_FAST", set.find(USACV20_FAST, real.threshold, mask), mask, graf ? 3 : 2);
