@@ -21,11 +21,6 @@ constexpr double BULK = 0.85;
 //! If no inlier has at least this leverage, the model is not changed. The leverage of a point is at
 //! most 1; a point with a high leverage can determine a parameter by itself.
 constexpr double HIGH = 0.4;
-//! A point with at least this leverage determines a parameter nearly alone: fits then start from
-//! samples, too, because a fit that starts from the model can end at the same parameter. This
-//! matters for F of tiny baselines: its mean error, in errors of least squares, is 1.5 with 0 or
-//! 0.6, 1.8 with 0.8, and 2.0 without samples.
-constexpr double ALONE = 0.6;
 //! A point is included again if its error is at most DEVIATIONS times the standard deviation that
 //! the fit predicts for this error. In the first of two rounds, its error must also be within the
 //! threshold, and its leverage at most PREDICTED. In the second round, an error above the threshold
@@ -84,7 +79,7 @@ void squaredNorms(const Residual& residual, const PointChunks& points, const Mod
 Leverage::Leverage(const Context& context_, Polisher& polisher_)
     : context(context_), parts(context_.components), polisher(polisher_),
       limit(context_.inlierThreshold() * context_.inlierThreshold()), errors(0), looked(0),
-      inliers(), bulk(), all(0), alone(false)
+      inliers(), bulk(), all(0)
 {}
 
 void Leverage::improve(Model& model)
@@ -181,12 +176,8 @@ bool Leverage::findBulk(const Model& model)
     double own[MOST];
     int order[MOST];
     const int count = inliers.count;
-    if (!leverages(model, inliers, inliers, own))
+    if (!leverages(model, inliers, inliers, own) || !(*std::max_element(own, own + count) >= HIGH))
         return false;
-    const double highest = *std::max_element(own, own + count);
-    if (!(highest >= HIGH))
-        return false;
-    alone = highest >= ALONE;
     for (int k = 0; k < count; ++k)
         order[k] = k;
     bulk.count = (int)(BULK * count);
@@ -205,7 +196,7 @@ bool Leverage::fit(const Points& points, int first, Model& model) const
     Model other = model;
     const bool fits = solver.fit(context.points, points.indices, points.count, 0, model,
                                  LEVERAGE_STEPS);
-    if (alone && sampled(points, first, other) &&
+    if (sampled(points, first, other) &&
         solver.fit(context.points, points.indices, points.count, 0, other, LEVERAGE_STEPS) &&
         (!fits || sumOf(points, other) < sumOf(points, model)))
     {

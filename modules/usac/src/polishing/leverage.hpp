@@ -22,9 +22,8 @@ fraction of a point's own error that the fit absorbs), and without the wrong mat
 inliers have another optimum with clearly lower errors.
 
 Therefore the inliers with the highest leverage are left out. Fits to the remaining inliers start
-from the model and, if an inlier determines a parameter nearly alone, from samples. Points with
-small errors under the best fit are included again, at first only points of low leverage, as in a
-forward search
+from the model and from samples of these inliers. Points with small errors under the best fit are
+included again, at first only points of low leverage, as in a forward search
 @cite atkinson2000robust. A fit to all included points is polished. The result replaces the model on
 two conditions:
 - The errors of the included points that are inliers of the original model decrease by more than
@@ -115,7 +114,6 @@ private:
     Points inliers;      //!< at most MOST inliers among the first `looked` points
     Points bulk;         //!< the elements of `inliers` with low leverage
     int all;             //!< number of inliers of the model among all points
-    bool alone;          //!< an inlier determines a parameter nearly alone
 };
 
 }  // namespace usacv20
